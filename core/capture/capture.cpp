@@ -258,17 +258,19 @@ ChannelId Capture::addImported(std::string name, std::string unit, catalog::Regi
     return add(std::move(info));
 }
 
-void Capture::appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil)
+void Capture::appendImported(
+    ChannelId id, std::span<const Nanos> times, std::span<const double> values, Nanos holdUntil)
 {
     Channel *channel = mutableChannel(id);
     ValueColumn *column = channel ? channel->values() : nullptr;
-    if (!column || (!column->empty() && time <= column->lastTime())) {
-        ++m_refused.backwards;
+    if (!column || times.empty() || (!column->empty() && times.front() <= column->lastTime())) {
+        m_refused.backwards += times.size();
         return;
     }
-    column->append(time, value, holdUntil);
+    column->append(times, values, holdUntil);
     ++m_revision;
-    if (++m_sinceCheck >= kSamplesBetweenChecks)
+    m_sinceCheck += times.size();
+    if (m_sinceCheck >= kSamplesBetweenChecks)
         keepWithinLimit();
 }
 

@@ -70,8 +70,13 @@ public:
     /// A channel of values that came from a file or were computed; kind Slow.
     /// @param id  it is found by, at least kFirstOwnRegister; 0: one that is not known
     ChannelId addImported(std::string name, std::string unit, catalog::RegisterId id = 0);
-    /// Appends a value to it. Instants must rise.
-    void appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil);
+    /// Appends a value to it, or several without a gap between them. Instants must rise.
+    void appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil)
+    {
+        appendImported(id, std::span(&time, 1), std::span(&value, 1), holdUntil);
+    }
+    void appendImported(ChannelId id, std::span<const Nanos> times, std::span<const double> values,
+        Nanos holdUntil);
     /// Nothing is known between its last value and the next one.
     void breakImported(ChannelId id);
     /// Lets go of its oldest values, a chunk at a time, until there are at most so many.

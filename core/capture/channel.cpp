@@ -71,39 +71,32 @@ MinMax Channel::shown(CodeRange range) const
     return {std::min(a, b), std::max(a, b)};
 }
 
+MinMax Channel::shown(ValueRange range) const
+{
+    // Rounding keeps the order: the extremes of rounded values are the rounded extremes.
+    const auto a = static_cast<float>(toShown(range.min));
+    const auto b = static_cast<float>(toShown(range.max));
+    return {std::min(a, b), std::max(a, b)};
+}
+
 MinMax Channel::extremes(double from, double to) const
 {
     const Index low = atOrAfter(toNanos(from));
     const Index high = atOrAfter(toNanos(to));
     if (const FastColumn *column = fast())
         return shown(column->extremes(low, high));
-    MinMax range = values()->extremes(low, high);
-    if (!range.empty() && (m_info.factor != 1.0 || m_info.offset != 0.0)) {
-        const auto a = static_cast<float>(toShown(range.min));
-        const auto b = static_cast<float>(toShown(range.max));
-        range = {std::min(a, b), std::max(a, b)};
-    }
-    return range;
+    const ValueRange range = values()->valueExtremes(low, high);
+    return range.min > range.max ? MinMax() : shown(range);
 }
 
 std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) const
 {
     std::vector<MinMax> result(count);
-    if (const FastColumn *column = fast()) {
-        column->slices(from * kNanosPerSecond, to * kNanosPerSecond, count,
-            [&](std::size_t i, CodeRange range) { result[i] = shown(range); });
-        return result;
-    }
-    const double width = (to - from) / static_cast<double>(count);
-    const ValueColumn *column = values();
-    Index low = column->atOrAfter(toNanos(from));
-    for (std::size_t i = 0; i < count && low < column->end(); ++i) {
-        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = column->atOrAfter(toNanos(next));
-        if (high > low)
-            result[i] = extremes(from + width * static_cast<double>(i), next);
-        low = high;
-    }
+    const auto set = [&](std::size_t i, auto range) { result[i] = shown(range); };
+    if (const FastColumn *column = fast())
+        column->slices(from * kNanosPerSecond, to * kNanosPerSecond, count, set);
+    else
+        values()->slices(from, to, count, set);
     return result;
 }
 
@@ -132,10 +125,15 @@ std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) 
     if (index > begin() && holdUntil(index - 1) > toNanos(from))
         --index;
     Nanos known = index > begin() ? holdUntil(index - 1) : 0;
+    result.reserve(static_cast<std::size_t>(std::min<Index>(limit, stop - std::min(index, stop))));
+    const FastColumn *column = fast();
+    std::size_t piece = column && index < stop ? column->segmentOf(index) : 0;
     for (; index < stop && result.size() < limit; ++index) {
-        const Nanos time = timeOf(index);
+        while (column && index >= column->segments()[piece].end())
+            ++piece;
+        const Nanos time = column ? column->segments()[piece].timeOf(index) : timeOf(index);
         const bool first = index == begin() || known < time;
-        known = holdUntil(index);
+        known = column ? column->segments()[piece].timeOf(index + 1) : holdUntil(index);
         result.push_back({toSeconds(time), at(index), toSeconds(known), first});
     }
     return result;
@@ -173,6 +171,20 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
         add(runs[i].holdUntil, column->timeOf(runs[i + 1].first));
     }
     return result;
+}
+
+bool Channel::sharesGapsWith(const Channel &other) const
+{
+    const FastColumn *own = fast();
+    const FastColumn *its = other.fast();
+    if (!own || !its || own->segments().size() != its->segments().size() || empty()
+        || m_released != other.m_released)
+        return false;
+    const auto same = [](const Segment &a, const Segment &b) {
+        return a.start() == b.start() && a.stop() == b.stop() && a.first == b.first;
+    };
+    return same(own->segments().front(), its->segments().front())
+        && same(own->segments().back(), its->segments().back());
 }
 
 std::size_t Channel::bytes() const

@@ -101,6 +101,8 @@ public:
     /// Where nothing is known between two samples that touch [from, to), if wider than `least`
     /// seconds; also where the oldest samples were let go.
     std::vector<TimeSpan> gaps(double from, double to, double least) const;
+    /// Has the same gaps as that one, as signals of one stream do. Cost: two of them are compared.
+    bool sharesGapsWith(const Channel &other) const;
 
     double toShown(double stored) const { return (stored + m_info.offset) * m_info.factor; }
     std::size_t bytes() const; ///< in memory
@@ -120,6 +122,7 @@ public:
 
 private:
     MinMax shown(CodeRange range) const;
+    MinMax shown(ValueRange range) const;
 
     ChannelInfo m_info;
     Column m_column;

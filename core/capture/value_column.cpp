@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
 namespace capture {
 
@@ -41,6 +42,9 @@ void ValueColumn::measure(std::size_t block)
     for (std::size_t i = block * kBlockSamples; i < (block + 1) * kBlockSamples; ++i)
         range.include({m_filled->values[i], m_filled->values[i]});
     m_chunks.back()->ranges[block] = range;
+    if (block + 1 == m_chunks.back()->ranges.size())
+        for (const ValueRange &part : m_chunks.back()->ranges)
+            m_chunks.back()->all.include(part);
 }
 
 void ValueColumn::addChunk(Nanos start)
@@ -90,30 +94,73 @@ std::size_t ValueColumn::runOf(Index index) const
     return static_cast<std::size_t>(after - m_runs.begin()) - 1;
 }
 
-Index ValueColumn::atOrAfter(Nanos time) const
+namespace {
+/// Index of the first of these rising times that is not before `time`. They begin before it and end at it or later.
+/// @param guess  about where it is: found in a few steps from there
+std::size_t firstFrom(std::span<const Nanos> times, Nanos time, std::size_t guess)
 {
-    const auto after = std::lower_bound(m_chunks.begin(), m_chunks.end(), time,
-        [](const std::shared_ptr<Chunk> &chunk, Nanos wanted) { return chunk->start < wanted; });
-    if (after == m_chunks.begin())
-        return m_begin;
-    // In the chunk before it, or right behind that.
-    Index low = m_begin + static_cast<Index>(after - m_chunks.begin() - 1) * kChunkSamples;
-    Index high = std::min(low + kChunkSamples, m_end);
-    while (low < high) {
-        const Index middle = low + (high - low) / 2;
-        if (timeOf(middle) < time)
-            low = middle + 1;
-        else
-            high = middle;
+    std::size_t low = 0; // is before it
+    std::size_t high = times.size() - 1; // is not
+    const bool rises = times[guess] < time;
+    (rises ? low : high) = guess;
+    for (std::size_t reach = 1; reach < high - low; reach *= 4) {
+        const std::size_t probe = rises ? low + reach : high - reach;
+        const bool before = times[probe] < time;
+        (before ? low : high) = probe;
+        if (before != rises)
+            break;
     }
-    return low;
+    const auto first = times.begin() + static_cast<std::ptrdiff_t>(low + 1);
+    const auto last = times.begin() + static_cast<std::ptrdiff_t>(high);
+    return static_cast<std::size_t>(std::lower_bound(first, last, time) - times.begin());
+}
+} // namespace
+
+Index ValueColumn::atOrAfter(Nanos time) const { return edge(time, m_begin, 0); }
+
+Index ValueColumn::edge(Nanos time, Index low, Nanos tolerance) const
+{
+    if (low >= m_end)
+        return m_end;
+    // The last chunk that begins before it: most often the one that `low` is in, or its neighbour.
+    const auto begins = [](const std::shared_ptr<Chunk> &chunk, Nanos wanted) {
+        return chunk->start < wanted;
+    };
+    const auto here =
+        m_chunks.begin() + static_cast<std::ptrdiff_t>(low / kChunkSamples - m_released);
+    if (!begins(*here, time))
+        return low;
+    auto after = std::next(here);
+    if (after != m_chunks.end() && begins(*after, time))
+        after = std::lower_bound(std::next(after), m_chunks.end(), time, begins);
+    const Index first =
+        (m_released + static_cast<Index>(after - m_chunks.begin()) - 1) * kChunkSamples;
+    const std::span<const Nanos> times = this->times(first);
+    if (times.back() < time)
+        return first + times.size();
+    // Most values come at about equal steps.
+    const double share = static_cast<double>(time - times.front())
+        / static_cast<double>(times.back() - times.front());
+    const auto guess = static_cast<std::size_t>(share * static_cast<double>(times.size() - 1));
+    const std::size_t block = (guess + kBlockSamples / 2) / kBlockSamples * kBlockSamples;
+    if (block < times.size() && std::abs(times[block] - time) <= tolerance)
+        return std::max(low, first + block);
+    return std::max(low, first + firstFrom(times, time, guess));
 }
 
-MinMax ValueColumn::extremes(Index from, Index to) const
+std::span<const Nanos> ValueColumn::times(Index index) const
 {
-    // Rounding keeps the order: the extremes of rounded values are the rounded extremes.
-    const ValueRange range = valueExtremes(from, to);
-    return {static_cast<float>(range.min), static_cast<float>(range.max)};
+    const std::size_t at = inChunk(index);
+    const auto left = static_cast<std::size_t>(m_end - index);
+    return std::span(chunkOf(index).samples->times).subspan(at, std::min(left, kChunkSamples - at));
+}
+
+std::span<const double> ValueColumn::values(Index index) const
+{
+    const std::size_t at = inChunk(index);
+    const auto left = static_cast<std::size_t>(m_end - index);
+    return std::span(chunkOf(index).samples->values)
+        .subspan(at, std::min(left, kChunkSamples - at));
 }
 
 ValueRange ValueColumn::valueExtremes(Index from, Index to) const
@@ -122,12 +169,23 @@ ValueRange ValueColumn::valueExtremes(Index from, Index to) const
     to = std::min(to, m_end);
     ValueRange range;
     while (from < to) {
-        if (from % kBlockSamples == 0 && from + kBlockSamples <= to) {
-            range.include(blockExtremes(from));
-            from += kBlockSamples;
-        } else {
-            range.include({at(from), at(from)});
-            ++from;
+        const Chunk &chunk = chunkOf(from);
+        std::size_t at = inChunk(from);
+        const std::size_t end =
+            at + static_cast<std::size_t>(std::min<Index>(to - from, kChunkSamples - at));
+        from += end - at;
+        if (at == 0 && end == kChunkSamples) {
+            range.include(chunk.all);
+            continue;
+        }
+        while (at < end) {
+            if (at % kBlockSamples == 0 && at + kBlockSamples <= end) {
+                range.include(chunk.ranges[at / kBlockSamples]);
+                at += kBlockSamples;
+            } else {
+                const double value = chunk.samples->values[at++];
+                range.include({value, value});
+            }
         }
     }
     return range;

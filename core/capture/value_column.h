@@ -1,5 +1,5 @@
 // The samples of one slow or polled signal: an instant and a value each, in chunks with the
-// extremes of every 64. Values hold until the next one, at most to the end of their run.
+// extremes of every 64 and of all. Values hold until the next one, at most to the end of their run.
 //
 // A copy shares the chunks and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an archive.
 #pragma once
@@ -74,14 +74,22 @@ public:
     std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
 
     Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
-    MinMax extremes(
-        Index from, Index to) const; ///< of [from, to), clipped to what is kept; rounded to float
-    ValueRange valueExtremes(Index from, Index to) const; ///< the same, not rounded
+    /// Values from `index` on as they lie side by side: at most to the end of a chunk.
+    std::span<const Nanos> times(Index index) const;
+    std::span<const double> values(Index index) const;
+    /// Of [from, to), clipped to what is kept. Cost: a read a chunk, and some of its two ends.
+    ValueRange valueExtremes(Index from, Index to) const;
     /// Of the whole block that begins there; all of it has to be there. Cost: no sample is read.
     const ValueRange &blockExtremes(Index from) const
     {
         return chunkOf(from).ranges[inChunk(from) / kBlockSamples];
     }
+
+    /// Extremes of `count` equal slices of [from, to), as of a FastColumn: edges are rounded by less than a sixteenth of a
+    /// slice, and every value is in exactly one.
+    /// @param visit  called with (slice, ValueRange) for the slices that hold values, in order
+    template <class Visit>
+    void slices(double from, double to, std::size_t count, Visit visit) const;
 
     void releaseOldest();
     bool canRelease() const { return m_chunks.size() > 1; }
@@ -106,8 +114,12 @@ private:
         Nanos start = 0; ///< of its first sample: a search touches one chunk's samples only
         std::shared_ptr<const Samples> samples;
         std::array<ValueRange, kChunkSamples / kBlockSamples> ranges;
+        ValueRange all; ///< once it is full
     };
     void addChunk(Nanos start);
+    /// First value at or after `time`, not before `low`; or where a block begins, if that is no farther from `time` than
+    /// `tolerance`.
+    Index edge(Nanos time, Index low, Nanos tolerance) const;
     void measure(std::size_t block); ///< of the last chunk: whole now
     static std::size_t inChunk(Index index)
     {
@@ -128,5 +140,23 @@ private:
     bool m_broken = true;
     std::vector<Run> m_runs;
 };
+
+template <class Visit>
+void ValueColumn::slices(double from, double to, std::size_t count, Visit visit) const
+{
+    if (empty() || count == 0 || !(to > from))
+        return;
+    constexpr double kRounding = 1.0 / 16;
+    const double width = (to - from) / static_cast<double>(count);
+    const auto tolerance = static_cast<Nanos>(width * kRounding * kNanosPerSecond);
+    Index low = edge(toNanos(from), m_begin, tolerance);
+    for (std::size_t i = 0; i < count && low < m_end; ++i) {
+        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
+        const Index high = edge(toNanos(next), low, tolerance);
+        if (high > low)
+            visit(i, valueExtremes(low, high));
+        low = high;
+    }
+}
 
 } // namespace capture

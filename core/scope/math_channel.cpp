@@ -123,18 +123,91 @@ bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, st
         m_next = clock.begin();
         m_joined = false;
     }
-    bool rest = false;
-    while (m_next < clock.end() && clock.timeOf(m_next) < until && !rest) {
-        rest = most == 0;
-        if (!rest) {
-            compute(inputs, clock);
-            ++m_next;
-            --most;
+    const Index end = std::max(m_next, clock.atOrAfter(until));
+    const bool rest = end - m_next > most;
+    for (auto left = static_cast<std::size_t>(std::min<Index>(end - m_next, most)); left > 0;) {
+        std::size_t count = together(inputs, clock, left);
+        if (count > 0) {
+            const capture::FastColumn &column = *clock.fast();
+            computeTogether(inputs, column.segments()[column.segmentOf(m_next)], count);
+        } else {
+            constexpr std::size_t kSome = 256; // until they may come together
+            count = std::min(left, kSome);
+            for (std::size_t i = 0; i < count; ++i, ++m_next)
+                compute(inputs, clock);
         }
+        left -= count;
     }
     while (m_channel.size() > m_mostSamples && m_channel.canRelease())
         m_channel.releaseOldest();
     return rest;
+}
+
+/// At so many instants from the next one on, `most` at most, all inputs have a sample of their own, side by side in a chunk:
+/// signals of one stream. Places them there.
+std::size_t MathChannel::together(
+    std::span<const Channel *const> inputs, const Channel &clock, std::size_t most)
+{
+    const capture::FastColumn *column = clock.fast();
+    if (!column)
+        return 0;
+    const capture::Segment &segment = column->segments()[column->segmentOf(m_next)];
+    const capture::Tick tick = segment.tickOf(m_next);
+    std::size_t count = std::min(most, static_cast<std::size_t>(segment.end() - m_next));
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const capture::FastColumn *other = inputs[i]->fast();
+        const Index at = other ? other->atOrAfter(segment.base.timeOf(tick)) : 0;
+        if (!other || at >= other->end())
+            return 0;
+        const capture::Segment &its = other->segments()[other->segmentOf(at)];
+        if (its.base != segment.base || its.step != segment.step || its.tickOf(at) != tick)
+            return 0;
+        count = std::min(count, static_cast<std::size_t>(its.end() - at));
+        count = other->codes(at, count).size();
+        m_inputs[i].next = at;
+    }
+    return count;
+}
+
+void MathChannel::computeTogether(
+    std::span<const Channel *const> inputs, const capture::Segment &clock, std::size_t count)
+{
+    capture::ValueColumn &result = *m_channel.values();
+    std::vector<std::span<const std::int16_t>> codes;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        codes.push_back(inputs[i]->fast()->codes(m_inputs[i].next, count));
+    const double step = clock.stepNanos() / capture::kNanosPerSecond;
+    const auto store = [&] {
+        if (!m_pieceTimes.empty())
+            result.append(m_pieceTimes, m_pieceValues,
+                std::max(m_pieceTimes.back() + 1, clock.timeOf(m_next)));
+        m_pieceTimes.clear();
+        m_pieceValues.clear();
+    };
+    for (std::size_t k = 0; k < count; ++k, ++m_next) {
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            m_values[i] = inputs[i]->toShown(codes[i][k]);
+        const bool joined = m_joined && m_next != clock.first;
+        const double value = m_formula.step(m_values, step, joined);
+        m_joined = true;
+        m_before = clock.timeOf(m_next);
+        if (!joined || !std::isfinite(value)) {
+            store();
+            result.breakHere();
+        }
+        if (std::isfinite(value)) {
+            m_pieceTimes.push_back(m_before);
+            m_pieceValues.push_back(value);
+        }
+    }
+    store();
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        Input &input = m_inputs[i];
+        input.next += count;
+        input.value = m_values[i];
+        input.holdUntil = inputs[i]->holdUntil(input.next - 1);
+        input.wasLast = input.next == inputs[i]->end();
+    }
 }
 
 /// One instant: the value of the formula, or a gap.

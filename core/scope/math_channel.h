@@ -49,6 +49,10 @@ private:
     void chooseClock(std::span<const capture::Channel *const> inputs);
     bool readInputs(std::span<const capture::Channel *const> inputs, Nanos time);
     void compute(std::span<const capture::Channel *const> inputs, const capture::Channel &clock);
+    std::size_t together(std::span<const capture::Channel *const> inputs,
+        const capture::Channel &clock, std::size_t most);
+    void computeTogether(std::span<const capture::Channel *const> inputs,
+        const capture::Segment &clock, std::size_t count);
 
     Formula m_formula;
     capture::Channel m_channel;
@@ -57,6 +61,8 @@ private:
     Index m_next = 0; ///< of the clock
     std::vector<Input> m_inputs;
     std::vector<double> m_values;
+    std::vector<Nanos> m_pieceTimes; ///< of the result, between two gaps
+    std::vector<double> m_pieceValues;
     bool m_joined = false;
     Nanos m_before = 0;
 };

@@ -1,6 +1,5 @@
 #include "scope/trigger_search.h"
 
-#include "base/wide_registers.h"
 #include "scope/code_masks.h"
 #include "scope/trigger_machines.h"
 
@@ -351,7 +350,6 @@ Index TriggerSearch::position() const
 
 std::optional<TriggerHit> TriggerSearch::next(const Channel &channel, Nanos notBefore)
 {
-    clearWideRegisters();
     if (!m_state->work)
         m_state->work = std::visit(
             MakeWork{m_state->condition, m_state->from, channel}, m_state->condition.what);

@@ -1,6 +1,6 @@
 // P1, P2, P3: a redraw of the scope against QCPGraph on the same data, against its own cost with ten times fewer
 // samples, and against the least a redraw in QCustomPlot can cost. 1920 x 1080, the key range moves every time.
-#include "base/wide_registers.h"
+#include "widgets/scope/drawing/wide_registers.h"
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "widgets/scope/drawing/trace_image.h"
@@ -196,7 +196,7 @@ void againstTheLimit(benchmark::State &state)
             empty.xAxis->setRange(moved % 100, 1000 + moved % 100);
             empty.replot(QCustomPlot::rpQueuedRefresh);
             image.fill(Qt::white);
-            clearWideRegisters(); // as our own picture does: the limit of what is possible
+            widgets::clearWideRegisters(); // as our own picture does: the limit of what is possible
             for (const widgets::PixelColumns &own : columns)
                 widgets::fillColumns(image, own, 0xFF0072B2);
             QPainter(&target).drawImage(area.topLeft(), image);

@@ -2,6 +2,8 @@
 // Included before everything else in each test, by tests/CMakeLists.txt.
 #pragma once
 
+#include "support/watchdog/beats.h"
+
 #include <QtTest>
 
 namespace support {
@@ -15,6 +17,12 @@ public:
 };
 
 } // namespace support
+
+// As in Qt, with a watchdog in it.
+#undef QTEST_QAPP_SETUP
+#define QTEST_QAPP_SETUP(Application)                                                              \
+    support::Watched<Application> app(argc, argv);                                                 \
+    app.setAttribute(Qt::AA_Use96Dpi, true);
 
 // Qt's QTEST_MAIN and its kin are made of this one. `...` are the lines that make an application object.
 #undef QTEST_MAIN_WRAPPER

@@ -296,10 +296,15 @@ void MathChannels::copyTo(Computed &computed)
     const capture::Channel &from = computed.math->channel();
     const capture::ValueColumn &column = *from.values();
     const capture::ChannelId to = computed.entry.channel;
-    for (capture::Index i = std::max(computed.copied, from.begin()); i < from.end(); ++i) {
-        if (column.runs()[column.runOf(i)].first == i)
+    for (capture::Index i = std::max(computed.copied, from.begin()); i < from.end();) {
+        const capture::Run &run = column.runs()[column.runOf(i)];
+        if (run.first == i)
             m_capture.breakImported(to);
-        m_capture.appendImported(to, from.timeOf(i), from.at(i), from.holdUntil(i));
+        const auto count = static_cast<std::size_t>(
+            std::min<capture::Index>(column.times(i).size(), run.end() - i));
+        m_capture.appendImported(to, column.times(i).first(count), column.values(i).first(count),
+            from.holdUntil(i + count - 1));
+        i += count;
     }
     computed.copied = from.end();
     m_capture.keepNewest(to, kMostValues / m_computed.size());

@@ -1,6 +1,5 @@
 #include "widgets/measuring/measure_panel.h"
 
-#include "base/wide_registers.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"
@@ -70,6 +69,7 @@ MeasurePanel::MeasurePanel(
     connect(&trigger.trigger(), &Trigger::recordCompleted, this, &MeasurePanel::recordCompleted);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
         &MeasurePanel::drawChosen);
+    connect(m_table, &MeasureTable::dataChanged, this, &MeasurePanel::drawChosen);
     fillTraces();
 }
 
@@ -245,7 +245,6 @@ void MeasurePanel::recordCompleted(const scope::Record &record)
         from = capture::toNanos(range.from) + shift;
         to = capture::toNanos(range.to) + shift;
     }
-    clearWideRegisters();
     m_table->count(from, to, record.trigger);
     if (shown && shown->id == record.id)
         measureAll();
@@ -268,9 +267,7 @@ capture::TimeSpan MeasurePanel::measuredRange() const
 void MeasurePanel::measureAll()
 {
     const capture::TimeSpan range = measuredRange();
-    clearWideRegisters();
     m_table->measure(range.from, range.to);
-    drawChosen();
 }
 
 /// What the chosen row measured is drawn over its trace, while the table can be seen.

@@ -1,50 +1,26 @@
 #include "widgets/measuring/measure_table.h"
 
-#include "scope/measurer.h"
-#include "scope/phase.h"
 #include "widgets/base/device_text.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/scope/scope_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
-
-namespace {
-using scope::Quantity;
-
-/// Those that ask for a step; the others describe a signal that repeats.
-bool aboutStep(Quantity quantity)
-{
-    switch (quantity) {
-    case Quantity::Overshoot:
-    case Quantity::Undershoot:
-    case Quantity::PeakTime:
-    case Quantity::Settling:
-    case Quantity::DeadTime:
-    case Quantity::SteadyStateError:
-    case Quantity::Ripple:
-    case Quantity::RippleRms:
-    case Quantity::AbsoluteError:
-    case Quantity::TimedError:
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool fromEnvelope(Quantity quantity)
-{
-    return quantity == Quantity::Min || quantity == Quantity::Max
-        || quantity == Quantity::PeakToPeak;
-}
-} // namespace
 
 MeasureTable::MeasureTable(const ScopeView &scope, const capture::Capture &capture, QObject *parent)
     : QAbstractTableModel(parent)
     , m_scope(scope)
     , m_capture(capture)
 {
+    m_pool.setMaxThreadCount(1);
+}
+
+MeasureTable::~MeasureTable()
+{
+    m_leaving = true;
+    m_pool.waitForDone();
 }
 
 bool MeasureTable::add(const Wanted &wanted)
@@ -56,6 +32,7 @@ bool MeasureTable::add(const Wanted &wanted)
     if (rowCount() >= kMost || std::any_of(m_rows.begin(), m_rows.end(), same))
         return false;
     Row row;
+    row.id = ++m_lastId;
     row.wanted = wanted;
     row.named.quantity = wanted.quantity;
     if (const capture::Channel *channel = channelOf(wanted))
@@ -63,7 +40,6 @@ bool MeasureTable::add(const Wanted &wanted)
     if (const capture::Channel *second = secondOf(wanted))
         row.named.against = deviceText(second->info().name);
     beginInsertRows({}, rowCount(), rowCount());
-    m_next = m_rows.size(); // its turn
     m_rows.push_back(std::move(row));
     endInsertRows();
     return true;
@@ -82,6 +58,7 @@ NamedMeasure MeasureTable::named(int row) const { return m_rows[std::size_t(row)
 
 void MeasureTable::clearStatistics()
 {
+    ++m_cleared;
     for (Row &row : m_rows)
         row.statistics.clear();
     if (!m_rows.empty())
@@ -100,38 +77,42 @@ const capture::Channel *MeasureTable::secondOf(const Wanted &wanted) const
     return id ? m_capture.channel(*id) : nullptr;
 }
 
-/// @param trigger  a step is measured from there if it lies inside
-MeasureTable::Measured MeasureTable::measured(const Wanted &wanted, capture::Nanos from,
-    capture::Nanos to, std::optional<capture::Nanos> trigger) const
+MeasureJob MeasureTable::jobFor(capture::Nanos from, capture::Nanos to,
+    std::optional<capture::Nanos> trigger, std::uint64_t &cost) const
 {
-    Measured one;
-    one.result.quantity = wanted.quantity;
-    one.result.unit = scope::unitOf(wanted.quantity);
-    const capture::Channel *channel = channelOf(wanted);
-    if (!channel || channel->empty())
-        return one;
-    const double seconds = capture::toSeconds(from);
-    const std::uint64_t count =
-        fromEnvelope(wanted.quantity) ? 0 : channel->countIn(seconds, capture::toSeconds(to));
-    one.tooLong = count > kMostSamples;
-    if (one.tooLong)
-        return one;
-    if (wanted.quantity == Quantity::Phase) {
-        if (const capture::Channel *second = secondOf(wanted))
-            one.result = scope::measurePhase(*channel, *second, from, to);
-        one.read = 2 * count;
-        return one;
+    MeasureJob job;
+    job.from = from;
+    job.to = to;
+    job.trigger = trigger;
+    cost = 0;
+    for (const Row &row : m_rows) {
+        const capture::Channel *channel = channelOf(row.wanted);
+        const std::uint64_t own = channel ? samplesFor(row.wanted.quantity, *channel, from, to) : 0;
+        if (own > kMostSamples)
+            continue;
+        cost += own;
+        job.pieces.push_back({row.id, row.wanted.quantity, channel, secondOf(row.wanted)});
     }
-    std::optional<scope::StepSettings> step;
-    if (aboutStep(wanted.quantity)) {
-        step.emplace();
-        // A record of the trigger has the step where the trigger is.
-        if (trigger && *trigger > from && *trigger < to)
-            step->at = *trigger;
-    }
-    one.result = scope::Measurer(*channel, from, to, step).measure(wanted.quantity);
-    one.read = count;
-    return one;
+    return job;
+}
+
+MeasureTable::Row *MeasureTable::find(std::uint64_t id)
+{
+    const auto found =
+        std::find_if(m_rows.begin(), m_rows.end(), [id](const Row &row) { return row.id == id; });
+    return found == m_rows.end() ? nullptr : &*found;
+}
+
+void MeasureTable::inThread(
+    MeasureJob job, std::function<bool()> goesOn, std::function<void(const Results &)> take)
+{
+    job.detach(m_capture);
+    m_pool.start([this, job = std::move(job), goesOn = std::move(goesOn), take = std::move(take)] {
+        const auto results = std::make_shared<const Results>(
+            job.run([this, &goesOn] { return !m_leaving && goesOn(); }));
+        QMetaObject::invokeMethod(
+            this, [results, take] { take(*results); }, Qt::QueuedConnection);
+    });
 }
 
 void MeasureTable::measure(double from, double to)
@@ -140,29 +121,71 @@ void MeasureTable::measure(double from, double to)
         return;
     const auto mark = m_scope.triggerMarks().position;
     const auto trigger = mark ? std::optional(capture::toNanos(*mark)) : std::nullopt;
-    // Long pictures are measured some rows at a time, so that the window never waits for all of them.
     std::uint64_t cost = 0;
-    for (std::size_t done = 0; done < m_rows.size() && cost < kSamplesAtOnce; ++done) {
-        m_next %= m_rows.size();
-        Row &row = m_rows[m_next++];
-        const Measured now =
-            measured(row.wanted, capture::toNanos(from), capture::toNanos(to), trigger);
-        row.result = now.result;
-        row.tooLong = now.tooLong;
-        cost += now.read;
-    }
-    Q_EMIT dataChanged(index(0, ValueColumn), index(rowCount() - 1, CountColumn));
+    MeasureJob job = jobFor(capture::toNanos(from), capture::toNanos(to), trigger, cost);
+    for (Row &row : m_rows)
+        row.tooLong = std::none_of(job.pieces.begin(), job.pieces.end(),
+            [&row](const MeasureJob::Piece &piece) { return piece.row == row.id; });
+    if (cost > kSamplesAtOnce)
+        return measureLong(std::move(job), cost);
+    ++m_asked;
+    m_answered = {};
+    show(job.run([] { return true; }));
+}
+
+void MeasureTable::measureLong(MeasureJob job, std::uint64_t cost)
+{
+    constexpr int kRest = 2; // times as long as it took
+    Asked asked{job.from, job.to, job.trigger, cost, {}};
+    for (const MeasureJob::Piece &piece : job.pieces)
+        asked.rows.emplace_back(piece.row, piece.channel ? piece.channel->info().id : 0);
+    const bool rests = m_took.isValid() && m_took.elapsed() < m_rest_ms;
+    if (asked == m_answered || rests || std::exchange(m_busy, true))
+        return;
+    m_took.start();
+    const auto newest = [this, number = ++m_asked] { return m_asked == number; };
+    inThread(std::move(job), newest, [this, newest, asked](const Results &results) {
+        m_busy = false;
+        m_rest_ms = kRest * m_took.restart();
+        if (!newest())
+            return;
+        m_answered = asked;
+        show(results);
+    });
+}
+
+void MeasureTable::show(const Results &results)
+{
+    for (const MeasureJob::Result &result : results)
+        if (Row *row = find(result.row))
+            row->result = result.measured;
+    if (!m_rows.empty())
+        Q_EMIT dataChanged(index(0, ValueColumn), index(rowCount() - 1, CountColumn));
 }
 
 void MeasureTable::count(capture::Nanos from, capture::Nanos to, capture::Nanos trigger)
 {
     if (m_rows.empty() || to <= from)
         return;
-    for (Row &row : m_rows) {
-        const auto value = measured(row.wanted, from, to, trigger).result.value;
-        row.statistics.add(value ? std::optional(*value) : std::nullopt);
-    }
-    Q_EMIT dataChanged(index(0, MeanColumn), index(rowCount() - 1, CountColumn));
+    std::uint64_t cost = 0;
+    MeasureJob job = jobFor(from, to, trigger, cost);
+    if (cost <= kSamplesAtOnce)
+        return add(job.run([] { return true; }));
+    const auto counts = [this, cleared = m_cleared.load()] { return m_cleared == cleared; };
+    inThread(std::move(job), counts, [this, counts](const Results &results) {
+        if (counts())
+            add(results);
+    });
+}
+
+void MeasureTable::add(const Results &results)
+{
+    for (const MeasureJob::Result &result : results)
+        if (Row *row = find(result.row))
+            row->statistics.add(
+                result.measured.value ? std::optional(*result.measured.value) : std::nullopt);
+    if (!m_rows.empty())
+        Q_EMIT dataChanged(index(0, MeanColumn), index(rowCount() - 1, CountColumn));
 }
 
 MeasureMarks MeasureTable::marks(int row) const

@@ -21,6 +21,8 @@ private Q_SLOTS:
     void everyColumnEqualsAScanOfItsSamples();
     void everySampleIsInExactlyOneColumn();
     void columnsShowNothingInAGap();
+    void valuesAreFoundAndShownAsAScanFindsThem_data();
+    void valuesAreFoundAndShownAsAScanFindsThem();
     void aLossBecomesAGapAndNeverAZero();
     void aStopEndsTheHold();
     void aSignalThatIsStreamedAgainContinuesItsChannel();
@@ -243,6 +245,79 @@ void TestCapture::everySampleIsInExactlyOneColumn()
             QVERIFY(all.min <= inner.min && all.max >= inner.max);
         if (!all.empty())
             QVERIFY(outer.min <= all.min && outer.max >= all.max);
+    }
+}
+
+void TestCapture::valuesAreFoundAndShownAsAScanFindsThem_data()
+{
+    QTest::addColumn<int>("steps");
+    QTest::newRow("equal") << 0;
+    QTest::newRow("nearly equal") << 1;
+    QTest::newRow("bursts") << 2;
+    QTest::newRow("slower and slower") << 3;
+}
+
+void TestCapture::valuesAreFoundAndShownAsAScanFindsThem()
+{
+    QFETCH(const int, steps);
+    constexpr int kValues = 3 * int(ValueColumn::kChunkSamples) * 4 + 77;
+    Capture capture;
+    const ChannelId id = capture.addImported("V", "A");
+    std::mt19937 random(21 + steps);
+    std::vector<Nanos> times;
+    std::vector<float> values;
+    Nanos now = 1'000'000;
+    for (int i = 0; i < kValues; ++i) {
+        const Nanos step[] = {62'500, 60'000 + Nanos(random() % 5'000),
+            random() % 500 == 0 ? Nanos(50'000'000) : Nanos(1'000), 10'000 + Nanos(i) * 3};
+        now += step[steps];
+        times.push_back(now);
+        values.push_back(float(int(random() % 2001) - 1000));
+        if (random() % 3000 == 0)
+            capture.breakImported(id);
+        capture.appendImported(id, now, double(values.back()), now + 100);
+    }
+    const Channel &channel = *capture.channel(id);
+    const auto scan = [&](Nanos from, Nanos to) {
+        MinMax all;
+        const auto first = std::lower_bound(times.begin(), times.end(), from);
+        for (auto at = first; at != times.end() && *at < to; ++at) {
+            const float value = values[std::size_t(at - times.begin())];
+            all.include({value, value});
+        }
+        return all;
+    };
+    std::uniform_int_distribution<Nanos> anywhere(0, now + 1'000'000);
+    for (int i = 0; i < 20'000; ++i) {
+        const Nanos time =
+            i % 2 == 0 ? anywhere(random) : times[random() % times.size()] + i % 3 - 1;
+        const auto first = std::lower_bound(times.begin(), times.end(), time) - times.begin();
+        QCOMPARE(channel.atOrAfter(time), capture::Index(first));
+    }
+    for (int i = 0; i < 1'000; ++i) {
+        Nanos from = anywhere(random), to = anywhere(random);
+        if (i % 2 == 0)
+            to = from + Nanos(random() % 100'000'000);
+        if (from >= to)
+            std::swap(from, to);
+        const MinMax found = channel.extremes(capture::toSeconds(from), capture::toSeconds(to));
+        const MinMax wanted = scan(from, to);
+        QVERIFY(found.empty() == wanted.empty()
+            && (found.empty() || (found.min == wanted.min && found.max == wanted.max)));
+        const std::size_t count = 1 + random() % 300;
+        const double width = capture::toSeconds(to - from) / double(count);
+        const auto blur = Nanos(width * 1e9 / 16) + 2;
+        const auto columns =
+            channel.columns(capture::toSeconds(from), capture::toSeconds(to), count);
+        for (std::size_t x = 0; x < count; ++x) {
+            const Nanos low = from + capture::toNanos(width * double(x));
+            const Nanos high = from + capture::toNanos(width * double(x + 1));
+            const MinMax inner = scan(low + blur, high - blur);
+            const MinMax outer = scan(low - blur, high + blur);
+            const MinMax &column = columns[x];
+            QVERIFY(inner.empty() || (column.min <= inner.min && column.max >= inner.max));
+            QVERIFY(column.empty() || (outer.min <= column.min && outer.max >= column.max));
+        }
     }
 }
 

@@ -25,6 +25,8 @@ private Q_SLOTS:
     void nothingIsComputedBeforeItIsSettled();
     void resultsDoNotDependOnHowSamplesArrive_data();
     void resultsDoNotDependOnHowSamplesArrive();
+    void signalsOfOneStreamAreComputedAsAnyOthers_data();
+    void signalsOfOneStreamAreComputedAsAnyOthers();
     void workCanBeSharedOut();
     void theOldestSamplesAreReleased();
 };
@@ -219,6 +221,51 @@ void TestScopeMath::resultsDoNotDependOnHowSamplesArrive()
         gaps += runs.size();
     }
     QVERIFY(gaps > 12);
+}
+
+void TestScopeMath::signalsOfOneStreamAreComputedAsAnyOthers_data()
+{
+    resultsDoNotDependOnHowSamplesArrive_data();
+}
+
+/// They are read side by side. A nanosecond earlier one of them is of no stream with the other, and holds the same.
+void TestScopeMath::signalsOfOneStreamAreComputedAsAnyOthers()
+{
+    QFETCH(const QByteArray, text);
+    const auto channelOf = [](std::uint32_t seed, Nanos earlier) {
+        capture::Channel channel({seed, seed, "", "", 0.01, 3.0, {}});
+        capture::TickBase base = capture::TickBase::of(kRate, 2.0);
+        base.origin -= earlier;
+        std::mt19937 values(seed), lengths(5);
+        capture::Tick tick = 7;
+        for (int piece = 0; piece < 40; ++piece) {
+            std::vector<std::int16_t> codes(1 + lengths() % 9000);
+            for (std::int16_t &code : codes)
+                code = static_cast<std::int16_t>(int(values() % 4001) - 2000);
+            channel.fast()->append(base, tick, 1, codes);
+            tick += static_cast<capture::Tick>(codes.size() + lengths() % 3); // some follow
+        }
+        return channel;
+    };
+    const capture::Channel x = channelOf(1, 0), y = channelOf(2, 0), earlier = channelOf(2, 1);
+    MathChannel together = math(text.toStdString()), apart = math(text.toStdString());
+    const auto inputs = [&](const capture::Channel &second) {
+        Inputs all;
+        for (const std::size_t used : together.formula().used())
+            all.push_back(used == 0 ? &x : &second);
+        return all;
+    };
+    std::mt19937 random(3);
+    while (together.update(inputs(y), kEver, 1 + random() % 5000)) { }
+    apart.update(inputs(earlier), kEver);
+    QVERIFY(together.channel().size() > 100'000 / 4);
+    QVERIFY(values(together.channel()) == values(apart.channel()));
+    const auto &runs = together.channel().values()->runs();
+    QCOMPARE(runs.size(), apart.channel().values()->runs().size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        QCOMPARE(runs[i].first, apart.channel().values()->runs()[i].first);
+        QCOMPARE(runs[i].holdUntil, apart.channel().values()->runs()[i].holdUntil);
+    }
 }
 
 void TestScopeMath::workCanBeSharedOut()

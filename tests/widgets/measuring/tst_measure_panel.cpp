@@ -45,8 +45,11 @@ private Q_SLOTS:
     void recordsAreCountedWhileTheNextFills();
     void betweenCursorsRecordsAreCountedThereToo();
     void phaseNeedsASecondTrace();
-    void tooManySamplesAreNotRead();
-    void longPicturesAreMeasuredInTurns();
+    void longPicturesAreMeasuredElsewhere();
+    void aShortPictureDoesNotWaitForALongOne();
+    void longRecordsAreCountedElsewhere();
+    void whatWasClearedIsNotCounted();
+    void itLeavesWhileALongOneIsMeasured();
     void theTableIsAModelAndACopy();
     void everyQuantityHasAName();
 
@@ -91,6 +94,7 @@ private:
         return count;
     }
 
+    static constexpr int kLong = 2 * int(MeasureTable::kSamplesAtOnce);
     std::unique_ptr<facts::ScopeWindow> m_rig;
 };
 
@@ -253,22 +257,12 @@ void TestMeasurePanel::phaseNeedsASecondTrace()
     QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("0.00\u00a0\u00b0"));
 }
 
-void TestMeasurePanel::tooManySamplesAreNotRead()
+/// What comes of it is told by an event: nothing of it can be there before the loop runs.
+void TestMeasurePanel::longPicturesAreMeasuredElsewhere()
 {
-    m_rig->record(int(MeasureTable::kMostSamples), [](int, int) { return 1; });
-    view().setVisibleRange(0.0, 1e5);
-    add(facts::kCurrentA, Quantity::Rms);
-    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("too many samples: zoom in"));
-    add(facts::kCurrentA, Quantity::Max); // the envelope knows it
-    QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("10.0\u00a0A"));
-}
-
-void TestMeasurePanel::longPicturesAreMeasuredInTurns()
-{
-    constexpr int kMany = int(MeasureTable::kSamplesAtOnce);
-    m_rig->record(kMany, [](int, int) { return 1; });
-    m_rig->record(kMany, [](int, int) { return 3; });
-    view().setVisibleRange(4.0, 4.0 + kMany / 1000.0);
+    m_rig->record(kLong, [](int, int) { return 1; });
+    m_rig->record(kLong, [](int, int) { return 3; });
+    view().setVisibleRange(4.0, 4.0 + kLong / 1000.0);
     add(facts::kCurrentA, Quantity::Mean);
     add(facts::kCurrentA, Quantity::Rms);
     const auto values = [&] {
@@ -276,12 +270,82 @@ void TestMeasurePanel::longPicturesAreMeasuredInTurns()
     };
     const QString one = QStringLiteral("1.0\u00a0A");
     const QString three = QStringLiteral("3.0\u00a0A");
+    QVERIFY(!values().contains(one));
+    const auto heartbeats = [&](const QString &until) {
+        Q_EMIT m_rig->workbench.heartbeat({});
+        return values() == QStringList{until, until};
+    };
+    QTRY_VERIFY(heartbeats(one)); // the second row was not there when the first one was begun
+    view().setVisibleRange(4.0 + kLong / 1000.0, 4.0 + 2 * kLong / 1000.0);
+    Q_EMIT m_rig->workbench.heartbeat({});
     QCOMPARE(values(), (QStringList{one, one}));
-    view().setVisibleRange(4.0 + kMany / 1000.0, 4.0 + 2 * kMany / 1000.0);
-    Q_EMIT m_rig->workbench.heartbeat({});
-    QCOMPARE(values().count(three), 1);
-    Q_EMIT m_rig->workbench.heartbeat({});
-    QCOMPARE(values(), (QStringList{three, three}));
+    QTRY_VERIFY(heartbeats(three));
+    auto *overlay = m_rig->window.findChild<widgets::ScopeOverlay *>();
+    QVERIFY(overlay->measure().text.contains(QStringLiteral("3.0")));
+}
+
+void TestMeasurePanel::aShortPictureDoesNotWaitForALongOne()
+{
+    m_rig->record(kLong, [](int, int) { return 3; });
+    m_rig->record(kLong, [](int, int) { return 4; });
+    view().setVisibleRange(4.0, 4.0 + kLong / 1000.0);
+    add(facts::kCurrentA, Quantity::Mean);
+    QStringList shown;
+    connect(list()->model(), &QAbstractItemModel::dataChanged, this,
+        [&] { shown.append(cell(0, MeasureTable::ValueColumn)); });
+    const auto measure = [this](double from, double to) {
+        view().setVisibleRange(from, to);
+        Q_EMIT m_rig->workbench.heartbeat({});
+    };
+    measure(0.0, 0.05);
+    QCOMPARE(shown.value(0), QStringLiteral("10.0\u00a0A"));
+    const QString newest = QStringLiteral("4.0\u00a0A");
+    const auto isNewest = [&] {
+        measure(4.0 + kLong / 1000.0, 4.0 + 2 * kLong / 1000.0);
+        return shown.last() == newest;
+    };
+    QTRY_VERIFY(isNewest());
+    QVERIFY(!shown.contains(QStringLiteral("3.0\u00a0A"))); // its answer came too late
+}
+
+void TestMeasurePanel::longRecordsAreCountedElsewhere()
+{
+    for (int i = 0; i < 4; ++i)
+        add(facts::kCurrentA, widgets::allQuantities()[3 + i]);
+    const widgets::TriggerControl &trigger = triggerOn(30.0);
+    const auto edges = [](int, int tick) { return tick % 40000 < 5000 ? -10 : 10; };
+    for (int batch = 0; batch < 20; ++batch) {
+        const int before = cell(0, MeasureTable::CountColumn).toInt();
+        const int completeBefore = complete(trigger);
+        m_rig->record(5000, edges);
+        QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), before);
+        QTRY_COMPARE(cell(0, MeasureTable::CountColumn).toInt(),
+            before + complete(trigger) - completeBefore);
+    }
+    QVERIFY(complete(trigger) >= 2);
+    QCOMPARE(cell(1, MeasureTable::CountColumn), cell(0, MeasureTable::CountColumn));
+}
+
+void TestMeasurePanel::whatWasClearedIsNotCounted()
+{
+    for (int i = 0; i < 4; ++i)
+        add(facts::kCurrentA, widgets::allQuantities()[3 + i]);
+    const widgets::TriggerControl &trigger = triggerOn(30.0);
+    const auto edges = [](int, int tick) { return tick % 40000 < 5000 ? -10 : 10; };
+    while (complete(trigger) == 0)
+        m_rig->record(5000, edges);
+    QTest::mouseClick(m_rig->find<QWidget>("clearStatistics"), Qt::LeftButton);
+    while (complete(trigger) == 1)
+        m_rig->record(5000, edges);
+    QTRY_COMPARE(cell(0, MeasureTable::CountColumn), QStringLiteral("1"));
+}
+
+void TestMeasurePanel::itLeavesWhileALongOneIsMeasured()
+{
+    m_rig->record(kLong, [](int, int) { return 3; });
+    view().setVisibleRange(4.0, 4.0 + kLong / 1000.0);
+    add(facts::kCurrentA, Quantity::Mean);
+    m_rig.reset();
 }
 
 void TestMeasurePanel::theTableIsAModelAndACopy()

@@ -1,8 +1,11 @@
 // How often the scope draws: not at all for nobody, seldom while nothing is driven, at once for a hand.
 #include "support/scope_bench.h"
 #include "support/scope_window.h"
+#include "widgets/measuring/spectrum_panel.h"
 
+#include <QAction>
 #include <QElapsedTimer>
+#include <QSignalSpy>
 
 using drive::MotorState;
 
@@ -44,6 +47,45 @@ private Q_SLOTS:
         QVERIFY(view().visibleRange().to > then + 0.1); // with all that came meanwhile
         settled();
         QCOMPARE(view().redraws(), before + 1);
+    }
+
+    void nothingOfAToolIsDrawnUnseen_data() { nobodySeesIt_data(); }
+    void nothingOfAToolIsDrawnUnseen()
+    {
+        QFETCH(bool, minimised);
+        m_rig->find<QAction>("spectrumDockOpen")->trigger();
+        auto *panel = m_rig->window.findChild<widgets::SpectrumPanel *>();
+        const auto beat = [&] {
+            record();
+            Q_EMIT m_rig->workbench.heartbeat({});
+        };
+        const QSignalSpy seen(panel, &widgets::SpectrumPanel::shown);
+        QTRY_VERIFY((beat(), !seen.isEmpty()));
+        if (minimised)
+            m_rig->window.showMinimized();
+        else
+            m_rig->window.hide();
+        whileAnotherDrawsSomeFrames(); // what was under way
+        const QSignalSpy unseen(panel, &widgets::SpectrumPanel::shown);
+        for (int i = 0; i < 3; ++i) {
+            beat();
+            whileAnotherDrawsSomeFrames();
+        }
+        QCOMPARE(unseen.size(), 0);
+        m_rig->window.showNormal();
+        QTRY_VERIFY((beat(), !unseen.isEmpty()));
+    }
+
+    void everySampleIsKeptUnseen()
+    {
+        m_rig->window.showMinimized();
+        const capture::ChannelId id = m_rig->id(facts::kCurrentA);
+        const auto before = m_rig->workbench.capture().size(id);
+        for (int i = 0; i < 100; ++i) {
+            record();
+            QCoreApplication::processEvents();
+        }
+        QCOMPARE(m_rig->workbench.capture().size(id), before + 100 * kBatch);
     }
 
     void aPictureThatIsTakenUnseenIsOfNow()
@@ -96,7 +138,7 @@ private:
     widgets::ScopeView &view() { return m_rig->scope(); }
     void record()
     {
-        m_rig->record(50, [](int, int tick) { return tick % 7; });
+        m_rig->record(kBatch, [](int, int tick) { return tick % 7; });
     }
     void settled()
     {
@@ -132,6 +174,7 @@ private:
         return double(clock.nsecsElapsed()) / 1e6 / frames;
     }
 
+    static constexpr int kBatch = 50;
     std::unique_ptr<facts::ScopeWindow> m_rig;
 };
 

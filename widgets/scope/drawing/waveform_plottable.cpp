@@ -1,9 +1,9 @@
 #include "widgets/scope/drawing/waveform_plottable.h"
 
-#include "base/wide_registers.h"
 #include "scope/unit.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/scope/drawing/wide_registers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,10 +156,13 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
     for (const Trace &trace : m_scopePlot.traces)
         kind = std::min(kind, trace.info.kind);
     std::vector<capture::TimeSpan> gaps;
+    const capture::Channel *before = nullptr;
     for (const Trace &trace : m_scopePlot.traces) {
         const capture::Channel *channel = m_capture.channel(trace.channel);
-        if (!channel || trace.info.kind != kind || kind == Kind::Polled)
+        if (!channel || trace.info.kind != kind || kind == Kind::Polled
+            || (before && channel->sharesGapsWith(*before)))
             continue;
+        before = channel;
         const auto own = channel->gaps(range.lower, range.upper, pixel);
         gaps.insert(gaps.end(), own.begin(), own.end());
     }

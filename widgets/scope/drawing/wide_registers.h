@@ -4,5 +4,9 @@
 // rectangles; seen with XGETBV), so long computations in a thread that paints begin with this.
 #pragma once
 
+namespace widgets {
+
 /// Clears them: one instruction. Nothing where the processor or the compiler has none.
 void clearWideRegisters();
+
+} // namespace widgets
