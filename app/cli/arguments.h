@@ -4,7 +4,7 @@
 #include "drive/protocol.h"
 #include "drive/wish.h"
 #include "failure.h"
-#include "lab/tuning.h"
+#include "lab/evaluation/tuning.h"
 
 #include <QStringList>
 
@@ -55,9 +55,13 @@ struct TuningArguments {
 
 /// Of step.
 struct StepArguments {
-    int fromRpm = 0, toRpm = 0;
+    enum class Kind : std::uint8_t { Speed, Torque, Flux };
+    Kind kind = Kind::Speed;
+    int fromRpm = 0, toRpm = 0; ///< of Speed
+    double fromAmps = 0.0, toAmps = 0.0; ///< of the others
     int repeat = 5;
-    int hold_ms = 500;
+    int hold_ms = 0; ///< 0: as long as usual
+    std::optional<int> rpm; ///< at which the motor turns, of the others
 };
 
 /// Of response.

@@ -31,6 +31,8 @@ struct Conditions {
     milliseconds length{}; ///< of its course
     /// Written before the motor is started, while it rests; afterwards they are what they were.
     std::vector<drive::RegisterWrite> lent = {};
+    /// References of a motor that turns which are 0 before, because they are afterwards.
+    std::vector<drive::RegisterId> zeroBefore = {};
     /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
     milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab/course.h"
+#include "lab/current_step_plan.h"
 #include "lab/response_plan.h"
 #include "lab/rest_plan.h"
 #include "lab/spin_plan.h"
@@ -11,7 +12,7 @@
 
 namespace lab {
 
-using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan>;
+using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan>;
 
 struct Experiment {
     Plan plan;

@@ -49,6 +49,8 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
     auto plan = [&]() -> Result<Plan, std::string> {
         if (kind == "step")
             return withNumbers(StepPlan{.caps = caps}, numbers);
+        if (kind == "current_step")
+            return withNumbers(currentStepPlanFor(subject, false, 0.0, 0.0, caps), numbers);
         if (kind == "spin")
             return withNumbers(spinPlanFor(subject, caps), numbers);
         if (kind == "response")

@@ -25,6 +25,7 @@ constexpr Duration kPolls = 20ms; ///< of bus and temperature
 /// Of what only the board tells; the other margins are in lab/caps.h.
 constexpr double kBusRise = 1.1, kBusSag = 0.7;
 constexpr double kHottest_c = 85.0;
+constexpr double kNoCurrent = 0.005; ///< of the nominal one: a few digits
 
 std::string rpmText(double rpm) { return std::to_string(std::lround(rpm)) + " rpm"; }
 
@@ -69,6 +70,9 @@ void Runner::begin(TimePoint now)
             read.registers.push_back(id);
     for (const drive::RegisterWrite &lent : m_conditions.lent)
         read.registers.push_back(lent.id);
+    for (const drive::RegisterId id : m_conditions.zeroBefore)
+        if (id != 0)
+            read.registers.push_back(id);
     ask(std::move(read), now);
 }
 
@@ -319,6 +323,11 @@ void Runner::onRead(TimePoint now)
     if (m_ran && !near(m_status->speedRpm, m_before_rpm))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
     m_target_rpm = static_cast<int>(std::lround(*target.rpm));
+    const double none_a = kNoCurrent * m_experiment.subject.limits.nominalCurrentAmps;
+    for (const drive::RegisterId id : m_conditions.zeroBefore)
+        if (m_ran && std::abs(shown(id).value_or(0.0)) > none_a)
+            return refuse(m_experiment.subject.nameOf(id)
+                + " is not 0, and would be afterwards: bring it to 0 first");
     enter(Phase::Streaming, kAnswerWithin, now);
     ask(stream(), now);
 }

@@ -183,13 +183,16 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
-    if (plan.fluxAmps > 0.0) // at the full rate of the control loop, which leaves room for no more
+    if (plan.fluxAmps
+        > 0.0) { // at the full rate of the control loop, which leaves room for no more
         conditions.recorded = {
             registers.current, registers.currentD, registers.voltage, registers.angle};
-    else
-        for (const drive::RegisterId id : {registers.voltage, registers.currentD})
-            if (id != 0)
-                conditions.recorded.push_back(id);
+        conditions.zeroBefore = {registers.referenceD};
+        return conditions;
+    }
+    for (const drive::RegisterId id : {registers.voltage, registers.currentD})
+        if (id != 0)
+            conditions.recorded.push_back(id);
     return conditions;
 }
 

@@ -71,7 +71,7 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         if (!can.available
             && (can.feature == drive::Feature::SpeedRamp || can.feature == drive::Feature::Stream
                 || can.feature == drive::Feature::Start))
-            return fail(can.reason);
+            return fail(can.reason.substr(0, can.reason.find_last_not_of('.') + 1));
     const auto at = static_cast<std::size_t>(motor - 1);
     const catalog::Catalog &catalog = *board.catalog;
     const std::string speed =

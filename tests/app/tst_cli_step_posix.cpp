@@ -58,38 +58,53 @@ private Q_SLOTS:
             return program;
         };
         m_step = begin("step speed --from 1000 --to 1500 --repeat 2 --hold 200 --json -o");
+        m_torque = begin("step torque --from 0.4 --to 0.8 --repeat 2 --json -o");
+        m_flux = begin("step flux --from 0 --to -1.5 --repeat 2 --json -o");
         m_response = begin("response speed --seconds 4 --json -o");
         m_mechanics = begin("identify mechanical --json -o");
         m_electrics = begin("identify electrical --json -o");
         m_tuning = begin("autotune --goal stiff --apply --seconds 6 --json");
-        const std::array all{
-            m_step.get(), m_response.get(), m_mechanics.get(), m_electrics.get(), m_tuning.get()};
+        const std::array all{m_step.get(), m_torque.get(), m_flux.get(), m_response.get(),
+            m_mechanics.get(), m_electrics.get(), m_tuning.get()};
         const auto ended = [](ExperimentProgram *program) { return program->ended(); };
         while (std::count_if(all.begin(), all.end(), ended) < qsizetype(all.size())) { }
     }
     void cleanupTestCase()
     {
-        for (auto *program : {&m_step, &m_response, &m_mechanics, &m_electrics, &m_tuning})
+        for (auto *program :
+            {&m_step, &m_torque, &m_flux, &m_response, &m_mechanics, &m_electrics, &m_tuning})
             program->reset();
+    }
+
+    void aSeriesOfStepsAndItsFileSayTheSame_data()
+    {
+        QTest::addColumn<ExperimentProgram *>("program");
+        QTest::addColumn<QString>("first");
+        QTest::newRow("speed") << m_step.get() << QStringLiteral("up");
+        QTest::newRow("torque") << m_torque.get() << QStringLiteral("up");
+        QTest::newRow("flux") << m_flux.get() << QStringLiteral("down");
     }
 
     void aSeriesOfStepsAndItsFileSayTheSame()
     {
-        COMPARE_END(*m_step, 0);
-        const QJsonObject said = jsonOf(m_step->run());
+        QFETCH(ExperimentProgram *const, program);
+        QFETCH(const QString, first);
+        COMPARE_END(*program, 0);
+        const QJsonObject said = jsonOf(program->run());
         QCOMPARE(said.value(QStringLiteral("kind")).toString(), QStringLiteral("step"));
         const QJsonArray runs = said.value(QStringLiteral("runs")).toArray();
         QCOMPARE(runs.size(), 4);
         for (qsizetype i = 0; i < runs.size(); ++i) {
             const QJsonObject one = runs[i].toObject();
             QCOMPARE(one.value(QStringLiteral("direction")).toString(),
-                i % 2 == 0 ? QStringLiteral("up") : QStringLiteral("down"));
+                (i % 2 == 0) == (first == QStringLiteral("up")) ? QStringLiteral("up")
+                                                                : QStringLiteral("down"));
             QCOMPARE(one.keys(),
                 (QStringList{QStringLiteral("direction"), QStringLiteral("instant_error_s"),
                     QStringLiteral("overshoot_pct"), QStringLiteral("peak_iq_a"),
                     QStringLiteral("rise_s"), QStringLiteral("settling_s")}));
         }
-        theFileSaysTheSame(*m_step);
+        theFileSaysTheSame(*program);
     }
 
     void theOtherExperimentsSayTheSameFromTheirFiles_data()
@@ -251,6 +266,13 @@ private Q_SLOTS:
         QTest::newRow("no end") << QStringLiteral("step speed --from 1000") << 2;
         QTest::newRow("no number") << QStringLiteral("step speed --from x --to 1000") << 2;
         QTest::newRow("another kind") << QStringLiteral("step voltage --from 1 --to 2") << 2;
+        QTest::newRow("a torque that brakes")
+            << QStringLiteral("step torque --from -1 --to 1") << 1;
+        QTest::newRow("a flux beyond one's own")
+            << QStringLiteral("step flux --from 0 --to 2 --max-amps 1") << 1;
+        QTest::newRow("no current") << QStringLiteral("step torque --from 0 --to x") << 2;
+        QTest::newRow("a speed at a speed")
+            << QStringLiteral("step speed --from 900 --to 1000 --speed 500") << 2;
     }
 
     void whatCannotBeDoneMovesNothing()
@@ -279,13 +301,16 @@ private Q_SLOTS:
 
     void boardsThatRecordNothingAndFilesWithoutASeriesSayWhy()
     {
-        const CliRun older =
-            support::runCli({QStringLiteral("--port"), QStringLiteral("sim:legacy"),
-                QStringLiteral("step"), QStringLiteral("speed"), QStringLiteral("--from"),
-                QStringLiteral("500"), QStringLiteral("--to"), QStringLiteral("900")});
-        COMPARE_STATUS(older, 1);
-        QVERIFY2(
-            older.err.contains(QStringLiteral("Nothing can be measured")), qPrintable(older.err));
+        for (const char *kind : {"speed", "torque", "flux"}) {
+            const CliRun older =
+                support::runCli({QStringLiteral("--port"), QStringLiteral("sim:legacy"),
+                    QStringLiteral("step"), QLatin1String(kind), QStringLiteral("--from"),
+                    QStringLiteral("500"), QStringLiteral("--to"), QStringLiteral("900")});
+            COMPARE_STATUS(older, 1);
+            QVERIFY2(older.err.contains(QStringLiteral("Nothing can be measured"))
+                    && older.oneLineOfError(),
+                qPrintable(older.err));
+        }
         const Simulator board(kServo);
         QVERIFY(board.ready());
         const QString file = board.file("other.pcapng");
@@ -306,7 +331,8 @@ private:
         QVERIFY(program.board().cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
-    std::unique_ptr<ExperimentProgram> m_step, m_response, m_mechanics, m_electrics, m_tuning;
+    std::unique_ptr<ExperimentProgram> m_step, m_torque, m_flux, m_response, m_mechanics,
+        m_electrics, m_tuning;
 };
 
 QTEST_GUILESS_MAIN(TestCliStep)

@@ -1,8 +1,8 @@
 // How right the lab is: experiments on virtual time with motors whose truth is known, as a table. The presets, and the motors
 // of tests/data/invented, which nothing was tuned with; with several seeds, without a load and with two brakes. What did not
 // come to a result is told with its reason. `rotorscope-lab-accuracy 20` takes twenty seeds.
-#include "lab/electrical_evaluation.h"
-#include "lab/mechanical_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
 #include "session/files/motor_file.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"

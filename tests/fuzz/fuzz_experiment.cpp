@@ -1,10 +1,11 @@
 // Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded signals
 // look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
 #include "fuzz/script.h"
-#include "lab/electrical_evaluation.h"
-#include "lab/mechanical_evaluation.h"
-#include "lab/step_series.h"
-#include "lab/tuning.h"
+#include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/step_series.h"
+#include "lab/evaluation/tuning.h"
 #include "record/restore.h"
 
 #include <array>
@@ -108,6 +109,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const lab::Happenings happenings =
         happeningsOf({reinterpret_cast<const char *>(data + 1), size - 1});
     if (const auto steps = lab::stepSeries(capture, happenings)) {
+        fuzz::require(steps->runs.size() <= happenings.size());
+        for (const auto &mean :
+            {steps->rise_s, steps->overshoot_pct, steps->settling_s, steps->peakIq_a})
+            check(mean);
+    }
+    if (const auto steps = lab::currentSteps(capture, happenings)) {
         fuzz::require(steps->runs.size() <= happenings.size());
         for (const auto &mean :
             {steps->rise_s, steps->overshoot_pct, steps->settling_s, steps->peakIq_a})

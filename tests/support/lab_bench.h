@@ -4,7 +4,7 @@
 
 #include "drive/values.h"
 #include "lab/runner.h"
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 #include "record/drive_entries.h"
 #include "record/restore.h"
 #include "support/link_pair.h"
@@ -77,6 +77,8 @@ struct LabBench {
                     gainOf(registers.integral, registers.integralExponent), 1e-3}));
         else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
             keep(lab::entryOf(*spin, experiment.subject));
+        else if (const auto *current = std::get_if<lab::CurrentStepPlan>(&experiment.plan))
+            keep(lab::entryOf(*current, experiment.subject));
         else if (const auto *rest = std::get_if<lab::RestPlan>(&experiment.plan))
             keep(lab::entryOf(*rest, experiment.subject));
         else

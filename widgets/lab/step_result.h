@@ -2,7 +2,7 @@
 // experiment alone; a curve is the speed by which they were measured.
 #pragma once
 
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 #include "widgets/lab/experiments.h"
 
 #include <QString>

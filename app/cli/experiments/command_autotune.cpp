@@ -5,8 +5,8 @@
 #include "experiments/plan_entry.h"
 #include "experiments/reports.h"
 #include "json_text.h"
-#include "lab/step_series.h"
-#include "lab/tuning.h"
+#include "lab/evaluation/step_series.h"
+#include "lab/evaluation/tuning.h"
 
 #include <algorithm>
 

@@ -1,59 +1,117 @@
-// step: brings the motor to one speed, steps it to another and back, and says how its speed loop followed. Afterwards the
-// motor is as it was.
+// step: lets a speed, a torque or the current along the magnets jump to and fro, and says how its loop followed. Afterwards
+// the motor is as it was.
 #include "experiments/experiment_run.h"
+
+#include <cmath>
 
 namespace cli {
 
 namespace {
 
+using Kind = StepArguments::Kind;
+
+lab::Plan planFor(const StepArguments &asked, const lab::Subject &subject, const Desk &desk)
+{
+    const drive::UserLimits &limits = desk.arguments.limits;
+    if (asked.kind == Kind::Speed) {
+        lab::StepPlan plan{
+            .fromRpm = asked.fromRpm, .toRpm = asked.toRpm, .repeat = asked.repeat, .caps = limits};
+        if (asked.hold_ms > 0)
+            plan.hold = std::chrono::milliseconds(asked.hold_ms);
+        return plan;
+    }
+    lab::CurrentStepPlan plan = lab::currentStepPlanFor(
+        subject, asked.kind == Kind::Flux, asked.fromAmps, asked.toAmps, limits);
+    plan.repeat = asked.repeat;
+    if (asked.hold_ms > 0)
+        plan.hold = std::chrono::milliseconds(asked.hold_ms);
+    if (asked.rpm)
+        plan.rpm = *asked.rpm;
+    return plan;
+}
+
 Outcome<int> runStep(Desk &desk)
 {
-    const StepArguments &asked = desk.arguments.step;
     ExperimentRun run(desk);
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
-    const lab::StepPlan plan{.fromRpm = asked.fromRpm,
-        .toRpm = asked.toRpm,
-        .repeat = asked.repeat,
-        .hold = std::chrono::milliseconds(asked.hold_ms),
-        .caps = desk.arguments.limits};
-    return run.run(*subject, {plan});
+    return run.run(*subject, {planFor(desk.arguments.step, *subject, desk)});
 }
 
 constexpr OptionText kOptions[] = {
-    {"from", "RPM", "The speed to step from."},
-    {"to", "RPM", "The speed to step to."},
+    {"from", "RPM|A", "The speed to step from; amps of a torque or a flux."},
+    {"to", "RPM|A", "The speed to step to; amps of a torque or a flux."},
     {"repeat", "N", "Steps up, and as many down; 5 if not given."},
-    {"hold", "MS", "How long each speed is held; 500 if not given."},
+    {"hold", "MS", "How long each is held; 500 if not given, 20 of a torque or a flux."},
+    {"speed", "RPM",
+        "Of a torque or a flux: at which the motor turns; 0.35 of what is allowed if not given, "
+        "0.45 without a sensor."},
     kRunOption,
 };
+
+Outcome<bool> readAmps(const Given &given, StepArguments &step)
+{
+    constexpr double kMost = 1e5;
+    for (const auto &[name, amps] :
+        {std::pair("from", &step.fromAmps), std::pair("to", &step.toAmps)}) {
+        const auto number = plainNumber(given.value(name));
+        if (!number || std::abs(*number) > kMost)
+            return usage(QStringLiteral("--%1 %2 is no current in amps.")
+                             .arg(QLatin1String(name), given.value(name)));
+        *amps = *number;
+    }
+    return true;
+}
 
 Outcome<bool> readStep(const Given &given, Arguments &arguments)
 {
     StepArguments &step = arguments.step;
-    if (given.words().first() != QLatin1String("speed"))
-        return usage(QStringLiteral("Only speed can be stepped, not \"%1\": write step speed "
-                                    "--from A --to B.")
-                         .arg(given.words().first()));
+    const QString what = given.words().first();
+    if (what == QLatin1String("torque"))
+        step.kind = Kind::Torque;
+    else if (what == QLatin1String("flux"))
+        step.kind = Kind::Flux;
+    else if (what != QLatin1String("speed"))
+        return usage(QStringLiteral("There is no \"%1\" to step: write step speed, step torque or "
+                                    "step flux.")
+                         .arg(what));
+    const bool speed = step.kind == Kind::Speed;
     if (!given.has("from") || !given.has("to"))
+        return usage(speed
+                ? QStringLiteral("Say between which speeds, for example --from 1000 --to 1500.")
+                : QStringLiteral("Say between which currents, for example --from 0.5 --to 2."));
+    if (speed && given.has("speed"))
         return usage(
-            QStringLiteral("Say between which speeds, for example --from 1000 --to 1500."));
+            QStringLiteral("--speed is for torque and flux: a speed has --from and --to."));
     constexpr int kMostRpm = 1'000'000;
     constexpr int kMostRepeats = 100, kMostHold_ms = 10'000;
+    int rpm = 0, fromRpm = 0, toRpm = 0;
     const auto numbers = readNumbers(given,
-        {{"from", &step.fromRpm, -kMostRpm, kMostRpm}, {"to", &step.toRpm, -kMostRpm, kMostRpm},
-            {"repeat", &step.repeat, 1, kMostRepeats}, {"hold", &step.hold_ms, 50, kMostHold_ms}});
+        {{"repeat", &step.repeat, 1, kMostRepeats},
+            {"hold", &step.hold_ms, speed ? 50 : 10, speed ? kMostHold_ms : 500},
+            {"speed", &rpm, -kMostRpm, kMostRpm}});
     if (!numbers)
         return numbers;
+    if (given.has("speed"))
+        step.rpm = rpm;
+    const auto ends = speed
+        ? readNumbers(
+            given, {{"from", &fromRpm, -kMostRpm, kMostRpm}, {"to", &toRpm, -kMostRpm, kMostRpm}})
+        : readAmps(given, step);
+    if (!ends)
+        return ends;
+    step.fromRpm = fromRpm;
+    step.toRpm = toRpm;
     return readRunFile(given, arguments);
 }
 
 } // namespace
 
 const Command kStep{.name = "step",
-    .words = "speed --from A --to B",
-    .help = "Steps the speed up and down and says how its loop followed; then all is as before.",
+    .words = "speed|torque|flux --from A --to B",
+    .help = "Steps a speed or a current up and down and says how its loop followed; then all is as "
+            "before.",
     .least = 1,
     .most = 1,
     .options = kOptions,

@@ -1,10 +1,11 @@
 #include "experiments/reports.h"
 
 #include "json_text.h"
-#include "lab/electrical_evaluation.h"
-#include "lab/mechanical_evaluation.h"
-#include "lab/response_evaluation.h"
-#include "lab/step_series.h"
+#include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/response_evaluation.h"
+#include "lab/evaluation/step_series.h"
 
 #include <array>
 #include <cmath>
@@ -36,7 +37,7 @@ void put(JsonText &json, std::string_view name, const std::optional<lab::Estimat
     json.endObject();
 }
 
-QByteArray jsonOf(const lab::StepSeries &series)
+QByteArray jsonOf(const lab::MeasuredSteps &series)
 {
     JsonText json;
     json.beginObject();
@@ -88,7 +89,7 @@ QString meanText(const std::optional<lab::Estimate> &mean, double factor, int di
 
 constexpr double kMilli = 1e3;
 
-void print(const lab::StepSeries &series, Output &out)
+void print(const lab::MeasuredSteps &series, Output &out)
 {
     out.line(row({},
         {QStringLiteral("rise ms"), QStringLiteral("overshoot %"), QStringLiteral("settling ms"),
@@ -105,7 +106,7 @@ void print(const lab::StepSeries &series, Output &out)
             meanText(series.settling_s, kMilli, 1), meanText(series.peakIq_a, 1.0, 2), {}}));
 }
 
-Outcome<int> report(const lab::StepSeries &series, Output &out)
+Outcome<int> report(const lab::MeasuredSteps &series, Output &out)
 {
     if (out.json())
         out.json(jsonOf(series));
@@ -296,6 +297,10 @@ Outcome<int> evaluate(const QString &path, Output &out)
     for (const auto &[at, what] : happenings) {
         if (lab::recordedSteps(what)) {
             const auto series = lab::stepSeries(capture, happenings);
+            return series ? report(*series, out) : refused(series.error());
+        }
+        if (lab::recordedCurrentSteps(what)) {
+            const auto series = lab::currentSteps(capture, happenings);
             return series ? report(*series, out) : refused(series.error());
         }
         const auto spin = lab::recordedSpin(what);

@@ -1,6 +1,6 @@
 // Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals; and that a motor is afterwards what it was.
-#include "lab/electrical_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 

@@ -35,7 +35,7 @@ struct Scenario {
         runs = random.chance(0.5);
         at = std::chrono::milliseconds(random.below(9000));
         const Subject &subject = bench.experiment.subject;
-        switch (random.below(3)) {
+        switch (random.below(4)) {
         case 0: {
             // Without a sensor: with room above what its observer needs.
             const auto least =
@@ -49,6 +49,15 @@ struct Scenario {
         case 1: {
             SpinPlan plan = spinPlanFor(subject, {});
             plan.length = 3s;
+            bench.experiment.plan = plan;
+            break;
+        }
+        case 2: {
+            const bool flux = random.chance(0.5);
+            const double share = 0.05 + 0.002 * double(random.below(100));
+            CurrentStepPlan plan = currentStepPlanFor(
+                subject, flux, 0.0, share * subject.limits.nominalCurrentAmps, {});
+            plan.repeat = static_cast<int>(1 + random.below(3));
             bench.experiment.plan = plan;
             break;
         }

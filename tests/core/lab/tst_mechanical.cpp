@@ -1,5 +1,5 @@
 // Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their intervals.
-#include "lab/mechanical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 

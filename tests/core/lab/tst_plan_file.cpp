@@ -21,6 +21,12 @@ private Q_SLOTS:
         expected.fluxAmps = 1.5;
         expected.seed = 7;
         QCOMPARE(std::get<SpinPlan>(*spin), expected);
+        const auto flux = planOf("current_step",
+            {{"flux", 1}, {"from_a", 0.5}, {"to_a", -1}, {"rpm", 900}}, subject, {});
+        QVERIFY(flux);
+        CurrentStepPlan wanted = currentStepPlanFor(subject, true, 0.5, -1.0, {});
+        wanted.rpm = 900;
+        QCOMPARE(std::get<CurrentStepPlan>(*flux), wanted);
         const auto rest = planOf("rest", {}, subject, {});
         QVERIFY(rest);
         QCOMPARE(std::get<RestPlan>(*rest), restPlanFor(subject, {}));

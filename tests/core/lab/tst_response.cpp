@@ -1,6 +1,6 @@
 // The frequency response of simulated motors and their speed loops, against the model that they are.
+#include "lab/evaluation/response_evaluation.h"
 #include "lab/maths/cross_spectra.h"
-#include "lab/response_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 

@@ -1,5 +1,5 @@
 // Signals side by side without a gap, the flux from voltages, and what ends a link in a recording.
-#include "lab/flux_fit.h"
+#include "lab/evaluation/flux_fit.h"
 #include "lab/happenings.h"
 #include "support/link_pair.h"
 

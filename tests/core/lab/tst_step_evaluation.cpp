@@ -1,5 +1,5 @@
 // One step, from samples whose truth is known: an analytic plant of second order, seen through a board's digits.
-#include "lab/step_evaluation.h"
+#include "lab/evaluation/step_evaluation.h"
 #include "support/link_pair.h"
 
 #include <QTest>
@@ -123,7 +123,7 @@ struct Recording {
     StepAsked asked() const
     {
         const Nanos at = capture::toNanos(at_s);
-        return {int(from), int(to), at - 4'000'000, at + 4'000'000, at + kSecond / 2};
+        return {from, to, at - 4'000'000, at + 4'000'000, at + kSecond / 2};
     }
 };
 
@@ -245,9 +245,9 @@ private Q_SLOTS:
         recording.to = 1000.0;
         StepAsked asked = recording.asked();
         const StepChannels channels = recording.make();
-        asked.toRpm = 1500;
+        asked.to = 1500;
         QVERIFY(evaluateStep(channels, asked, kFacts).unusable.has_value());
-        asked.toRpm = 500; // and one that goes the other way is not this step
+        asked.to = 500; // and one that goes the other way is not this step
         Recording other;
         QVERIFY(evaluateStep(other.make(), asked, kFacts).unusable.has_value());
     }

@@ -1,6 +1,6 @@
 // Gains from the measured response of simulated motors: that their loops keep the distance that was promised, and step as
 // predicted, whatever gains the board began with.
-#include "lab/tuning.h"
+#include "lab/evaluation/tuning.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 

@@ -1,4 +1,4 @@
-#include "lab/driven_span.h"
+#include "lab/evaluation/driven_span.h"
 
 #include "lab/experiment.h"
 #include "lab/fields.h"

@@ -1,4 +1,4 @@
-#include "lab/step_evaluation.h"
+#include "lab/evaluation/step_evaluation.h"
 
 #include "scope/step_response.h"
 
@@ -70,16 +70,6 @@ std::optional<double> valueOf(const scope::StepResponse &response, scope::Quanti
     return measured ? std::optional(*measured) : std::nullopt;
 }
 
-/// Largest magnitude, if anything is there.
-std::optional<double> peakOf(const capture::Channel &channel, Nanos from, Nanos to)
-{
-    const scope::SampleRange range(channel, from, to);
-    if (range.empty())
-        return std::nullopt;
-    const auto ends = range.extremes();
-    return std::max(std::abs(ends.min), std::abs(ends.max));
-}
-
 /// How much of the time the reference stood at its end in the direction of the step: for two samples or more in a row.
 double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, bool up)
 {
@@ -101,16 +91,16 @@ double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, boo
 } // namespace
 
 std::optional<StepInstant> stepInstant(
-    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm)
+    const capture::Channel &reference, const StepAsked &asked, double jumpPerUnit)
 {
-    const double step = asked.toRpm - asked.fromRpm;
+    const double step = asked.to - asked.from;
     const double direction = step > 0.0 ? 1.0 : -1.0;
     const scope::SampleRange range(reference, asked.asked - kEarly, asked.answered + kLate);
     if (range.empty() || range.gapInside())
         return std::nullopt;
     const scope::SampleRange whole(reference, asked.asked - kEarly, asked.until);
     const auto ends = whole.extremes();
-    const double expected = std::abs(jumpPerRpm * step);
+    const double expected = std::abs(jumpPerUnit * step);
     std::vector<Jump> jumps = jumpsOf(range, direction);
     jumps = expected > 0.0 ? likeExpected(std::move(jumps), expected,
                 direction > 0.0 ? ends.max : ends.min, std::abs(reference.info().digit()) * 1.5)
@@ -169,25 +159,33 @@ capture::Capture speedOf(
     return result;
 }
 
-namespace {
+std::optional<double> peakOf(const capture::Channel &channel, Nanos from, Nanos to)
+{
+    const scope::SampleRange range(channel, from, to);
+    if (range.empty())
+        return std::nullopt;
+    const auto ends = range.extremes();
+    return std::max(std::abs(ends.min), std::abs(ends.max));
+}
 
-/// What the speed says, over [run.at - kBefore, until).
-void measureSpeed(StepRun &run, const capture::Channel &speed, Nanos until)
+void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nanos until)
 {
     scope::StepSettings settings;
     settings.at = run.at;
-    const scope::StepResponse response({speed, run.at - kBefore, until}, settings);
-    run.unusable = response.whyNot();
-    if (!run.unusable && run.up != (response.final() > response.initial()))
+    const scope::StepResponse step({response, from, until}, settings);
+    run.unusable = step.whyNot();
+    if (!run.unusable && run.up != (step.final() > step.initial()))
         run.unusable = scope::WhyNot::NoStep;
     if (run.unusable)
         return;
-    run.rise_s = valueOf(response, run.up ? scope::Quantity::Rise : scope::Quantity::Fall);
-    run.overshoot_pct = valueOf(response, scope::Quantity::Overshoot);
+    run.rise_s = valueOf(step, run.up ? scope::Quantity::Rise : scope::Quantity::Fall);
+    run.overshoot_pct = valueOf(step, scope::Quantity::Overshoot);
     // Without the instant, what is counted from it is not known.
     if (run.found)
-        run.settling_s = valueOf(response, scope::Quantity::Settling);
+        run.settling_s = valueOf(step, scope::Quantity::Settling);
 }
+
+namespace {
 
 void measureByAngle(
     StepRun &run, const capture::Channel &angle, double polePairs, double window_s, Nanos until)
@@ -198,7 +196,7 @@ void measureByAngle(
     if (ids.empty())
         run.unusable = scope::WhyNot::GapInside;
     else
-        measureSpeed(run, *turned.channel(ids.front().id), until);
+        measureStep(run, *turned.channel(ids.front().id), run.at - kBefore, until);
 }
 
 } // namespace
@@ -206,7 +204,7 @@ void measureByAngle(
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts)
 {
     StepRun run;
-    run.up = asked.toRpm > asked.fromRpm;
+    run.up = asked.to > asked.from;
     const auto instant = stepInstant(*channels.reference, asked, facts.jumpPerRpm);
     run.found = instant.has_value();
     // Not found, it lies anywhere in the range that was searched: what came before that is not the step's.
@@ -217,7 +215,7 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
         run.peakIq_a = peakOf(*channels.current, run.at, asked.until);
     run.atLimit = shareAtLimit(*channels.reference, run.at, asked.until, run.up);
     if (channels.angle == nullptr || !(facts.polePairs > 0.0)) {
-        measureSpeed(run, *channels.speed, asked.until);
+        measureStep(run, *channels.speed, run.at - kBefore, asked.until);
         return run;
     }
     measureByAngle(run, *channels.angle, facts.polePairs, kSpeedWindow_s, asked.until);

@@ -1,10 +1,10 @@
-#include "lab/mechanical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
 
-#include "lab/driven_span.h"
+#include "lab/evaluation/driven_span.h"
+#include "lab/evaluation/flux_fit.h"
+#include "lab/evaluation/segments.h"
 #include "lab/fields.h"
-#include "lab/flux_fit.h"
 #include "lab/maths/least_squares.h"
-#include "lab/segments.h"
 
 #include <algorithm>
 #include <array>

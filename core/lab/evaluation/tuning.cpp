@@ -1,4 +1,4 @@
-#include "lab/tuning.h"
+#include "lab/evaluation/tuning.h"
 
 #include <algorithm>
 #include <cmath>

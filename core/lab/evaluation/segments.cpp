@@ -1,4 +1,4 @@
-#include "lab/segments.h"
+#include "lab/evaluation/segments.h"
 
 #include "scope/sample_range.h"
 

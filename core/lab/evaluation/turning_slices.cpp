@@ -1,4 +1,4 @@
-#include "lab/turning_slices.h"
+#include "lab/evaluation/turning_slices.h"
 
 #include "lab/maths/least_squares.h"
 

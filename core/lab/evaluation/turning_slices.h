@@ -2,7 +2,7 @@
 // voltages are solved with. Pure.
 #pragma once
 
-#include "lab/segments.h"
+#include "lab/evaluation/segments.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
-#include "lab/electrical_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
 
-#include "lab/driven_span.h"
+#include "lab/evaluation/driven_span.h"
+#include "lab/evaluation/segments.h"
+#include "lab/evaluation/turning_slices.h"
 #include "lab/fields.h"
 #include "lab/maths/least_squares.h"
-#include "lab/segments.h"
-#include "lab/turning_slices.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 // R and D only take up what is not the flux's: two levels of current do not tell them apart.
 #pragma once
 
+#include "lab/evaluation/segments.h"
 #include "lab/maths/estimate.h"
-#include "lab/segments.h"
 
 #include <optional>
 

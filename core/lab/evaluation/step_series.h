@@ -2,10 +2,10 @@
 // the same numbers, on the day of the measurement and a year later.
 #pragma once
 
+#include "lab/evaluation/step_evaluation.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
 #include "lab/maths/estimate.h"
-#include "lab/step_evaluation.h"
 
 #include <string>
 #include <utility>
@@ -13,14 +13,22 @@
 
 namespace lab {
 
-struct StepSeries {
-    StepPlan plan;
+struct MeasuredSteps {
     std::vector<StepRun> runs; ///< in the order in which they were made
     /// In the middle between the mean of the steps up and that of the steps down, of all runs that have it.
     std::optional<Estimate> rise_s, overshoot_pct, settling_s, peakIq_a;
     /// What the user has to know of these numbers, a sentence each, without a full stop.
     std::vector<std::string> notes;
 };
+struct StepSeries : MeasuredSteps {
+    StepPlan plan;
+};
+
+/// Their means, with notes on runs that stand apart from the others.
+/// @param digit_a, resolution_s  differences up to it are none, of a current and of a rise
+void addMeans(MeasuredSteps &series, double digit_a, double resolution_s);
+/// Notes on runs of which not all is told. @param signal  what is stepped, in a word
+void noteRuns(MeasuredSteps &series, const std::string &signal);
 
 /// The first series in a recording; or why there is none, in a sentence without a full stop.
 Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, const Happenings &all);

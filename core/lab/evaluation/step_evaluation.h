@@ -26,10 +26,10 @@ struct StepChannels {
 
 /// A step as it was asked for.
 struct StepAsked {
-    int fromRpm = 0, toRpm = 0;
+    double from = 0.0, to = 0.0; ///< rpm, or A of a current
     Nanos asked = 0; ///< when it was handed to the link
     Nanos answered = 0; ///< when the board had agreed
-    Nanos until = 0; ///< the speed is held at least so long
+    Nanos until = 0; ///< it is held at least so long
 };
 
 struct StepFacts {
@@ -52,12 +52,18 @@ struct StepRun {
 };
 
 /// The instant at which the reference jumps as much as a step makes it; empty if it does so nowhere around that time.
+/// @param jumpPerUnit  A for each unit of the step; 0: not known
 struct StepInstant {
     Nanos at = 0;
     Nanos error = 0; ///< to either side
 };
 std::optional<StepInstant> stepInstant(
-    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm);
+    const capture::Channel &reference, const StepAsked &asked, double jumpPerUnit);
+
+/// What the response of a step is over [from, until), into its run.
+void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nanos until);
+/// Largest magnitude, if anything is there.
+std::optional<double> peakOf(const capture::Channel &channel, Nanos from, Nanos to);
 
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
 

@@ -1,4 +1,4 @@
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 
 #include "lab/fields.h"
 #include "lab/maths/statistics.h"
@@ -47,9 +47,9 @@ private:
         const bool up = *rpm == plan.toRpm;
         if (!up && *rpm != plan.fromRpm)
             return;
-        const int from = up ? plan.fromRpm : plan.toRpm;
+        const double from = up ? plan.fromRpm : plan.toRpm;
         const Nanos until = at + std::chrono::nanoseconds(plan.hold).count();
-        steps.push_back({from, up ? plan.toRpm : plan.fromRpm, at, at, until});
+        steps.push_back({from, *rpm, at, at, until});
         m_open = true;
     }
     /// The motion log has when it was asked and answered, on the clock of the link.
@@ -91,13 +91,13 @@ private:
     bool m_left = false; ///< there will be no other one
 };
 
-std::string runName(const StepSeries &series, std::size_t run)
+std::string runName(const MeasuredSteps &series, std::size_t run)
 {
     return "run " + std::to_string(run + 1) + (series.runs[run].up ? " (up)" : " (down)");
 }
 
 /// The mean of one number of the runs; runs that stand apart from the others of their direction are named.
-std::optional<Estimate> meanOver(StepSeries &series, std::optional<double> StepRun::*member,
+std::optional<Estimate> meanOver(MeasuredSteps &series, std::optional<double> StepRun::*member,
     const std::string &what, double resolution)
 {
     std::array<std::vector<double>, 2> values; // down, up
@@ -121,28 +121,6 @@ std::optional<Estimate> meanOver(StepSeries &series, std::optional<double> StepR
     return meanOfBoth(values[0], values[1]);
 }
 
-void noteRuns(StepSeries &series)
-{
-    for (std::size_t i = 0; i < series.runs.size(); ++i) {
-        const StepRun &run = series.runs[i];
-        if (run.unusable == scope::WhyNot::GapInside)
-            series.notes.push_back(
-                "samples are missing in " + runName(series, i) + ": nothing is told of its speed");
-        else if (run.unusable)
-            series.notes.push_back("the speed does not step in " + runName(series, i));
-        else if (!run.found)
-            series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
-                + textOf(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
-        else if (!run.settling_s)
-            series.notes.push_back(runName(series, i) + " does not settle while its speed is held");
-        constexpr double kNoticeable = 0.02, kPercent = 100.0;
-        if (run.atLimit > kNoticeable)
-            series.notes.push_back("the current was at its limit in "
-                + textOf(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
-                + ": it does not show the loop alone");
-    }
-}
-
 /// A step of few digits of the speed says little, also by the angle.
 void noteResolution(StepSeries &series, const RecordedSteps &plan)
 {
@@ -155,6 +133,46 @@ void noteResolution(StepSeries &series, const RecordedSteps &plan)
 }
 
 } // namespace
+
+void addMeans(MeasuredSteps &series, double digit_a, double resolution_s)
+{
+    series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", resolution_s);
+    series.overshoot_pct = meanOver(series, &StepRun::overshoot_pct, "overshoot", 1.0);
+    series.settling_s = meanOver(series, &StepRun::settling_s, "settling time", resolution_s);
+    series.peakIq_a = meanOver(series, &StepRun::peakIq_a, "peak current", 2.0 * digit_a);
+}
+
+void noteRuns(MeasuredSteps &series, const std::string &signal)
+{
+    constexpr std::ptrdiff_t kNamed = 3; // more of them are told by their number
+    const auto settlesNot = [](const StepRun &run) {
+        return !run.unusable && run.found && !run.settling_s;
+    };
+    const auto unsettled = std::count_if(series.runs.begin(), series.runs.end(), settlesNot);
+    if (unsettled > kNamed)
+        series.notes.push_back(std::to_string(unsettled) + " of "
+            + std::to_string(series.runs.size()) + " runs do not settle while their " + signal
+            + " is held");
+    for (std::size_t i = 0; i < series.runs.size(); ++i) {
+        const StepRun &run = series.runs[i];
+        if (run.unusable == scope::WhyNot::GapInside)
+            series.notes.push_back("samples are missing in " + runName(series, i)
+                + ": nothing is told of its " + signal);
+        else if (run.unusable)
+            series.notes.push_back("the " + signal + " does not step in " + runName(series, i));
+        else if (!run.found)
+            series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
+                + textOf(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
+        else if (settlesNot(run) && unsettled <= kNamed)
+            series.notes.push_back(
+                runName(series, i) + " does not settle while its " + signal + " is held");
+        constexpr double kNoticeable = 0.02, kPercent = 100.0;
+        if (run.atLimit > kNoticeable)
+            series.notes.push_back("the current was at its limit in "
+                + textOf(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
+                + ": it does not show the loop alone");
+    }
+}
 
 Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, const Happenings &all)
 {
@@ -183,13 +201,9 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     else if (!finder.over)
         series.notes.emplace_back("the recording ends before the series does");
     noteResolution(series, *plan);
-    noteRuns(series);
+    noteRuns(series, "speed");
     constexpr double kMilli = 1e-3;
-    series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", kMilli);
-    series.overshoot_pct = meanOver(series, &StepRun::overshoot_pct, "overshoot", 1.0);
-    series.settling_s = meanOver(series, &StepRun::settling_s, "settling time", kMilli);
-    series.peakIq_a = meanOver(
-        series, &StepRun::peakIq_a, "peak current", 2.0 * channels.reference->info().digit());
+    addMeans(series, channels.reference->info().digit(), kMilli);
     return series;
 }
 

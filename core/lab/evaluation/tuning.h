@@ -6,7 +6,7 @@
 // Astrom and T. Hagglund, Advanced PID Control (2006), ch. 4 and 6: integral gain under a bound on the sensitivity.
 #pragma once
 
-#include "lab/response_evaluation.h"
+#include "lab/evaluation/response_evaluation.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "lab/flux_fit.h"
+#include "lab/evaluation/flux_fit.h"
 
 #include "lab/maths/least_squares.h"
 

@@ -1,10 +1,10 @@
-#include "lab/response_evaluation.h"
+#include "lab/evaluation/response_evaluation.h"
 
+#include "lab/evaluation/segments.h"
+#include "lab/evaluation/step_evaluation.h"
 #include "lab/fields.h"
 #include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
-#include "lab/segments.h"
-#include "lab/step_evaluation.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ public:
         if (what.name == "speed ramp" && numberOf(what, "motor") == m_plan.motor
             && numberOf(what, "ms") == 0.0) {
             finish(at);
-            const auto rpm = static_cast<int>(numberOf(what, "rpm").value_or(0.0));
+            const double rpm = numberOf(what, "rpm").value_or(0.0);
             m_open = StepAsked{m_last, rpm, at, at, at};
             m_last = rpm;
         } else if (what.name == "motion" && m_open && fieldOf(what, "act") == "SPEED_RAMP") {
@@ -87,20 +87,20 @@ private:
         StepAsked asked = *m_open;
         m_open.reset();
         asked.until = end = at;
-        const auto instant = asked.fromRpm == 0
+        const auto instant = asked.from == 0.0
             ? std::nullopt
             : stepInstant(m_reference, asked, m_plan.regulator.proportional);
         if (instant)
             m_late.push_back(static_cast<double>(instant->at - asked.asked));
         else
             m_unsure.push_back(edges.size());
-        edges.push_back({instant ? instant->at : asked.asked, double(asked.toRpm)});
+        edges.push_back({instant ? instant->at : asked.asked, asked.to});
     }
 
     const RecordedResponse &m_plan;
     const capture::Channel &m_reference;
     std::optional<StepAsked> m_open;
-    int m_last = 0;
+    double m_last = 0.0;
     std::vector<double> m_late; ///< from being asked for to the jump
     std::vector<std::size_t> m_unsure;
 };
