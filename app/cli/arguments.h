@@ -66,6 +66,7 @@ struct StepArguments {
 
 /// Of response.
 struct ResponseArguments {
+    bool current = false; ///< of the current loop; else of motor and speed loop
     int seconds = 0; ///< 0: as long as usual
     std::optional<int> rpm; ///< around which it goes
     int amplitude_rpm = 0; ///< 0: as usual

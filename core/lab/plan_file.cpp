@@ -53,6 +53,8 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
             return withNumbers(currentStepPlanFor(subject, false, 0.0, 0.0, caps), numbers);
         if (kind == "spin")
             return withNumbers(spinPlanFor(subject, caps), numbers);
+        if (kind == "current_response")
+            return withNumbers(currentResponsePlanFor(subject, caps), numbers);
         if (kind == "response")
             return withNumbers(responsePlanFor(subject, caps), numbers);
         if (kind == "rest")

@@ -13,7 +13,7 @@ namespace lab {
 /// Key and number, such as {"from_rpm", 1000}: the names of a plan's fields in a recording, small and with underscores.
 using PlanNumbers = std::vector<std::pair<std::string, double>>;
 
-/// @param kind  "step", "current_step", "spin", "response" or "rest"; what numbers leave out is as the experiment has it of itself
+/// @param kind  "step", "current_step", "spin", "response", "current_response" or "rest"; what numbers leave out is as the experiment has it of itself
 /// @return  or why not, in a sentence without a full stop
 Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &numbers,
     const Subject &subject, const drive::UserLimits &caps);

@@ -79,6 +79,14 @@ ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &ca
     return plan;
 }
 
+ResponsePlan currentResponsePlanFor(const Subject &subject, const drive::UserLimits &caps)
+{
+    ResponsePlan plan = responsePlanFor(subject, caps);
+    plan.current = 1;
+    plan.length = 6s;
+    return plan;
+}
+
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
 {
     if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))

@@ -1,5 +1,6 @@
-// The course by which the frequency response of a speed loop is measured: the set-point is above or below a speed at random,
-// each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's zeros.
+// The course by which frequency responses are measured: the set-point of the speed is above or below a speed at random,
+// each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's zeros. The
+// current loop is measured by the same: its reference jumps with each set-point, and moves with each turn of the speed loop.
 #pragma once
 
 #include "lab/conditions.h"
@@ -12,6 +13,7 @@
 namespace lab {
 
 struct ResponsePlan {
+    int current = 0; ///< 1: the current loop is what is asked about; 0: motor and speed loop
     int rpm = 0; ///< around which it goes, signed
     int amplitudeRpm = 60;
     milliseconds length{16000};
@@ -23,11 +25,14 @@ struct ResponsePlan {
 
 /// Around 0.4 of what is allowed, forwards, by ten digits of the set-point or 3 % of the speed.
 ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &caps);
+/// The same for the current loop, which takes less time.
+ResponsePlan currentResponsePlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 /// Its fields by the names that recordings and files have them by.
 template <class Field>
 void eachField(ResponsePlan &plan, Field &&field)
 {
+    field("current loop", plan.current);
     field("rpm", plan.rpm);
     field("amplitude rpm", plan.amplitudeRpm);
     field("length ms", plan.length);

@@ -61,18 +61,19 @@ private Q_SLOTS:
         m_torque = begin("step torque --from 0.4 --to 0.8 --repeat 2 --json -o");
         m_flux = begin("step flux --from 0 --to -1.5 --repeat 2 --json -o");
         m_response = begin("response speed --seconds 4 --json -o");
+        m_current = begin("response current --seconds 4 --json -o");
         m_mechanics = begin("identify mechanical --json -o");
         m_electrics = begin("identify electrical --json -o");
         m_tuning = begin("autotune --goal stiff --apply --seconds 6 --json");
         const std::array all{m_step.get(), m_torque.get(), m_flux.get(), m_response.get(),
-            m_mechanics.get(), m_electrics.get(), m_tuning.get()};
+            m_current.get(), m_mechanics.get(), m_electrics.get(), m_tuning.get()};
         const auto ended = [](ExperimentProgram *program) { return program->ended(); };
         while (std::count_if(all.begin(), all.end(), ended) < qsizetype(all.size())) { }
     }
     void cleanupTestCase()
     {
-        for (auto *program :
-            {&m_step, &m_torque, &m_flux, &m_response, &m_mechanics, &m_electrics, &m_tuning})
+        for (auto *program : {&m_step, &m_torque, &m_flux, &m_response, &m_current, &m_mechanics,
+                 &m_electrics, &m_tuning})
             program->reset();
     }
 
@@ -112,6 +113,7 @@ private Q_SLOTS:
         QTest::addColumn<ExperimentProgram *>("program");
         QTest::addColumn<QString>("number");
         QTest::newRow("response") << m_response.get() << QStringLiteral("crossover_hz");
+        QTest::newRow("current") << m_current.get() << QStringLiteral("crossover_hz");
         QTest::newRow("mechanics") << m_mechanics.get() << QStringLiteral("inertia_kgm2");
         QTest::newRow("electrics") << m_electrics.get() << QStringLiteral("ld_h");
     }
@@ -331,7 +333,7 @@ private:
         QVERIFY(program.board().cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
-    std::unique_ptr<ExperimentProgram> m_step, m_torque, m_flux, m_response, m_mechanics,
+    std::unique_ptr<ExperimentProgram> m_step, m_torque, m_flux, m_response, m_current, m_mechanics,
         m_electrics, m_tuning;
 };
 

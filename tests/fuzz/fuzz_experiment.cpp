@@ -1,6 +1,7 @@
 // Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded signals
 // look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
 #include "fuzz/script.h"
+#include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/current_step_evaluation.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
@@ -128,6 +129,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         for (const auto &number :
             {found->rs_ohm, found->deadTime_v, found->ld_h, found->lq_h, found->flux_wb})
             check(number);
+    if (const auto found = lab::evaluateCurrentResponse(capture, happenings))
+        for (const lab::ResponsePoint &point : found->points)
+            fuzz::require(point.coherence >= 0.0 && point.coherence <= 1.0);
     if (const auto found = lab::evaluateResponse(capture, happenings)) {
         for (const lab::ResponsePoint &point : found->points)
             fuzz::require(point.coherence >= 0.0 && point.coherence <= 1.0);

@@ -1,5 +1,5 @@
-// response: lets the speed go to and fro, and says how motor and speed loop follow each frequency. Afterwards the motor is as
-// it was.
+// response: lets the speed go to and fro, and says how motor and speed loop, or the current loop, follow each frequency.
+// Afterwards the motor is as it was.
 #include "experiments/experiment_run.h"
 
 namespace cli {
@@ -13,7 +13,9 @@ Outcome<int> runResponse(Desk &desk)
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
-    lab::ResponsePlan plan = lab::responsePlanFor(*subject, desk.arguments.limits);
+    const drive::UserLimits &limits = desk.arguments.limits;
+    lab::ResponsePlan plan = asked.current ? lab::currentResponsePlanFor(*subject, limits)
+                                           : lab::responsePlanFor(*subject, limits);
     if (asked.seconds > 0)
         plan.length = std::chrono::seconds(asked.seconds);
     if (asked.rpm)
@@ -24,7 +26,7 @@ Outcome<int> runResponse(Desk &desk)
 }
 
 constexpr OptionText kOptions[] = {
-    {"seconds", "S", "How long it takes, 4 to 40; 16 if not given."},
+    {"seconds", "S", "How long it takes, 4 to 40; 16 if not given, 6 of a current."},
     {"speed", "RPM", "Around which it goes; 0.4 of what is allowed if not given."},
     {"amplitude", "RPM",
         "How far to either side; 3 % of the speed, at least ten digits, if not given."},
@@ -33,11 +35,13 @@ constexpr OptionText kOptions[] = {
 
 Outcome<bool> readResponse(const Given &given, Arguments &arguments)
 {
-    if (given.words().first() != QLatin1String("speed"))
-        return usage(QStringLiteral("Only the response of the speed is measured, not \"%1\": write "
-                                    "response speed.")
-                         .arg(given.words().first()));
     ResponseArguments &response = arguments.response;
+    const QString what = given.words().first();
+    response.current = what == QLatin1String("current");
+    if (!response.current && what != QLatin1String("speed"))
+        return usage(QStringLiteral("There is no response of \"%1\": write response speed or "
+                                    "response current.")
+                         .arg(what));
     constexpr int kMostRpm = 1'000'000;
     int rpm = 0;
     const auto numbers = readNumbers(given,
@@ -53,8 +57,10 @@ Outcome<bool> readResponse(const Given &given, Arguments &arguments)
 } // namespace
 
 const Command kResponse{.name = "response",
-    .words = "speed",
-    .help = "Measures how motor and speed loop follow each frequency; then all is as before.",
+    .words = "speed|current",
+    .help =
+        "Measures how motor and speed loop, or the current loop, follow each frequency; then all "
+        "is as before.",
     .least = 1,
     .most = 1,
     .options = kOptions,

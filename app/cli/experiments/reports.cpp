@@ -1,6 +1,7 @@
 #include "experiments/reports.h"
 
 #include "json_text.h"
+#include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/current_step_evaluation.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
@@ -204,7 +205,7 @@ double half(const lab::ResponsePoint &point)
     return std::abs(point.plant) * std::min(1.0, kNormal * point.relative);
 }
 
-QByteArray jsonOf(const lab::SpeedResponse &found)
+QByteArray jsonOf(const lab::FrequencyResponse &found)
 {
     JsonText json;
     json.beginObject();
@@ -234,12 +235,11 @@ QByteArray jsonOf(const lab::SpeedResponse &found)
     return json.text();
 }
 
-void print(const lab::SpeedResponse &found, Output &out)
+void print(const lab::FrequencyResponse &found, const QString &unit, Output &out)
 {
     out.line(row(QStringLiteral("Hz"),
-        {QStringLiteral("(rad/s)/A"), QStringLiteral("+- %"), QStringLiteral("degrees"),
-            QStringLiteral("loop dB"), QStringLiteral("loop degrees"),
-            QStringLiteral("coherence")}));
+        {unit, QStringLiteral("+- %"), QStringLiteral("degrees"), QStringLiteral("loop dB"),
+            QStringLiteral("loop degrees"), QStringLiteral("coherence")}));
     constexpr double kPercent = 100.0, kDecibel = 20.0;
     for (const lab::ResponsePoint &point : found.points) {
         const auto known = [&](double value) {
@@ -261,12 +261,12 @@ void print(const lab::SpeedResponse &found, Output &out)
                      number(found.ms, 1.0, 2)));
 }
 
-Outcome<int> report(const lab::SpeedResponse &found, Output &out)
+Outcome<int> report(const lab::FrequencyResponse &found, const QString &unit, Output &out)
 {
     if (out.json())
         out.json(jsonOf(found));
     else
-        print(found, out);
+        print(found, unit, out);
     for (const std::string &note : found.notes)
         Output::error(sentence(note));
     return kDone;
@@ -312,9 +312,14 @@ Outcome<int> evaluate(const QString &path, Output &out)
             const auto found = lab::evaluateMechanics(capture, happenings);
             return found ? report(*found, out) : refused(found.error());
         }
-        if (lab::recordedResponse(what)) {
+        if (const auto response = lab::recordedResponse(what)) {
+            if (response->plan.current != 0) {
+                const auto found = lab::evaluateCurrentResponse(capture, happenings);
+                return found ? report(*found, QStringLiteral("A/A"), out) : refused(found.error());
+            }
             const auto found = lab::evaluateResponse(capture, happenings);
-            return found ? report(*found, out) : refused(found.error());
+            return found ? report(*found, QStringLiteral("(rad/s)/A"), out)
+                         : refused(found.error());
         }
     }
     return refused("it is no recording of an experiment");

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace lab {
 
@@ -145,31 +146,6 @@ std::array<std::vector<double>, kSignals + 1> resampled(
     return signals;
 }
 
-double varianceOf(double coherence, int averages)
-{
-    return coherence > 0.0 ? (1.0 - coherence) / (2.0 * averages * coherence) : 1.0;
-}
-
-void addMargins(SpeedResponse &found)
-{
-    for (std::size_t i = 1; i < found.points.size() && !found.crossover_hz; ++i) {
-        const ResponsePoint &a = found.points[i - 1], &b = found.points[i];
-        const double from = std::log(std::abs(a.loop)), to = std::log(std::abs(b.loop));
-        if (!(from >= 0.0 && to < 0.0))
-            continue;
-        const double share = from / (from - to);
-        found.crossover_hz = a.hz + share * (b.hz - a.hz);
-        const double phase = std::arg(a.loop)
-            + share * std::remainder(std::arg(b.loop) - std::arg(a.loop), 2.0 * std::numbers::pi);
-        found.phaseMargin_deg = std::remainder(phase * 180.0 / std::numbers::pi + 180.0, 360.0);
-    }
-    for (const ResponsePoint &point : found.points)
-        found.ms = std::max(found.ms.value_or(0.0), 1.0 / std::abs(1.0 + point.loop));
-    if (!found.crossover_hz)
-        found.notes.emplace_back("the loop's gain does not fall through 1 where it could be "
-                                 "measured: no margin is told");
-}
-
 /// What does not follow the set-point, of one signal; Hann's window takes 3/8 of the power.
 double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
 {
@@ -182,6 +158,39 @@ double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
 }
 
 } // namespace
+
+double varianceOf(double coherence, int averages)
+{
+    return coherence > 0.0 ? (1.0 - coherence) / (2.0 * averages * coherence) : 1.0;
+}
+
+void addMargins(FrequencyResponse &found, double leastCoherence)
+{
+    constexpr double kWidest = 1.4; // from one point to the next: more is not guessed
+    const ResponsePoint *before = nullptr;
+    for (const ResponsePoint &point : found.points) {
+        if (point.coherence < leastCoherence)
+            continue;
+        // Beyond all points the loop ends, where it is 1.
+        found.ms = std::max(found.ms.value_or(1.0), 1.0 / std::abs(1.0 + point.loop));
+        const ResponsePoint *from = std::exchange(before, &point);
+        if (from == nullptr || found.crossover_hz || point.hz > kWidest * from->hz)
+            continue;
+        const double above = std::log(std::abs(from->loop)), below = std::log(std::abs(point.loop));
+        if (!(above >= 0.0 && below < 0.0))
+            continue;
+        const double share = above / (above - below);
+        found.crossover_hz = from->hz + share * (point.hz - from->hz);
+        const double phase = std::arg(from->loop)
+            + share
+                * std::remainder(
+                    std::arg(point.loop) - std::arg(from->loop), 2.0 * std::numbers::pi);
+        found.phaseMargin_deg = std::remainder(phase * 180.0 / std::numbers::pi + 180.0, 360.0);
+    }
+    if (!found.crossover_hz)
+        found.notes.emplace_back("the loop's gain does not fall through 1 where it could be "
+                                 "measured: no margin is told");
+}
 
 Complex regulatorAt(const SpeedRegulator &regulator, double hz)
 {
@@ -199,8 +208,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)
         plan = recordedResponse(at->second);
-    if (!plan)
-        return fail(std::string("it is no recording of a frequency response"));
+    if (!plan || plan->plan.current != 0)
+        return fail(std::string("it is no recording of a speed's frequency response"));
     const std::array others{fastChannel(capture, plan->reference),
         fastChannel(capture, plan->current), fastChannel(capture, plan->speed)};
     const capture::Channel *angle = fastChannel(capture, plan->angle);
@@ -257,7 +266,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
     if (!edges.reason.empty())
         found.notes.push_back("the run ended early: " + edges.reason);
     if (knownGains)
-        addMargins(found);
+        addMargins(found, kLeastCoherence);
     return found;
 }
 

@@ -18,24 +18,32 @@ namespace lab {
 
 struct ResponsePoint {
     double hz = 0.0;
-    std::complex<double> plant; ///< speed of the shaft by Iq: (rad/s)/A
+    std::complex<double>
+        plant; ///< speed of the shaft by Iq: (rad/s)/A; of a current loop Iq by its reference
     bool plantKnown =
         true; ///< else the speed is observed, and follows the current in other ways, too
     double relative = 0.0; ///< standard error of its gain, and of its phase in rad
     double coherence = 0.0; ///< the smaller one of both signals with the set-point
-    std::complex<double>
-        loop; ///< of the speed loop as the regulator closes it; 0: its gains are not known
+    std::complex<double> loop; ///< as the regulator closes it; 0: its gains are not known
 };
 
-struct SpeedResponse {
+/// Of a loop.
+struct FrequencyResponse {
     std::vector<ResponsePoint> points; ///< with a coherence of a half or more, by frequency
     std::optional<double> crossover_hz, phaseMargin_deg;
     std::optional<double> ms; ///< largest of 1 / |1 + loop|
+    std::vector<std::string> notes; ///< sentences without a full stop
+};
+struct SpeedResponse : FrequencyResponse {
     SpeedRegulator regulator; ///< that closed it
     double referenceNoise_a =
         0.0; ///< rms of the current's reference that does not follow the set-point
-    std::vector<std::string> notes; ///< sentences without a full stop
 };
+
+/// Crossover, phase margin and Ms by the loop of those points that are coherent enough.
+void addMargins(FrequencyResponse &found, double leastCoherence);
+/// Of a gain by one of two signals, relative, squared: standard error. Of its phase in rad, too.
+double varianceOf(double coherence, int averages);
 
 /// What a regulator makes of an error, with the hold of its output: A/rpm.
 std::complex<double> regulatorAt(const SpeedRegulator &regulator, double hz);

@@ -62,7 +62,8 @@ struct Scenario {
             break;
         }
         default: {
-            ResponsePlan plan = responsePlanFor(subject, {});
+            ResponsePlan plan = random.chance(0.5) ? currentResponsePlanFor(subject, {})
+                                                   : responsePlanFor(subject, {});
             plan.length = 4s;
             bench.experiment.plan = plan;
         }

@@ -27,6 +27,11 @@ private Q_SLOTS:
         CurrentStepPlan wanted = currentStepPlanFor(subject, true, 0.5, -1.0, {});
         wanted.rpm = 900;
         QCOMPARE(std::get<CurrentStepPlan>(*flux), wanted);
+        const auto current = planOf("current_response", {{"length_ms", 8000}}, subject, {});
+        QVERIFY(current);
+        ResponsePlan loop = currentResponsePlanFor(subject, {});
+        loop.length = std::chrono::milliseconds(8000);
+        QCOMPARE(std::get<ResponsePlan>(*current), loop);
         const auto rest = planOf("rest", {}, subject, {});
         QVERIFY(rest);
         QCOMPARE(std::get<RestPlan>(*rest), restPlanFor(subject, {}));
