@@ -8,9 +8,9 @@
 
 namespace lab {
 
-std::optional<Estimate> fitFlux(std::span<const Segment> segments)
+std::optional<Estimate> fitFlux(std::span<const Segment> segments, double window_s)
 {
-    constexpr double kWindow_s = 20e-3, kLeastCurrent = 0.15; // of the largest
+    constexpr double kLeastCurrent = 0.15; // of the largest
     constexpr double kLeastRange = 0.3; // of the fastest speed
     constexpr std::size_t kCurrent = 0, kConstant = 1, kSpeed = 2, kCluster = 10;
     double most_a = 0.0;
@@ -20,7 +20,7 @@ std::optional<Estimate> fitFlux(std::span<const Segment> segments)
     Rows rows;
     double slowest = 1e9, fastest = 0.0;
     for (const Segment &segment : segments) {
-        const auto length = static_cast<std::size_t>(std::lround(kWindow_s / segment.step_s));
+        const auto length = static_cast<std::size_t>(std::lround(window_s / segment.step_s));
         for (std::size_t at = 0; length > 0 && at + length < segment.turned_deg.size();
              at += length) {
             double amps = 0.0, volts = 0.0;

@@ -2,6 +2,7 @@
 
 #include "lab/evaluation/driven_span.h"
 #include "lab/evaluation/flux_fit.h"
+#include "lab/evaluation/mechanical_rows.h"
 #include "lab/evaluation/segments.h"
 #include "lab/fields.h"
 #include "lab/maths/least_squares.h"
@@ -15,96 +16,74 @@ namespace lab {
 
 namespace {
 
-constexpr double kStretch_s = 0.5; ///< in which all is integrated from its beginning
-constexpr double kRow_s = 10e-3;
 constexpr double kEdge_s = 5e-3; ///< to either side of an instant, for its speed
-constexpr std::size_t kInertia = 0, kViscous = 1, kDry = 2, kFan = 3, kTilt = 4, kUnknowns = 5;
-constexpr double kLeastStretch_s = 0.1; ///< between two gaps
+constexpr std::size_t kUnknowns = 5;
 constexpr double kLeastTime_s = 3.0;
 /// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and scales to
 /// a few parts in a thousand.
 constexpr double kScale = 5e-3;
 constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than its voltages are off
+/// What Hall sensors make of a torque is unsure by this share of hallLag(): the most that was seen of simulated motors, 36 that
+/// differ in speed, poles, inertia and brake. Nothing is told where it is more than a few percent.
+constexpr double kByLag = 0.5, kMostUnsure = 0.1;
 
-/// The rows of all stretches.
-class Stretches {
-public:
-    explicit Stretches(const RecordedSpin &plan)
-        : m_plan(plan)
-    {
+/// To either side of an instant. Steps of the angle by Hall sensors are in no window shorter than an electrical turn; whole halves
+/// of a row's distance, so that windows meet.
+double edgeOf(const RecordedSpin &spin)
+{
+    constexpr double kHalf = 30.0; // of a minute, in s
+    const double turns = std::max(1, std::abs(spin.plan.lowRpm)) * spin.polePairs;
+    return spin.angle.starts_with("HALL") ? kEdge_s * std::ceil(kHalf / turns / kEdge_s) : kEdge_s;
+}
+
+/// How far Hall sensors are behind, as a share of the speed: root mean square. Between two of their edges the angle runs on by a
+/// speed that was, the mean over six edges, as firmware has it of itself; so it lags by half of an electrical turn.
+double hallLag(
+    const RecordedSpin &spin, std::span<const MechanicalInstant> instants, const Fit &fit)
+{
+    if (!spin.angle.starts_with("HALL") || instants.empty())
+        return 0.0;
+    double squares = 0.0;
+    for (const MechanicalInstant &one : instants) {
+        const double speed = std::max(std::abs(one.speed), 1e-3);
+        const double friction = fit.values[kViscous] * speed + fit.values[kDry];
+        const double change =
+            std::abs(one.torque_nm - std::copysign(friction, one.speed)) / fit.values[kInertia];
+        const double lag_s = std::numbers::pi / (spin.polePairs * speed);
+        const double share = std::min(1.0, change * lag_s / speed);
+        squares += share * share;
     }
+    return std::sqrt(squares / static_cast<double>(instants.size()));
+}
 
-    void take(const Segment &segment)
-    {
-        const auto edge =
-            static_cast<std::size_t>(std::max(1L, std::lround(kEdge_s / segment.step_s)));
-        const std::size_t size = segment.turned_deg.size();
-        if (size <= 2 * edge)
-            return;
-        const double time = static_cast<double>(size - 2 * edge) * segment.step_s;
-        const auto parts = static_cast<std::size_t>(std::ceil(time / kStretch_s));
-        const std::size_t length = (size - 2 * edge) / parts;
-        if (length == 0)
-            return; // samples so far apart are no board's, but a file may hold them
-        for (std::size_t at = edge; at + length + edge <= size; at += length)
-            if (static_cast<double>(length) * segment.step_s >= kLeastStretch_s)
-                add(segment, at, at + length, edge);
-    }
-    Rows rows;
-    double time_s = 0.0;
-    double fastest = 0.0; ///< rad/s
+/// To either side by itself: what cannot be below 0 has its value at one end.
+void grow(Estimate &one, double by)
+{
+    one.low = std::max(0.0, one.value - std::hypot(one.value - *one.low, by));
+    one.high = one.value + std::hypot(*one.high - one.value, by);
+}
 
-private:
-    /// Integrals from its beginning, less their means: what they were before it is not known, and need not be.
-    void add(const Segment &segment, std::size_t from, std::size_t to, std::size_t edge)
-    {
-        const double step_s = segment.step_s;
-        const double toRad = std::numbers::pi / 180.0 / m_plan.polePairs; // mechanical
-        const auto turned = [&](std::size_t at) { return segment.turned_deg[at] * toRad; };
-        const auto speed = [&](std::size_t at) {
-            return (turned(at + edge) - turned(at - edge))
-                / (2.0 * static_cast<double>(edge) * step_s);
-        };
-        const auto every = static_cast<std::size_t>(std::max(1L, std::lround(kRow_s / step_s)));
-        const double sign = turned(to - 1) < turned(from) ? -1.0 : 1.0;
-        const std::size_t first = rows.known.size();
-        double impulse = 0.0, cubes = 0.0, squares = 0.0, before = speed(from);
-        Row sum{};
-        double sumWanted = 0.0;
-        for (std::size_t at = from, row = from; at < to; ++at) {
-            if (at == row) {
-                const double now = speed(at);
-                if (at > from) // Simpson's rule would gain nothing on so short a time
-                    squares += (now * std::abs(now) + before * std::abs(before)) / 2.0
-                        * static_cast<double>(every) * step_s;
-                before = now;
-                fastest = std::max(fastest, std::abs(now));
-                rows.known.push_back({now, turned(at) - turned(from),
-                    sign * static_cast<double>(at - from) * step_s, squares, cubes});
-                rows.wanted.push_back(m_plan.torquePerAmp * impulse);
-                rows.cluster.push_back(m_count);
-                for (std::size_t i = 0; i < kMostUnknowns; ++i)
-                    sum[i] += rows.known.back()[i];
-                sumWanted += rows.wanted.back();
-                row += every;
-            }
-            const double amps = (segment.values[0][at] + segment.values[0][at + 1]) / 2.0;
-            impulse += amps * step_s;
-            cubes += amps * amps * amps * step_s;
-        }
-        const auto many = static_cast<double>(rows.known.size() - first);
-        for (std::size_t row = first; row < rows.known.size(); ++row) {
-            for (std::size_t i = 0; i < kMostUnknowns; ++i)
-                rows.known[row][i] -= sum[i] / many;
-            rows.wanted[row] -= sumWanted / many;
-        }
-        time_s += static_cast<double>(to - from) * step_s;
-        ++m_count;
-    }
+/// What is unsure of all torques, by a share, is so of what it follows from, too; most of all of what tells two frictions apart.
+void widen(Mechanics &found, const RecordedSpin &spin, double share)
+{
+    const double toRad = 2.0 * std::numbers::pi / 60.0;
+    const double low = std::abs(spin.plan.lowRpm) * toRad,
+                 high = std::abs(spin.plan.highRpm) * toRad;
+    const double friction = found.dry_nm.value + found.viscous_nms.value * (low + high) / 2.0
+        + found.fan_nms2.value * high * high;
+    const double slope = 2.0 * share * friction / (high - low);
+    grow(found.inertia_kgm2, share * found.inertia_kgm2.value);
+    grow(found.viscous_nms, slope);
+    grow(found.dry_nm, share * friction + slope * low);
+    grow(found.fan_nms2, slope / high);
+}
 
-    const RecordedSpin &m_plan;
-    std::size_t m_count = 0;
-};
+/// Around both.
+void cover(Estimate &one, const Estimate &other)
+{
+    one.low = std::max(0.0, std::min(*one.low, *other.low));
+    one.high = std::max(*one.high, *other.high);
+}
 
 double timeOf(const std::vector<Segment> &segments)
 {
@@ -126,20 +105,73 @@ std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
     return fit;
 }
 
+struct Fits {
+    const Fit &plain, &fan; ///< without a fan, and with one
+    double fastest; ///< rad/s
+    double digit_nm; ///< of the current
+    double unsure; ///< share of all torques, by Hall sensors
+};
+
+/// The numbers of the model that explains the run.
+Mechanics mechanicsOf(const RecordedSpin &spin, const Fits &fits)
+{
+    Mechanics found;
+    const auto &[plain, fan, fastest, digit_nm, unsure] = fits;
+    // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is none.
+    const bool impossible = plain.unknowns < kUnknowns - 1;
+    // Torques that are off by some share bend a friction as a fan does, by a few times as much.
+    constexpr double kNoticeable = 0.05, kBends = 10.0;
+    const double friction = fan.values[kViscous] * fastest + fan.values[kDry];
+    const double blown = fan.values[kFan] * fastest * fastest;
+    const bool better = fan.estimate(kFan).low > 0.0 && blown > kNoticeable * friction
+        && (impossible || fan.criterion() < plain.criterion());
+    found.fan = better && (impossible || blown > (kNoticeable + kBends * unsure) * friction);
+    const auto told = [](const Fit &fit, std::size_t unknown, double digit) {
+        const Estimate own = fit.estimate(unknown);
+        const double half = std::hypot((*own.high - *own.low) / 2.0, digit);
+        return Estimate{own.value, own.value - half, own.value + half};
+    };
+    const auto tell = [&](const Fit &fit, Mechanics &into) {
+        into.inertia_kgm2 = told(fit, kInertia, 0.0);
+        into.viscous_nms = told(fit, kViscous, digit_nm / fastest);
+        into.dry_nm = told(fit, kDry, digit_nm);
+    };
+    tell(found.fan ? fan : plain, found);
+    found.fan_nms2 = told(fan, kFan, digit_nm / (fastest * fastest));
+    if (!found.fan)
+        found.fan_nms2 = {0.0, 0.0, std::max(0.0, *found.fan_nms2.high)};
+    widen(found, spin, std::hypot(unsure, kScale));
+    if (better && !found.fan) { // it might be one
+        Mechanics other;
+        tell(fan, other);
+        cover(found.inertia_kgm2, other.inertia_kgm2);
+        cover(found.viscous_nms, other.viscous_nms);
+        cover(found.dry_nm, other.dry_nm);
+        found.notes.emplace_back(
+            "part of the friction may be a fan's: the angle of Hall sensors at "
+            "these speeds does not tell the one from the other");
+    }
+    return found;
+}
+
 /// All torques are counted with the flux that the board tells. Where its voltages say clearly otherwise they are right.
 void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 {
     const double ratio = measured_wb.value / told_wb;
     const double unsure = (*measured_wb.high - *measured_wb.low) / 2.0 / told_wb;
-    if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure)
+    const std::array all{&found.inertia_kgm2, &found.viscous_nms, &found.dry_nm, &found.fan_nms2};
+    if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure) {
+        // Nobody knows which of them is right, and voltages have a scale of their own.
+        constexpr double kBoth = 2.0;
+        for (Estimate *one : all)
+            grow(*one, kBoth * (ratio - 1.0) * one->value);
         return;
-    for (Estimate *one :
-        {&found.inertia_kgm2, &found.viscous_nms, &found.dry_nm, &found.fan_nms2}) {
-        const double half =
-            std::hypot((*one->high - *one->low) / 2.0, (kFluxDiffers + unsure) * one->value);
+    }
+    for (Estimate *one : all) {
         one->value *= ratio;
-        one->low = std::max(0.0, one->value - ratio * half);
-        one->high = one->value + ratio * half;
+        one->low = *one->low * ratio;
+        one->high = *one->high * ratio;
+        grow(*one, (kFluxDiffers + unsure) * one->value);
     }
     constexpr double kPercent = 100.0;
     found.notes.push_back("the voltages tell magnets of " + textOf(measured_wb.value * 1e3, 3)
@@ -172,9 +204,10 @@ Result<Mechanics, std::string> evaluateMechanics(
     const capture::Channel *voltage = fastChannel(capture, plan->voltage);
     const std::array others{current, voltage == nullptr ? current : voltage};
     const std::vector<Segment> all = segmentsOf(*angle, others, span->from, span->to);
-    const std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan));
+    const double edge_s = edgeOf(*plan);
+    const std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan), edge_s);
     const double stood_s = timeOf(all) - timeOf(segments);
-    Stretches stretches(*plan);
+    MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s});
     for (const Segment &segment : segments)
         stretches.take(segment);
     const Rows &rows = stretches.rows;
@@ -185,29 +218,16 @@ Result<Mechanics, std::string> evaluateMechanics(
     const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
         return fail(std::string("the speed hardly changed: no inertia follows from it"));
-    Mechanics found;
-    const double fastest = stretches.fastest;
-    // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is none.
-    const bool impossible = plain->unknowns < kUnknowns - 1;
-    constexpr double kNoticeable = 0.05;
-    const double friction = fan->values[kViscous] * fastest + fan->values[kDry];
-    found.fan = fan->estimate(kFan).low > 0.0
-        && fan->values[kFan] * fastest * fastest > kNoticeable * friction
-        && (impossible || fan->criterion() < plain->criterion());
-    const Fit &chosen = found.fan ? *fan : *plain;
+    const double unsure = kByLag * hallLag(*plan, stretches.instants, *plain);
+    if (unsure > kMostUnsure)
+        return fail(
+            "this motor changes its speed too fast for its Hall sensors: between two of their "
+            "edges their angle is too far from the rotor's to tell a torque");
     const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
-    const auto told = [&](const Fit &fit, std::size_t unknown, double digit) {
-        const Estimate own = fit.estimate(unknown);
-        const double half = std::hypot((*own.high - *own.low) / 2.0, digit, kScale * own.value);
-        return Estimate{own.value, own.value - half, own.value + half};
-    };
-    found.inertia_kgm2 = told(chosen, kInertia, 0.0);
-    found.viscous_nms = told(chosen, kViscous, digit_nm / fastest);
-    found.dry_nm = told(chosen, kDry, digit_nm);
-    found.fan_nms2 = told(*fan, kFan, digit_nm / (fastest * fastest));
-    if (!found.fan)
-        found.fan_nms2 = {0.0, 0.0, std::max(0.0, *found.fan_nms2.high)};
-    const auto flux = voltage == nullptr ? std::nullopt : fitFlux(segments);
+    Mechanics found = mechanicsOf(*plan, {*plain, *fan, stretches.fastest, digit_nm, unsure});
+    const Fit &chosen = found.fan ? *fan : *plain;
+    const auto flux = voltage == nullptr ? std::nullopt
+                                         : fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
     if (flux)
         compareFlux(found, *flux, plan->torquePerAmp / (1.5 * plan->polePairs));
     double squares = 0.0;

@@ -10,14 +10,11 @@ namespace lab {
 
 namespace {
 
-/// Of the speed at a sample, to either side.
-constexpr double kEdge_s = 5e-3;
-
 /// 1 forwards, -1 backwards, 0 as good as standing.
-std::vector<int> directionsOf(const Segment &segment, double least_degPerS)
+std::vector<int> directionsOf(const Segment &segment, double least_degPerS, double edge_s)
 {
     const std::size_t last = segment.turned_deg.size() - 1;
-    const auto edge = static_cast<std::size_t>(std::max(1L, std::lround(kEdge_s / segment.step_s)));
+    const auto edge = static_cast<std::size_t>(std::max(1L, std::lround(edge_s / segment.step_s)));
     std::vector<int> directions;
     for (std::size_t at = 0; at <= last; ++at) {
         const std::size_t from = at < edge ? 0 : at - edge, to = std::min(at + edge, last);
@@ -98,11 +95,12 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     return segments;
 }
 
-std::vector<Segment> whileTurning(std::vector<Segment> segments, double least_degPerS)
+std::vector<Segment> whileTurning(
+    std::vector<Segment> segments, double least_degPerS, double edge_s)
 {
     std::vector<Segment> turning;
     for (Segment &segment : segments) {
-        const std::vector<int> directions = directionsOf(segment, least_degPerS);
+        const std::vector<int> directions = directionsOf(segment, least_degPerS, edge_s);
         const auto goesOn = [&](int direction) { return direction == directions.front(); };
         if (!directions.empty() && directions.front() != 0
             && std::all_of(directions.begin(), directions.end(), goesOn)) {

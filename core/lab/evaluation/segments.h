@@ -24,6 +24,8 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
 /// What of it the rotor turned through, in pieces of one direction: friction holds a rotor that stands by whatever it takes,
 /// and no equation of a motor that turns is true of it.
 /// @param least_degPerS  electrical; slower is as good as standing
-std::vector<Segment> whileTurning(std::vector<Segment> segments, double least_degPerS);
+/// @param edge_s  to either side of a sample, for its speed
+std::vector<Segment> whileTurning(
+    std::vector<Segment> segments, double least_degPerS, double edge_s = 5e-3);
 
 } // namespace lab

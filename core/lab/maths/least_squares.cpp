@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lab {
 
@@ -11,7 +12,7 @@ namespace {
 
 using Matrix = std::array<Row, kMostUnknowns>;
 
-/// The inverse of a symmetric positive matrix of n rows by Gauss and Jordan; empty if it has none that can be trusted.
+/// The inverse of n rows by Gauss and Jordan; empty if it has none that can be trusted.
 std::optional<Matrix> inverted(Matrix matrix, std::size_t n)
 {
     constexpr double kSingular = 1e-12; // of the largest entry of a column, once scaled
@@ -19,7 +20,13 @@ std::optional<Matrix> inverted(Matrix matrix, std::size_t n)
     for (std::size_t i = 0; i < n; ++i)
         inverse[i][i] = 1.0;
     for (std::size_t pivot = 0; pivot < n; ++pivot) {
-        if (!(matrix[pivot][pivot] > kSingular))
+        std::size_t largest = pivot;
+        for (std::size_t i = pivot + 1; i < n; ++i)
+            if (std::abs(matrix[i][pivot]) > std::abs(matrix[largest][pivot]))
+                largest = i;
+        std::swap(matrix[pivot], matrix[largest]);
+        std::swap(inverse[pivot], inverse[largest]);
+        if (!(std::abs(matrix[pivot][pivot]) > kSingular))
             return std::nullopt;
         const double scale = 1.0 / matrix[pivot][pivot];
         for (std::size_t k = 0; k < n; ++k) {
@@ -37,10 +44,23 @@ std::optional<Matrix> inverted(Matrix matrix, std::size_t n)
     return inverse;
 }
 
+/// So that unknowns of different units weigh the same.
+Row scaleOf(const std::vector<Row> &rows, std::span<const std::size_t> columns)
+{
+    Row scale{};
+    for (const std::size_t column : columns) {
+        for (const Row &row : rows)
+            scale[column] += row[column] * row[column];
+        scale[column] = std::sqrt(scale[column]);
+    }
+    return scale;
+}
+
 struct Solver {
     const Rows &rows;
     std::span<const std::size_t> columns;
-    Row scale{}; ///< of each column, so that unknowns of different units weigh the same
+    const std::vector<Row> &instruments;
+    Row scale{}, instrumentScale{}; ///< of each column
 
     double residual(std::size_t row, const Row &values) const
     {
@@ -52,6 +72,10 @@ struct Solver {
     double scaled(std::size_t row, std::size_t unknown) const
     {
         return rows.known[row][columns[unknown]] / scale[columns[unknown]];
+    }
+    double instrument(std::size_t row, std::size_t unknown) const
+    {
+        return instruments[row][columns[unknown]] / instrumentScale[columns[unknown]];
     }
 
     std::optional<Fit> solve(const std::vector<bool> &counts) const
@@ -65,9 +89,9 @@ struct Solver {
                 continue;
             fit.rows += 1.0;
             for (std::size_t i = 0; i < n; ++i) {
-                right[i] += scaled(row, i) * rows.wanted[row];
+                right[i] += instrument(row, i) * rows.wanted[row];
                 for (std::size_t k = 0; k < n; ++k)
-                    normal[i][k] += scaled(row, i) * scaled(row, k);
+                    normal[i][k] += instrument(row, i) * scaled(row, k);
             }
         }
         const auto inverse = inverted(normal, n);
@@ -96,7 +120,7 @@ struct Solver {
                 const double left = residual(row, fit.values);
                 squares += left * left;
                 for (std::size_t i = 0; i < n; ++i)
-                    sum[i] += scaled(row, i) * left;
+                    sum[i] += instrument(row, i) * left;
             }
             fit.clusters += any ? 1 : 0;
             for (std::size_t i = 0; i < n; ++i)
@@ -112,7 +136,7 @@ struct Solver {
             double variance = 0.0;
             for (std::size_t a = 0; a < n; ++a)
                 for (std::size_t b = 0; b < n; ++b)
-                    variance += inverse[i][a] * middle[a][b] * inverse[b][i];
+                    variance += inverse[i][a] * middle[a][b] * inverse[i][b];
             fit.errors[columns[i]] =
                 std::sqrt(variance * clusters / (clusters - 1.0)) / scale[columns[i]];
         }
@@ -135,15 +159,12 @@ double Fit::criterion() const
 
 std::optional<Fit> leastSquares(const Rows &rows, std::span<const std::size_t> columns)
 {
-    Solver solver{rows, columns};
-    for (const std::size_t column : columns) {
-        double squares = 0.0;
-        for (const Row &row : rows.known)
-            squares += row[column] * row[column];
-        if (!(squares > 0.0))
+    const std::vector<Row> &instruments = rows.instruments.empty() ? rows.known : rows.instruments;
+    const Solver solver{
+        rows, columns, instruments, scaleOf(rows.known, columns), scaleOf(instruments, columns)};
+    for (const std::size_t column : columns)
+        if (!(solver.scale[column] > 0.0) || !(solver.instrumentScale[column] > 0.0))
             return std::nullopt;
-        solver.scale[column] = std::sqrt(squares);
-    }
     constexpr int kTurns = 3;
     constexpr double kFar = 4.0;
     std::vector<bool> counts(rows.known.size(), true);

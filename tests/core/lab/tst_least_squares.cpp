@@ -34,6 +34,33 @@ constexpr std::array<std::size_t, 2> kBoth{0, 1};
 class TestLeastSquares : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// Noise of a column makes its unknown too small; an instrument of it, which moves along and has none, does not.
+    void anInstrumentIsNotMisledByNoise()
+    {
+        support::Random random(3);
+        const auto uniform = [&] {
+            return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1.0;
+        };
+        Rows rows;
+        for (std::size_t i = 0; i < 4000; ++i) {
+            const double moves = uniform(), other = uniform();
+            rows.instruments.push_back({5.0 * moves + 2.0 * other, other});
+            rows.known.push_back({moves + uniform(), other});
+            rows.wanted.push_back(2.0 * moves - 3.0 * other + 0.1 * uniform());
+            rows.cluster.push_back(i / 10);
+        }
+        const auto fit = leastSquares(rows, kBoth);
+        QVERIFY(fit);
+        for (const auto &[unknown, truth] : {std::pair(0U, 2.0), std::pair(1U, -3.0)}) {
+            const Estimate estimate = fit->estimate(unknown);
+            QVERIFY2(std::abs(estimate.value - truth) < 0.15,
+                qPrintable(QString::number(estimate.value)));
+            QVERIFY(*estimate.low <= truth && truth <= *estimate.high);
+        }
+        rows.instruments.clear();
+        QVERIFY(leastSquares(rows, kBoth)->values[0] < 1.2);
+    }
+
     void exactRowsGiveTheExactAnswer()
     {
         const auto fit = leastSquares(rowsOf(100, 0.0, 1), kBoth);

@@ -16,12 +16,9 @@ struct Measured {
     double slowest_rpm = 1e9; ///< of the rotor while torques drove it
 };
 
-Measured measure(const PlantParameters &plant, std::string_view motor, std::uint64_t seed,
+Measured measure(simulation::BoardOptions options, std::uint64_t seed,
     const std::function<void(LabBench &)> &also = {})
 {
-    simulation::BoardOptions options;
-    options.motor = motor;
-    options.load = plant.load;
     options.seed = seed;
     LabBench bench(options, seed);
     SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
@@ -40,6 +37,38 @@ Measured measure(const PlantParameters &plant, std::string_view motor, std::uint
     measured.found = evaluateMechanics(bench.capture, bench.happenings);
     measured.torques = bench.asked<drive::TorqueRamp>();
     return measured;
+}
+
+Measured measure(const PlantParameters &plant, std::string_view motor, std::uint64_t seed,
+    const std::function<void(LabBench &)> &also = {})
+{
+    simulation::BoardOptions options;
+    options.motor = motor;
+    options.load = plant.load;
+    return measure(options, seed, also);
+}
+
+/// A hub motor with Hall sensors, as tests/data/invented/hub48.json at 300 rpm with ten pole pairs and 4e-3 kg m^2; another
+/// speed with magnets for it.
+PlantParameters hubMotor(double rpm, int polePairs, double inertia_kgm2, double brake)
+{
+    PlantParameters plant = *simulation::findPreset("blower36");
+    plant.motor.polePairs = polePairs;
+    plant.motor.rs_ohm = 0.3;
+    plant.motor.ld_h = plant.motor.lq_h = 1e-3;
+    plant.motor.flux_wb = 0.075 * 10.0 / polePairs * 300.0 / rpm;
+    plant.motor.inertia_kgm2 = inertia_kgm2;
+    plant.motor.viscous_nms = 5e-3;
+    plant.motor.coulomb_nm = 0.3 * 300.0 / rpm;
+    plant.motor.nominal_a = 8.0;
+    plant.motor.maxSpeed_rpm = rpm;
+    plant.inverter.supply_v = 48.0;
+    plant.inverter.shunt_ohm = 0.005;
+    plant.inverter.amplifierGain = 14.0;
+    plant.inverter.busRange_v = 82.5;
+    plant.load.fan_nms2 = 0.0;
+    plant.load.constant_nm = brake * 1.5 * polePairs * plant.motor.flux_wb * plant.motor.nominal_a;
+    return plant;
 }
 
 #define VERIFY_WITHIN(estimate, truth, percent)                                                    \
@@ -97,6 +126,55 @@ private Q_SLOTS:
             qPrintable(QString::number(measured.slowest_rpm)));
     }
 
+    void slowHallMotorsAreTrueOrNotTold_data()
+    {
+        QTest::addColumn<double>("rpm");
+        QTest::addColumn<int>("polePairs");
+        QTest::addColumn<double>("inertia");
+        QTest::addColumn<double>("brake");
+        QTest::addColumn<bool>("told");
+        QTest::newRow("hub48") << 300.0 << 10 << 4e-3 << 0.0 << true;
+        QTest::newRow("hub48 with a brake") << 300.0 << 10 << 4e-3 << 0.1 << false;
+        QTest::newRow("light") << 300.0 << 10 << 1e-3 << 0.0 << false;
+        QTest::newRow("heavy") << 300.0 << 10 << 2e-2 << 0.0 << true;
+        QTest::newRow("heavy, few poles") << 300.0 << 4 << 2e-2 << 0.0 << true;
+        QTest::newRow("faster, few poles, a brake") << 600.0 << 4 << 4e-3 << 0.1 << true;
+        QTest::newRow("faster, light") << 600.0 << 10 << 1e-3 << 0.0 << true;
+        QTest::newRow("faster, light, a brake") << 600.0 << 10 << 1e-3 << 0.1 << true;
+        QTest::newRow("fast, light, a brake") << 1200.0 << 4 << 1e-3 << 0.1 << true;
+        QTest::newRow("fast") << 1200.0 << 10 << 4e-3 << 0.0 << true;
+    }
+
+    /// Their angle moves in steps, and lags: an interval that does not hold the truth is worse than none.
+    void slowHallMotorsAreTrueOrNotTold()
+    {
+        QFETCH(const double, rpm);
+        QFETCH(const int, polePairs);
+        QFETCH(const double, inertia);
+        QFETCH(const double, brake);
+        QFETCH(const bool, told);
+        simulation::BoardOptions options;
+        options.plant = hubMotor(rpm, polePairs, inertia, brake);
+        for (const std::uint64_t seed : {1U, 2U}) {
+            const Measured measured = measure(options, seed);
+            QVERIFY2(measured.outcome.end == End::Complete,
+                qPrintable(support::outcomeText(measured.outcome)));
+            QVERIFY2(measured.found.has_value() == told,
+                measured.found ? "" : measured.found.error().c_str());
+            if (!told) {
+                QVERIFY(measured.found.error().find("Hall sensors") != std::string::npos);
+                continue;
+            }
+            const Mechanics &found = *measured.found;
+            VERIFY_WITHIN(found.inertia_kgm2, inertia, 6.0);
+            VERIFY_HOLDS(found.inertia_kgm2, inertia);
+            VERIFY_HOLDS(found.viscous_nms, options.plant->motor.viscous_nms);
+            VERIFY_HOLDS(
+                found.dry_nm, options.plant->motor.coulomb_nm + options.plant->load.constant_nm);
+            QVERIFY(!found.fan);
+        }
+    }
+
     /// A rotor that is aligned against a brake stands aside: its torque is that of weaker magnets, and the voltages tell.
     void anAngleThatIsOffIsSeenAndSaid()
     {
@@ -110,6 +188,20 @@ private Q_SLOTS:
         QCOMPARE(measured.found->notes.size(), 1U);
         QVERIFY(
             measured.found->notes[0].find("the angle of its rotor is off") != std::string::npos);
+    }
+
+    /// Up to three percent nobody knows whether the voltages or the board are right.
+    void anAngleThatIsOffALittleIsInTheIntervals()
+    {
+        PlantParameters plant = *simulation::findPreset("servo24");
+        plant.load.constant_nm = 0.1 * 1.5 * 5 * plant.motor.flux_wb * plant.motor.nominal_a;
+        for (const std::uint64_t seed : {1U, 2U}) {
+            const Measured measured = measure(plant, "servo24", seed);
+            QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+            VERIFY_HOLDS(measured.found->inertia_kgm2, plant.motor.inertia_kgm2);
+            VERIFY_HOLDS(measured.found->viscous_nms, plant.motor.viscous_nms);
+            VERIFY_HOLDS(measured.found->dry_nm, plant.motor.coulomb_nm + plant.load.constant_nm);
+        }
     }
 
     void aBrakeIsDryFriction()
