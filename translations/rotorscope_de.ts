@@ -6802,6 +6802,34 @@ mN·m</translation>
     </message>
 </context>
 <context>
+    <name>widgets::Searching</name>
+    <message>
+        <source>Ne&amp;xt where the trigger is met</source>
+        <translation>Nä&amp;chste Stelle mit erfülltem Trigger</translation>
+    </message>
+    <message>
+        <source>Goes on to the next place in what was recorded where the trigger&apos;s condition is met (N)</source>
+        <translation>Geht zur nächsten Stelle der Aufzeichnung, an der die Bedingung des Triggers erfüllt ist (N)</translation>
+    </message>
+    <message>
+        <source>This trigger waits for an event: the list of events has them all (Ctrl+7).</source>
+        <translation>Dieser Trigger wartet auf ein Ereignis: Die Liste der Ereignisse enthält sie alle (Strg+7).</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>%1 wird durchsucht</translation>
+    </message>
+    <message>
+        <source>The trigger&apos;s condition is not met in what follows.</source>
+        <translation>Die Bedingung des Triggers ist danach nirgends erfüllt.</translation>
+    </message>
+    <message>
+        <source>The trigger&apos;s condition is met at %1.</source>
+        <comment>a time</comment>
+        <translation>Die Bedingung des Triggers ist bei %1 erfüllt.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::SetpointBox</name>
     <message>
         <source>Speed set-point in rpm</source>

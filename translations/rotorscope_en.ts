@@ -6795,6 +6795,34 @@ mN·m</source>
     </message>
 </context>
 <context>
+    <name>widgets::Searching</name>
+    <message>
+        <source>Ne&amp;xt where the trigger is met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes on to the next place in what was recorded where the trigger&apos;s condition is met (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This trigger waits for an event: the list of events has them all (Ctrl+7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trigger&apos;s condition is not met in what follows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trigger&apos;s condition is met at %1.</source>
+        <comment>a time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SetpointBox</name>
     <message>
         <source>Speed set-point in rpm</source>

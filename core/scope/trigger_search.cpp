@@ -107,13 +107,34 @@ MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &
     return std::nullopt;
 }
 
+/// The same for codes: sixteen whose extremes show that nothing can happen are passed over.
+template <class AnyMachine>
+MaybeHit scan(const Codes &values, AnyMachine &machine, Reader &reader, Index &from, Index to)
+{
+    constexpr Index kTogether = 16;
+    while (from + kTogether <= to) {
+        const capture::CodeRange range =
+            capture::extremesOf16(&values.codes[static_cast<std::size_t>(from - values.first)]);
+        const auto due = machine.due();
+        if (machine.quiet(range.min, range.max)
+            && !(due && reader.reached(from + kTogether - 1, *due))) {
+            from += kTogether;
+            continue;
+        }
+        if (const MaybeHit hit =
+                scan<Codes, AnyMachine>(values, machine, reader, from, from + kTogether))
+            return hit;
+    }
+    return scan<Codes, AnyMachine>(values, machine, reader, from, to);
+}
+
 /// The same for a single edge of codes, which is what most searches are: sixteen codes at a time.
 MaybeHit scan(
     const Codes &values, EdgeMachine<std::int32_t> &machine, Reader &reader, Index &from, Index to)
 {
     Edges<std::int32_t> &edges = machine.edges;
     if (edges.slope == Slope::Either)
-        return scan<Codes, EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
+        return scan<EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
     Crossing<std::int32_t> &crossing = edges.slope == Slope::Rising ? edges.rising : edges.falling;
     const CodeMask arms(crossing.arm);
     const CodeMask fires(crossing.fire);
@@ -176,7 +197,7 @@ struct Work {
     Work(const Work &) = delete;
     Work &operator=(const Work &) = delete;
     virtual ~Work() = default;
-    virtual MaybeHit search(const Channel &channel, Nanos notBefore) = 0;
+    virtual MaybeHit search(const Channel &channel, Nanos notBefore, Index until) = 0;
 };
 
 /// In the codes of a fast channel, block by block.
@@ -192,40 +213,41 @@ struct CodeWork final : Work {
     {
     }
 
-    MaybeHit search(const Channel &channel, Nanos notBefore) override
+    MaybeHit search(const Channel &channel, Nanos notBefore, Index until) override
     {
         const FastColumn &column = *channel.fast();
         Reader reader(channel, condition.between);
         next = std::max(next, column.begin());
-        while (next < column.end()) {
+        while (next < std::min(column.end(), until)) {
             const capture::Segment &segment = column.segments()[column.segmentOf(next)];
             reader.enter(segment, notBefore);
             if (next != known || next == segment.first) {
                 machine.begin(reader.timeOf(next));
                 before = column.at(next);
             }
-            if (const MaybeHit hit = searchSegment(channel, segment, reader, notBefore))
+            if (const MaybeHit hit = searchSegment(
+                    channel, segment, std::min(segment.end(), until), reader, notBefore))
                 return hit;
         }
         return std::nullopt;
     }
 
-    MaybeHit searchSegment(
-        const Channel &channel, const capture::Segment &segment, Reader &reader, Nanos notBefore)
+    MaybeHit searchSegment(const Channel &channel, const capture::Segment &segment, Index end,
+        Reader &reader, Nanos notBefore)
     {
         constexpr Index kBlock = FastColumn::kBlockSamples;
         constexpr Index kMostBlocks = 16;
         const FastColumn &column = *channel.fast();
         const double halfTurn = condition.turn / 2 / std::abs(channel.info().factor);
         Index atOnce = 1; ///< blocks
-        while (next < segment.end()) {
+        while (next < end) {
             if constexpr (AnyMachine::kForgetful) {
                 next = known = std::max(next, segment.atOrAfter(notBefore));
-                if (next == segment.end())
+                if (next >= end)
                     return std::nullopt;
             }
             const Index blockEnd = (next / kBlock + 1) * kBlock;
-            if (next % kBlock == 0 && blockEnd <= segment.end()
+            if (next % kBlock == 0 && blockEnd <= end
                 && passesOver(column, reader, blockEnd, halfTurn)) {
                 next = known = blockEnd;
                 atOnce = 1;
@@ -234,7 +256,7 @@ struct CodeWork final : Work {
                 continue;
             }
             // Where one block could not be passed over, the next ones rarely can: asked less and less often.
-            const Index wanted = std::min(segment.end(), blockEnd + (atOnce - 1) * kBlock) - next;
+            const Index wanted = std::min(end, blockEnd + (atOnce - 1) * kBlock) - next;
             atOnce = std::min(2 * atOnce, kMostBlocks);
             const Codes codes{column.codes(next, static_cast<std::size_t>(wanted)), next};
             const Index stop = next + codes.codes.size();
@@ -275,21 +297,22 @@ struct ValueWork final : Work {
     {
     }
 
-    MaybeHit search(const Channel &channel, Nanos notBefore) override
+    MaybeHit search(const Channel &channel, Nanos notBefore, Index until) override
     {
         const capture::ValueColumn &column = *channel.values();
         Reader reader(channel, condition.between);
         const Shown shown{channel};
         next = std::max(next, column.begin());
-        while (next < column.end()) {
+        while (next < std::min(column.end(), until)) {
             const capture::Run &run = column.runs()[column.runOf(next)];
+            const Index end = std::min(run.end(), until);
             if (next != known || next == run.first) {
                 machine.begin(reader.timeOf(next));
                 before = channel.at(next);
             }
             const MaybeHit hit = condition.turn > 0
-                ? scanAngle(shown, machine, reader, next, run.end(), condition.turn / 2, before)
-                : scan(shown, machine, reader, next, run.end());
+                ? scanAngle(shown, machine, reader, next, end, condition.turn / 2, before)
+                : scan(shown, machine, reader, next, end);
             known = next;
             if (hit && hit->time >= notBefore)
                 return hit;
@@ -348,12 +371,29 @@ Index TriggerSearch::position() const
     return m_state->work ? m_state->work->next : m_state->from;
 }
 
-std::optional<TriggerHit> TriggerSearch::next(const Channel &channel, Nanos notBefore)
+std::optional<TriggerHit> TriggerSearch::next(const Channel &channel, Nanos notBefore, Index until)
 {
     if (!m_state->work)
         m_state->work = std::visit(
             MakeWork{m_state->condition, m_state->from, channel}, m_state->condition.what);
-    return m_state->work ? m_state->work->search(channel, notBefore) : std::nullopt;
+    return m_state->work ? m_state->work->search(channel, notBefore, until) : std::nullopt;
+}
+
+std::optional<TriggerHit> findTrigger(const Channel &channel, const TriggerCondition &condition,
+    Nanos from, const std::function<bool(double)> &proceed, Index atOnce)
+{
+    constexpr Index kBefore = 1'000'000; ///< samples: whether it is armed, since when it is high
+    const Index first = channel.atOrAfter(from);
+    const Index begin = first - std::min(first - channel.begin(), kBefore);
+    TriggerSearch search(condition, begin);
+    const auto all = static_cast<double>(std::max<Index>(channel.end() - begin, 1));
+    for (Index at = begin; at < channel.end(); at += atOnce) {
+        if (proceed && !proceed(static_cast<double>(at - begin) / all))
+            break;
+        if (const auto hit = search.next(channel, from, at + atOnce))
+            return hit;
+    }
+    return std::nullopt;
 }
 
 } // namespace scope

@@ -8,6 +8,8 @@
 
 #include "scope/trigger_condition.h"
 
+#include <functional>
+#include <limits>
 #include <memory>
 
 namespace scope {
@@ -30,9 +32,11 @@ public:
 
     /// The next hit at or after `notBefore`; nullopt if there is none among the samples so far. Earlier ones are
     /// passed over and do not come again. Samples released before they were searched are a gap.
-    /// Cost: one read for 256 samples where the value stays clear of the levels, else two masks of sixteen samples for an
-    /// edge and one step a sample for the others; behind a busy stretch up to 4,096 quiet samples go that way, too.
-    std::optional<TriggerHit> next(const capture::Channel &channel, Nanos notBefore);
+    /// Cost: one read for 256 samples where the value stays clear of the levels, else masks of sixteen samples for an edge, and
+    /// for the others a look at the extremes of sixteen, or one step a sample where they are not clear of them.
+    /// @param until  looks at no sample from there on
+    std::optional<TriggerHit> next(const capture::Channel &channel, Nanos notBefore,
+        Index until = std::numeric_limits<Index>::max());
 
     Index position() const; ///< the first sample not looked at yet
 
@@ -40,5 +44,12 @@ private:
     struct State;
     std::unique_ptr<State> m_state;
 };
+
+/// The first place at or after `from` where a channel that is recorded fulfils a condition, as one search from the
+/// beginning would find it. What was before counts for a million samples.
+/// @param proceed  told 0..1 now and then; false ends the search without a hit
+std::optional<TriggerHit> findTrigger(const capture::Channel &channel,
+    const TriggerCondition &condition, Nanos from, const std::function<bool(double)> &proceed,
+    Index atOnce = Index{1} << 20);
 
 } // namespace scope

@@ -255,11 +255,10 @@ void decodeAgainstMemcpy(benchmark::State &state)
         [&] { benchmark::DoNotOptimize(decode(l, piece, warm)); });
     state.counters["ns_per_sample"] = pair.bSeconds * 1e9 / double(l.samples);
     const bool asAFile = piece > kRead; // as the goal was taken
-    report({"P8",
+    report({asAFile ? "P8 decode" : "P8",
         std::string("bytes to samples with envelope, ") + (asAFile ? "a mebibyte" : "4096 bytes")
-            + " at a time: times the cost",
-        pair.ratio, asAFile ? "<= 9" : "none set",
-        "memcpy of the same bytes, both into warm pages"});
+            + " at a time",
+        Measured::cost(pair), "memcpy of the same bytes, both into warm pages"});
 }
 
 /// Before each of the two: as much memory as the larger of them takes, so that a virtual machine's host has it to give.
@@ -273,7 +272,7 @@ void decodeAgainstByteWise(benchmark::State &state)
     const Pair pair = pairedRatio(
         state, [&] { benchmark::DoNotOptimize(decode(l, kRead)); },
         [&] { benchmark::DoNotOptimize(decodeByteWise(l, layout)); }, warmPages);
-    report({"P8", "bytes to samples: times faster", pair.ratio, "none set",
+    report({"P8", "bytes to samples", Measured::faster(pair),
         "vesc_tool's way: byte by byte, values off the front of a QByteArray"});
 }
 

@@ -192,14 +192,21 @@ void roundTrips(benchmark::State &state)
     for ([[maybe_unused]] auto _ : state) {
         polled.push_back(pollAndRead(plain));
         worker.push_back(port.roundTrip(false) / polled.back());
-        gui.push_back(port.roundTrip(true) / polled.back());
+        gui.push_back(port.roundTrip(true) / (worker.back() * polled.back()));
         state.SetIterationTime(polled.back() * 1e-6);
     }
     state.counters["poll_us"] = quantile(polled, 0.5);
-    report({"P11", "round trip worker to device: times as long", quantile(worker, 0.5), "<= 1.25",
+    // Pinned beside a thread of the kernel, the partner takes several times as long: nothing is shown then.
+    constexpr double kLeast_us = 15.0, kMost_us = 40.0;
+    if (const double poll = quantile(polled, 0.5); poll < kLeast_us || poll > kMost_us) {
+        leaveOut(
+            "N11", "poll and read took " + std::to_string(std::lround(poll)) + " us, not 15 to 40");
+        return;
+    }
+    report({"N11 worker", "round trip worker to device", Measured(worker),
         "a thread with poll and read"});
-    report({"P11", "round trip GUI to worker to device and back: times as long", quantile(gui, 0.5),
-        "<= 1.25", "a thread with poll and read, no GUI"});
+    report({"N11 window", "round trip GUI to worker to device and back", Measured(gui),
+        "the worker alone"});
 }
 
 } // namespace

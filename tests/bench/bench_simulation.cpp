@@ -31,11 +31,12 @@ struct Running : support::Session {
     double samples = 0.0, lost = 0.0;
 };
 
-void tell(benchmark::State &state, double virtualSeconds, double cpu, const std::string &what)
+void tell(
+    benchmark::State &state, double virtualSeconds, double cpu, const char *goal, const char *what)
 {
     const double ratio = virtualSeconds / cpu;
     state.counters["virtual_s_per_core_s"] = ratio;
-    report({"P13", what, ratio, ">= 20", "real time"});
+    report({goal, what, ratio, "real time"});
 }
 
 /// The board alone: motor, firmware, datalog, line.
@@ -59,8 +60,7 @@ void simulatedBoard(benchmark::State &state)
     constexpr double kBytesASample = 8.0;
     require(static_cast<double>(bytes) > 0.9 * kBytesASample * 16000.0 * virtualSeconds,
         "the simulated board did not log");
-    tell(state, virtualSeconds, cpu,
-        "virtual seconds a core second: a running motor, 4 signals at 16 kHz");
+    tell(state, virtualSeconds, cpu, "P13 board", "a running motor, 4 signals at 16 kHz");
 }
 
 /// The same with our drive at the other end of the line.
@@ -78,8 +78,7 @@ void simulatedBoardAndDrive(benchmark::State &state)
         virtualSeconds += toSeconds(kPiece);
         require(running.samples > 0.95 * kTicks && running.lost == 0.0, "samples were lost");
     }
-    tell(state, virtualSeconds, cpu,
-        "virtual seconds a core second: the same with our drive connected");
+    tell(state, virtualSeconds, cpu, "P13 drive", "the same with our drive connected");
 }
 
 } // namespace

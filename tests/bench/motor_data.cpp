@@ -93,7 +93,7 @@ void MotorStream::record(capture::Capture &capture, std::size_t count)
         append(capture, std::min(kBatch, count - done));
 }
 
-void MotorStream::append(capture::Capture &capture, std::size_t count)
+capture::SampleBlock MotorStream::next(std::size_t count)
 {
     capture::SampleBlock block{layout.id, m_ticks, static_cast<std::uint32_t>(count), {}, {}, 0};
     block.fast.reserve(count * m_signals.size());
@@ -107,8 +107,77 @@ void MotorStream::append(capture::Capture &capture, std::size_t count)
             at = 0;
         }
     }
-    capture.append(block);
     m_ticks += static_cast<capture::Tick>(count);
+    return block;
+}
+
+namespace {
+constexpr std::size_t kSteps = std::size_t{2} * 1920; ///< of an envelope
+constexpr std::int32_t kWhole = 256;
+} // namespace
+
+Ragged::Ragged(std::size_t count, Wave wave, int signalCount)
+    : m_count(count)
+{
+    for (int s = 0; s < kSignals; ++s) {
+        m_waves.push_back(motorSignal(s, wave == Wave::Motor ? MotorStream::kPeriod : 2));
+        if (wave == Wave::Peaks)
+            m_waves.back() = {20000, -20000};
+    }
+    for (int s = 0; s < signalCount; ++s) {
+        std::vector<std::int32_t> envelope(kSteps);
+        std::int32_t now = kWhole / 2;
+        for (std::size_t step = 0; step < kSteps; ++step) {
+            now += noise(step * 64 + static_cast<std::size_t>(s), kWhole / 8);
+            now = std::clamp(now, kWhole / 8, kWhole);
+            envelope[step] = now;
+        }
+        m_envelopes.push_back(std::move(envelope));
+    }
+}
+
+std::int16_t Ragged::at(int signal, std::size_t index) const
+{
+    const auto &wave = m_waves[static_cast<std::size_t>(signal % kSignals)];
+    const auto &envelope = m_envelopes[static_cast<std::size_t>(signal)];
+    return static_cast<std::int16_t>(
+        wave[index % wave.size()] * envelope[index * kSteps / m_count] / kWhole);
+}
+
+void Ragged::record(capture::Capture &capture, std::size_t gapEvery) const
+{
+    capture::StreamLayout layout = motorLayout();
+    while (static_cast<int>(layout.fast.size()) < signalCount()) {
+        layout.fast.push_back(layout.fast[layout.fast.size() % kSignals]);
+        layout.fast.back().id = static_cast<catalog::RegisterId>(layout.fast.size());
+    }
+    layout.fast.resize(static_cast<std::size_t>(signalCount()));
+    capture.begin(layout);
+    const std::size_t batch = gapEvery != 0 ? gapEvery : 5000;
+    capture::Tick tick = 0;
+    for (std::size_t done = 0; done < m_count; done += batch) {
+        const std::size_t now = std::min(batch, m_count - done);
+        capture::SampleBlock block{1, tick, static_cast<std::uint32_t>(now), {}, {}, 0};
+        block.fast.reserve(now * layout.fast.size());
+        for (int s = 0; s < signalCount(); ++s)
+            for (std::size_t i = 0; i < now; ++i)
+                block.fast.push_back(at(s, done + i));
+        tick += static_cast<capture::Tick>(now) + (gapEvery != 0 ? 1 : 0);
+        capture.append(block);
+    }
+}
+
+void Ragged::import(capture::Capture &capture) const
+{
+    const capture::StreamLayout layout = motorLayout();
+    constexpr auto kStep = static_cast<capture::Nanos>(1e9 / kTickHz);
+    for (int s = 0; s < signalCount(); ++s) {
+        const auto id = capture.addImported("V" + std::to_string(s), "A");
+        for (std::size_t i = 0; i < m_count; ++i) {
+            const auto time = static_cast<capture::Nanos>(i) * kStep;
+            capture.appendImported(id, time, at(s, i) * layout.fast[0].factor, time + kStep);
+        }
+    }
 }
 
 } // namespace bench

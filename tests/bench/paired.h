@@ -5,37 +5,57 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace bench {
 
+struct Pair {
+    double ratio = 0.0; ///< median of b / a over the pairs
+    double aSeconds = 0.0; ///< median
+    double bSeconds = 0.0;
+    double p10 = 0.0; ///< of the ratios
+    double p90 = 0.0;
+};
+
+/// What was measured, and how far it was from the same each time.
+struct Measured {
+    double value = 0.0;
+    std::optional<double> p10, p90;
+    std::optional<double> ms, againstMs; ///< the two that a ratio is of, medians
+
+    Measured(double one) // NOLINT(google-explicit-constructor) a figure that was taken once
+        : value(one)
+    {
+    }
+    /// Median of several.
+    explicit Measured(const std::vector<double> &several);
+    static Measured faster(const Pair &pair); ///< a is ours, b the partner
+    static Measured cost(const Pair &pair); ///< b is ours, a the partner
+};
+
 /// One line of the table and of ratios.json.
 struct Figure {
-    std::string id; ///< "P1"
+    std::string goal; ///< as in goals.h; a number alone ("P1"): a figure for which there is none
     std::string what;
-    double ratio = 0.0;
-    std::string goal;
+    Measured measured;
     std::string against;
 };
 
 /// Adds a line; figures of one run are kept until writeFigures().
 void report(Figure figure);
 
-/// Says that a figure cannot be taken here, and why: printed and written like a figure, but it counts as none.
-void leaveOut(const std::string &id, const std::string &what, const std::string &why);
+/// Says that a goal's figures cannot be taken here, and why: printed and written like a figure.
+void leaveOut(const std::string &goal, const std::string &why);
 
-/// Those of `wanted` that have no figure.
-std::vector<std::string> withoutFigure(const std::vector<std::string> &wanted);
-
-/// Prints the table and writes the JSON file. False if the file could not be written.
-bool writeFigures(const std::string &path);
-
-struct Pair {
-    double ratio = 0.0; ///< median of b / a over the pairs
-    double aSeconds = 0.0; ///< median
-    double bSeconds = 0.0;
+/// Prints the table and writes the JSON file.
+struct Verdict {
+    bool written = false;
+    std::vector<std::string> failing; ///< goals that a figure is far behind of
+    std::vector<std::string> missing; ///< that have neither a figure nor a reason
 };
+Verdict writeFigures(const std::string &path);
 
 /// Runs `a` and `b` once to warm up and then once each an iteration of `state`; publishes the counters ratio, p10,
 /// p90, a_ms and b_ms. Each should take a millisecond or more: the clock counts microseconds.

@@ -37,6 +37,7 @@
 #include "widgets/window/recent_files.h"
 #include "widgets/window/replacing.h"
 #include "widgets/window/scope_page.h"
+#include "widgets/window/searching.h"
 #include "widgets/window/shortcut_guard.h"
 #include "widgets/window/status_strip.h"
 #include "widgets/window/tools.h"
@@ -169,6 +170,7 @@ void MainWindow::makeFlows()
     m_replacing = new Replacing({m_workbench, *m_markers, *m_record, m_questions}, this);
     m_exporting = new Exporting({m_workbench, *m_scope, m_files, *m_replacing, m_questions, this},
         m_settings.exportFolder, this);
+    m_searching = new Searching(*m_trigger, *m_scope, m_workbench.capture(), this);
     m_opening = new Opening(
         {m_workbench, *m_selection, *m_markers, *m_leaving, *m_replacing, m_files,
             [this] { return m_connectBar->connecting(); }, [this] { return m_record->folder(); },
@@ -397,6 +399,7 @@ void MainWindow::connectFlows()
     connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
     connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);
     connect(m_exporting, &Exporting::said, m_news, &LinkNews::say);
+    connect(m_searching, &Searching::said, m_news, &LinkNews::say);
     connect(m_opening, &Opening::said, m_news, &LinkNews::say);
     connect(m_tools.get(), &Tools::said, m_news, &LinkNews::say);
     connect(m_workspaces, &Workspaces::said, m_news, &LinkNews::say);

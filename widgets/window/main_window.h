@@ -36,6 +36,7 @@ class Replacing;
 class SampleRoom;
 class ScopePage;
 class ScopeView;
+class Searching;
 class SignalSelection;
 class StatusStrip;
 class StopAlarm;
@@ -120,6 +121,7 @@ private:
     MarkerFile *m_markers = nullptr;
     Replacing *m_replacing = nullptr;
     Exporting *m_exporting = nullptr;
+    Searching *m_searching = nullptr;
     Opening *m_opening = nullptr;
     SampleRoom *m_room = nullptr;
     CurrentScales *m_scales = nullptr;

@@ -16,6 +16,7 @@
 #include "widgets/window/main_window.h"
 #include "widgets/window/replacing.h"
 #include "widgets/window/scope_page.h"
+#include "widgets/window/searching.h"
 #include "widgets/window/tools.h"
 #include "widgets/window/workspaces.h"
 
@@ -104,6 +105,8 @@ void MainWindow::fillScopeMenu(QMenu *menu)
         menu->addSeparator();
         menu->addActions(group);
     }
+    menu->addAction(m_searching->action());
+    QMainWindow::addAction(m_searching->action());
     menu->addSeparator();
     menu->addAction(m_page->setPoints());
     menu->setToolTipsVisible(true);

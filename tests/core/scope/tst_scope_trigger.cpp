@@ -21,6 +21,8 @@ private Q_SLOTS:
     void aGapIsNoEdge();
     void anAnglesEndIsNoEdgeUnlessAskedFor();
     void samplesReleasedBeforeTheyWereSearchedAreAGap();
+    void aRecordingIsSearchedInPiecesAsAtOnce();
+    void aSearchOfARecordingEndsWhenItIsTold();
     void nonsenseIsRefusedWithAReason();
 };
 
@@ -265,6 +267,47 @@ void TestScopeTrigger::samplesReleasedBeforeTheyWereSearchedAreAGap()
     const auto hit = search.next(channel, 0);
     QVERIFY(hit);
     QCOMPARE(hit->sample, Index(240000));
+}
+
+void TestScopeTrigger::aRecordingIsSearchedInPiecesAsAtOnce()
+{
+    int found = 0;
+    for (std::uint32_t seed = 1; seed <= 700; ++seed) {
+        Random random(seed);
+        const auto kind = seed % 3 == 0 ? NoisyChannel::Kind::Polled : NoisyChannel::Kind::Fast;
+        NoisyChannel noisy(seed, kind, NoisyChannel::Shape::Wave, 3000);
+        while (!noisy.done())
+            noisy.record(500);
+        const capture::Channel &channel = *noisy.channel();
+        const Nanos begin = channel.oldest(), end = channel.timeOf(channel.end() - 1);
+        const TriggerCondition condition =
+            anyCondition(int(seed % 7), random, double(end - begin) / 50);
+        for (int i = 0; i < 5; ++i) {
+            const Nanos from = begin + Nanos(random()) % (end - begin);
+            TriggerSearch search(condition);
+            const auto wanted = search.next(channel, from);
+            QCOMPARE(findTrigger(channel, condition, from, {}, 1 + random() % 700), wanted);
+            found += wanted ? 1 : 0;
+        }
+    }
+    QVERIFY2(found > 700, qPrintable(QString::number(found)));
+}
+
+void TestScopeTrigger::aSearchOfARecordingEndsWhenItIsTold()
+{
+    std::vector<std::int16_t> codes(10'000, 0);
+    codes.back() = 100;
+    const Recorded recorded({codes});
+    TriggerCondition condition;
+    condition.what = EdgeTrigger{Slope::Rising, 50.0, 0.0};
+    std::vector<double> told;
+    const auto proceed = [&told](double done) {
+        told.push_back(done);
+        return told.size() < 5;
+    };
+    QVERIFY(!findTrigger(recorded.channel(), condition, 0, proceed, 1000));
+    QCOMPARE(told, (std::vector<double>{0.0, 0.1, 0.2, 0.3, 0.4}));
+    QVERIFY(findTrigger(recorded.channel(), condition, 0, {}, 1000));
 }
 
 void TestScopeTrigger::nonsenseIsRefusedWithAReason()

@@ -13,6 +13,7 @@ using namespace widgets;
 class TestScopeView : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aPeakStandsWhereTheAxesSay();
     void anEmptyScopeSaysWhatToDo();
     void aTraceIsDrawnWhereItsValuesAre();
     void aGapShowsNoTraceAndIsShaded();
@@ -42,6 +43,27 @@ private Q_SLOTS:
     void nonsenseRangesChangeNothing();
     void screenReadersHearWhatIsShown();
 };
+
+void TestScopeView::aPeakStandsWhereTheAxesSay()
+{
+    Bench bench({signal(1, "A")});
+    constexpr int kPlace = 12'345;
+    bench.record(20'000, [](int, int tick) { return tick == kPlace ? 100 : 0; });
+    bench.view.addChannel(bench.id(1));
+    bench.view.fitAll();
+    const QImage image = bench.picture();
+    const QRect area = bench.view.plotRect(0);
+    const auto time = bench.view.visibleRange();
+    const auto values = bench.view.valueRangeOf(bench.id(1));
+    const int x = area.left() + int((kPlace / 1000.0 - time.from) / time.span() * area.width());
+    const int y = area.top() + int((values.to - 100.0) / (values.to - values.from) * area.height());
+    const QColor color = bench.view.colorOf(bench.id(1));
+    const QList<int> rows = rowsOf(image, x, color);
+    QVERIFY(rows.size() > 100);
+    QCOMPARE(rows.first(), y);
+    QCOMPARE(rowsOf(image, x - 1, color).size(), 1);
+    QCOMPARE(rowsOf(image, x + 1, color).size(), 1);
+}
 
 void TestScopeView::anEmptyScopeSaysWhatToDo()
 {

@@ -13,6 +13,8 @@ namespace {
 
 using Mask = std::uint16_t; ///< a bit a band
 constexpr std::size_t kMostBands = 16;
+constexpr std::size_t kFewBands =
+    8; ///< more meet thousands of sets where they are ragged, too many to be kept
 constexpr int kRagged =
     4; ///< a group is ragged if more than one in so many of its rows are covered in part
 constexpr std::size_t kGroup = 16; ///< columns that are decided together: a cache line of pixels
@@ -38,13 +40,14 @@ public:
     {
     }
     std::size_t period() const { return m_period; }
+    std::size_t stripe() const { return m_stripe; }
     /// For a column: two periods. Stays where it is; nullptr for none.
     const Look *of(Mask mask) { return of(mask, 2 * m_period); }
     /// For a row: long enough for one that begins anywhere in the first period.
     const Look *row(Mask mask) { return of(mask, m_length); }
 
 private:
-    /// Ragged traces meet thousands of sets in columns, and few in rows: only those are made long.
+    /// Ragged traces meet hundreds of sets in columns, and few in rows: only those are made long.
     const Look *of(Mask mask, std::size_t length)
     {
         if (mask == 0)
@@ -204,7 +207,7 @@ private:
             m_stretches.push_back(stretch);
         }
         // Columns that differ from their neighbours nearly everywhere are cheaper one by one.
-        if (m_clear && ragged * kRagged > m_height) {
+        if (ragged * kRagged > m_height) {
             m_stretches.resize(m_at.back());
             m_stretches.push_back({m_height, 0, 0, nullptr, true});
             paintColumns(x, to);
@@ -218,15 +221,20 @@ private:
     {
         const auto height = std::size_t(m_height);
         m_tile.resize(kGroup * height);
-        for (std::size_t x = from; x < to; ++x)
-            paintColumn(x, &m_tile[(x - from) * height]);
         const auto stride = m_image.bytesPerLine();
         uchar *bits = m_image.bits();
-        for (std::size_t y = 0; y < height; ++y) {
-            auto *row = reinterpret_cast<QRgb *>(bits + static_cast<qsizetype>(y) * stride);
-            for (std::size_t x = from; x < to; ++x)
-                row[x] = m_tile[(x - from) * height + y];
-        }
+        const auto forPixels = [&](auto use) {
+            for (std::size_t y = 0; y < height; ++y) {
+                auto *row = reinterpret_cast<QRgb *>(bits + static_cast<qsizetype>(y) * stride);
+                for (std::size_t x = from; x < to; ++x)
+                    use(row[x], m_tile[(x - from) * height + y]);
+            }
+        };
+        if (!m_clear)
+            forPixels([](QRgb pixel, QRgb &turned) { turned = pixel; });
+        for (std::size_t x = from; x < to; ++x)
+            paintColumn(x, &m_tile[(x - from) * height]);
+        forPixels([](QRgb &pixel, QRgb turned) { pixel = turned; });
     }
 
     void paintColumn(std::size_t x, QRgb *pixels)
@@ -246,17 +254,39 @@ private:
                     end = std::min(end, top);
             }
             const auto rows = std::size_t(end - y);
-            if (const Look *look = m_looks.of(mask)) {
-                const QRgb *stripes = &look->pixels[(x + std::size_t(y)) % period];
-                for (std::size_t done = 0; done < rows; done += period)
-                    std::memcpy(
-                        pixels + done, stripes, std::min(period, rows - done) * sizeof(QRgb));
-            } else {
-                std::memset(pixels, 0, rows * sizeof(QRgb));
-            }
+            paintStripes(pixels, rows, mask, (x + std::size_t(y)) % period);
             pixels += rows;
             y = end;
         }
+    }
+
+    /// @param place  in a period
+    void paintStripes(QRgb *pixels, std::size_t rows, Mask mask, std::size_t place)
+    {
+        if (mask == 0) {
+            if (m_clear)
+                std::memset(pixels, 0, rows * sizeof(QRgb));
+            return;
+        }
+        const std::size_t period = m_looks.period();
+        if (m_bands.size() <= kFewBands) {
+            const QRgb *stripes = &m_looks.of(mask)->pixels[place];
+            for (std::size_t done = 0; done < rows; done += period)
+                std::memcpy(pixels + done, stripes, std::min(period, rows - done) * sizeof(QRgb));
+            return;
+        }
+        const QRgb first = m_bands[firstOf(mask)].color;
+        std::size_t owner = place / m_looks.stripe();
+        std::size_t left = m_looks.stripe() - place % m_looks.stripe(); // of its stripe
+        for (std::size_t row = 0; row < std::min(rows, period);) {
+            const QRgb color = (mask >> owner & 1) != 0 ? m_bands[owner].color : first;
+            for (const std::size_t stop = std::min({row + left, rows, period}); row < stop; ++row)
+                pixels[row] = color;
+            left = m_looks.stripe();
+            owner = owner + 1 == m_bands.size() ? 0 : owner + 1;
+        }
+        for (std::size_t done = period; done < rows; done += period)
+            std::memcpy(pixels + done, pixels, std::min(period, rows - done) * sizeof(QRgb));
     }
 
     /// Some bands begin or end here. Plain loops without a branch: the compiler makes wide ones of them.

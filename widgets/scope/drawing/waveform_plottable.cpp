@@ -118,7 +118,10 @@ void WaveformPlottable::draw(QCPPainter *painter)
     ImageInk ink(m_image, ghosts ? Uncovered::Keep : Uncovered::Clear);
     drawGhosts(view, ink);
     drawTraces(view, ink);
+    painter->setAntialiasing(
+        false); // for which the library moves all by half a pixel, and an image by a whole one
     painter->drawImage(rect.topLeft(), m_image);
+    painter->setAntialiasing(true);
     drawMarks(painter);
     drawLastValues(painter);
 }

@@ -280,7 +280,9 @@ void TriggerBar::follow()
 {
     const TriggerSetup &setup = m_control.trigger().setup();
     const TriggerFields fields = fieldsOf(setup.type);
-    const bool on = setup.mode != scope::Mode::Roll;
+    const bool awaits = m_control.trigger().awaitsSamples();
+    const bool triggered = setup.mode != scope::Mode::Roll;
+    const bool on = triggered || !awaits; // a file is searched for it
     m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(setup.mode)));
     m_type->setCurrentIndex(m_type->findData(static_cast<int>(setup.type)));
     fillSources();
@@ -298,13 +300,12 @@ void TriggerBar::follow()
         tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
 
     const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
-    const bool awaits = m_control.trigger().awaitsSamples();
-    m_mode->setEnabled(awaits || on); // back to Roll
+    m_mode->setEnabled(awaits || triggered); // back to Roll
     m_single->setEnabled(awaits);
     m_force->setEnabled(awaits);
-    m_state->setRoomFor(awaits ? stateTexts(!on) : QStringList{fileText()});
+    m_state->setRoomFor(awaits ? stateTexts(!triggered) : QStringList{fileText()});
     shown(m_type, on);
-    shown(m_force, on);
+    shown(m_force, triggered);
     shown(m_more, on);
     shown(m_source, on && fields.source);
     shown(m_way, on && fields.ways);

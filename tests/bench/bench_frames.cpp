@@ -1,0 +1,265 @@
+// N3 to N7: whole frames of the window's scope, from the wish to the painted widget, on ragged data. 1920 x 1080, the time axis
+// moves every time.
+#include "bench/motor_data.h"
+#include "bench/paired.h"
+#include "widgets/measuring/math_channels.h"
+#include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/scope_view.h"
+
+#include <qcustomplot.h>
+
+#include <functional>
+#include <memory>
+
+namespace {
+
+using namespace bench;
+
+constexpr int kWidth = 1920;
+constexpr int kHeight = 1080;
+constexpr double kFrameMs = 1000.0 / 60.0;
+
+/// Counts what is painted of a widget.
+class Painted : public QObject {
+public:
+    explicit Painted(QWidget &of) { of.installEventFilter(this); }
+    /// Does something after which it has to be painted, and waits until it is.
+    void after(const std::function<void()> &change)
+    {
+        const int before = m_count;
+        change();
+        while (m_count == before)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+
+private:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        m_count += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+    int m_count = 0;
+};
+
+QCustomPlot &plotOf(QWidget &widget) { return *widget.findChild<QCustomPlot *>(); }
+
+struct Scope {
+    capture::Capture capture{capture::Capture::Config{.maxBytes = std::size_t{8} << 30}};
+    widgets::EventLog events;
+    widgets::ScopeView view{capture, events};
+    Painted painted{plotOf(view)};
+    double span = 0;
+    int moved = 0;
+
+    explicit Scope(const std::function<void(capture::Capture &)> &record)
+    {
+        record(capture);
+        view.resize(kWidth, kHeight);
+        view.show();
+        for (const auto &info : capture.channels())
+            view.addChannel(info.id);
+        span = capture.timeSpan()->to;
+        view.fitAll();
+        QCoreApplication::processEvents();
+    }
+    explicit Scope(const Ragged &data)
+        : Scope([&data](capture::Capture &into) { data.record(into); })
+    {
+    }
+    void frame(double seconds)
+    {
+        const double shift = seconds * 1e-3 * (++moved % 100);
+        const quint64 before = view.redraws();
+        const double from = (span - seconds) / 2 + shift;
+        painted.after([&] { view.setVisibleRange(from, from + seconds); });
+        while (view.redraws() == before) // what was painted was the one before
+            painted.after([] {});
+    }
+    void frame() { frame(span); }
+};
+
+/// The plot library's own way.
+struct Graphs {
+    QCustomPlot plot;
+    Painted painted{plot};
+    double span = 0;
+    int moved = 0;
+
+    explicit Graphs(const Ragged &data)
+        : span(double(data.count()) / kTickHz)
+    {
+        plot.resize(kWidth, kHeight);
+        plot.show();
+        const double factor = motorLayout().fast[0].factor;
+        for (int s = 0; s < data.signalCount(); ++s) {
+            QVector<QCPGraphData> points(static_cast<qsizetype>(data.count()));
+            for (std::size_t i = 0; i < data.count(); ++i)
+                points[qsizetype(i)] = {double(i) / kTickHz, data.at(s, i) * factor};
+            QCPGraph *graph = plot.addGraph();
+            graph->data()->set(points, true);
+            graph->setPen(QPen(QColor::fromHsv(s * 40, 255, 200), 1));
+        }
+        plot.yAxis->setRange(-33000 * factor, 33000 * factor);
+        QCoreApplication::processEvents();
+    }
+    void frame(double seconds)
+    {
+        const double shift = seconds * 1e-3 * (++moved % 100);
+        const double from = (span - seconds) / 2 + shift;
+        plot.xAxis->setRange(from, from + seconds);
+        painted.after([this] { plot.replot(QCustomPlot::rpQueuedRefresh); });
+    }
+};
+
+void frameAgainstGraphs(benchmark::State &state)
+{
+    const auto shown = static_cast<std::size_t>(state.range(0));
+    const Ragged data(10'000'000, Ragged::Wave::Motor);
+    Scope scope(data);
+    Graphs graphs(data);
+    const double seconds = shown == 0 ? scope.span : double(shown) / kTickHz;
+    const Pair pair = pairedRatio(
+        state, [&] { scope.frame(seconds); }, [&] { graphs.frame(seconds); });
+    const std::string many = shown == 0 ? "fully out" : std::to_string(shown);
+    report({"N3 " + many, "frame of 8 x 10000000, ragged, in view: " + many, Measured::faster(pair),
+        "QCPGraph, default, its frame"});
+}
+
+void frameOfMore(benchmark::State &state)
+{
+    const auto samples = static_cast<std::size_t>(state.range(0));
+    Scope few(Ragged(100'000, Ragged::Wave::Peaks));
+    Scope many(Ragged(samples, Ragged::Wave::Peaks));
+    const Pair pair = pairedRatio(
+        state, [&] { few.frame(); }, [&] { many.frame(); });
+    report({"N4 " + std::to_string(samples), "frame of 8 x " + std::to_string(samples),
+        Measured::cost(pair), "the same picture of 8 x 100000"});
+}
+
+void frameOfValues(benchmark::State &state)
+{
+    const Ragged data(5'000'000, Ragged::Wave::Motor);
+    Scope fast(data);
+    Scope values([&data](capture::Capture &into) { data.import(into); });
+    report({"N5 memory", "values at equal steps",
+        double(values.capture.bytes()) / double(data.count() * kSignals), "nothing"});
+    const Pair pair = pairedRatio(
+        state, [&] { fast.frame(); }, [&] { values.frame(); });
+    report({"N5 frame", "frame of 8 x 5000000 imported values", Measured::cost(pair),
+        "the same of recorded samples"});
+}
+
+/// A stream at 20 kHz, 333 samples a frame, ten seconds in view.
+struct Stream {
+    static constexpr std::size_t kFrame = 333;
+    static constexpr double kSeconds = 10.0;
+    MotorStream data;
+    std::unique_ptr<Scope> scope;
+    std::unique_ptr<widgets::MathChannels> math;
+
+    explicit Stream(int formulas)
+    {
+        scope = std::make_unique<Scope>(
+            [this](capture::Capture &into) { data.record(into, std::size_t(kSeconds * kTickHz)); });
+        math = std::make_unique<widgets::MathChannels>(scope->capture);
+        widgets::ScopeView &view = scope->view;
+        QObject::connect(math.get(), &widgets::MathChannels::made, &view,
+            [this, &view](const QString &, quint32 before) {
+                view.removeChannel(before);
+                for (const auto &entry : math->entries())
+                    if (entry.channel != 0 && !view.channels().contains(entry.channel))
+                        view.addChannel(entry.channel);
+            });
+        QList<widgets::MathFormula> all;
+        for (int i = 0; i < formulas; ++i)
+            all.append({QStringLiteral("M%1").arg(i + 1),
+                QStringLiteral("A%1 * A%2 + A%1").arg(i % 8).arg((i + 1) % 8), true});
+        math->setFormulas(all);
+        QCoreApplication::processEvents();
+        while (!complete())
+            math->advance();
+    }
+    bool complete() const
+    {
+        for (const auto &entry : math->entries())
+            if (scope->capture.size(entry.channel) + 2 < scope->capture.size(1))
+                return false;
+        return true;
+    }
+    void frame()
+    {
+        data.append(scope->capture, kFrame);
+        math->advance();
+        const double newest = double(data.ticks()) / kTickHz;
+        scope->painted.after([&] { scope->view.setVisibleRange(newest - kSeconds, newest); });
+    }
+};
+
+void mathBesideStream(benchmark::State &state)
+{
+    Stream without(0);
+    Stream with(16);
+    std::vector<double> frames;
+    const Pair pair = pairedRatio(
+        state, [&] { without.frame(); },
+        [&] {
+            const double start = cpuSeconds();
+            with.frame();
+            frames.push_back(cpuSeconds() - start);
+        });
+    require(with.complete(), "the math channels stay behind");
+    report({"N6 math", "stream of 8 x 20 kHz with 16 math channels, drawn", Measured::cost(pair),
+        "the stream without"});
+    report(
+        {"N6 frame", "the same", quantile(frames, 0.99) * 1e3 / kFrameMs, "16.7 ms of computing"});
+}
+
+void persistence(benchmark::State &state)
+{
+    constexpr double kSeconds = 1.0;
+    const Ragged data(1'000'000, Ragged::Wave::Motor);
+    Scope plain(data);
+    Scope sixteen(data);
+    std::vector<widgets::Ghost> ghosts;
+    for (int i = 0; i < 16; ++i) {
+        ghosts.emplace_back();
+        ghosts.back().shift = -kSeconds * (i + 1);
+    }
+    sixteen.view.ghosts().setRecords(ghosts);
+    const Pair pair = pairedRatio(
+        state, [&] { plain.frame(kSeconds); }, [&] { sixteen.frame(kSeconds); });
+    report({"N7 persistence", "frame of 8 traces with 16 records behind them", Measured::cost(pair),
+        "the frame without"});
+}
+
+void manySignals(benchmark::State &state)
+{
+    Scope eight(Ragged(1'000'000, Ragged::Wave::Motor));
+    Scope many(Ragged(1'000'000, Ragged::Wave::Motor, 32));
+    const Pair pair = pairedRatio(
+        state, [&] { eight.frame(); }, [&] { many.frame(); });
+    report({"N7 signals", "frame of 32 x 1000000, ragged, in one plot", Measured::cost(pair),
+        "that of 8"});
+}
+
+void manyGaps(benchmark::State &state)
+{
+    const Ragged data(1'000'000, Ragged::Wave::Motor);
+    Scope whole(data);
+    Scope torn([&data](capture::Capture &into) { data.record(into, 10); });
+    const Pair pair = pairedRatio(
+        state, [&] { whole.frame(); }, [&] { torn.frame(); });
+    report({"N7 gaps", "frame of 8 x 1000000 with 100000 gaps in view", Measured::cost(pair),
+        "the frame without"});
+}
+
+} // namespace
+
+BENCHMARK(frameAgainstGraphs)->Arg(0)->Iterations(9)->UseManualTime();
+BENCHMARK(frameAgainstGraphs)->Arg(10'000)->Arg(3'000)->Arg(1'000)->Iterations(51)->UseManualTime();
+BENCHMARK(frameOfMore)->Arg(10'000'000)->Arg(72'000'000)->Iterations(101)->UseManualTime();
+BENCHMARK(frameOfValues)->Iterations(51)->UseManualTime();
+BENCHMARK(mathBesideStream)->Iterations(101)->UseManualTime();
+BENCHMARK(persistence)->Iterations(51)->UseManualTime();
+BENCHMARK(manySignals)->Iterations(51)->UseManualTime();
+BENCHMARK(manyGaps)->Iterations(51)->UseManualTime();
