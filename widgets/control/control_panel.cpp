@@ -243,9 +243,8 @@ QWidget *ControlPanel::makeBody()
     layout->setContentsMargins(kMargin, kGap, kMargin, 0);
     layout->setSpacing(kGap);
     layout->addWidget(m_setpoints);
-    layout->addWidget(new SectionHead(tr("Jog"), this));
+    layout->addWidget(line(this)); // its row has its name
     layout->addWidget(m_jog);
-    layout->addWidget(line(this));
     layout->addLayout(limits);
     return body;
 }
