@@ -212,9 +212,10 @@ void TestScopeView::smallTicksAreRoundNumbersAndFew()
 /// Two say nothing of the scale; which ones they were depended on the height.
 void TestScopeView::anAxisOfValuesHasThreeNumbersWhereTheyHaveRoom()
 {
-    static const QRegularExpression number(QStringLiteral("^[-\u2212]?[0-9]+$"));
-    constexpr int kRoom = 60; // pixels of three numbers
-    for (const int top : {1700, 2100, 2600, 3100, 3900, 4100}) {
+    // The newest value stands beside the axis and is no round one.
+    static const QRegularExpression number(QStringLiteral("^(0|[-\u2212]?[0-9]+00)$"));
+    constexpr int kRoom = 104; // pixels: also of the numbers of the next finer step
+    for (const int top : {1730, 1930, 2130, 2630, 3130, 3930, 4130}) {
         Bench bench({signal(1, "rpm")});
         bench.view.addChannel(bench.id(1));
         bench.record(2000, [top](int, int tick) { return tick * top / 2000; });
