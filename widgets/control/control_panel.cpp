@@ -326,6 +326,8 @@ void ControlPanel::showLimits()
     QString all;
     if (!m_device.identified())
         all = tr("Limits: not known yet");
+    else if (!expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
+        all = tr("Limits: not known");
     else if (expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
         all = tr("Limits: none (expert mode)");
     else if (marked && more.isEmpty())
