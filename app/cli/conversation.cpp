@@ -23,6 +23,7 @@ constexpr auto kConnectWithin = 15s; ///< the drive gives up earlier by itself
 constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr auto kIdleWithin = 2s; ///< after a stop
+constexpr auto kTellsWithin = 2s; ///< a board that answers: its state
 constexpr auto kStopsLeave = std::chrono::duration_cast<Conversation::Milliseconds>(
     drive::StopSequence::kBlindTime + 500ms); ///< the last that is sent blind has left
 constexpr auto kFarewell = 500ms;
@@ -167,7 +168,8 @@ Outcome<std::vector<drive::Reading>> Conversation::read(const std::vector<drive:
 
 Outcome<drive::MotorStatus> Conversation::status(int motor)
 {
-    const auto waited = waitUntil([&] { return m_status.contains(motor); }, kIdleWithin);
+    const auto waited = waitUntil([&] { return m_status.contains(motor); },
+        kTellsWithin + Milliseconds(m_arguments.patience_ms));
     if (!waited)
         return tl::make_unexpected(waited.error());
     if (*waited == Waited::TimeOver)

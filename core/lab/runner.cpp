@@ -346,8 +346,10 @@ Caps Runner::caps() const
 {
     Caps caps = capsOf(m_experiment, m_ran ? m_before_rpm : 0.0);
     if (m_before_v) {
+        const drive::RegisterId bus = m_experiment.subject.registers.bus;
+        const double digit_v = m_experiment.subject.catalog->readScale(bus).factor;
         caps.leastBus_v = *m_before_v * kBusSag;
-        caps.mostBus_v = *m_before_v * kBusRise;
+        caps.mostBus_v = (*m_before_v + digit_v) * kBusRise; // boards cut 23.99 V down to 23
     }
     if (shown(m_experiment.subject.registers.temperature).value_or(kHottest_c) < kHottest_c)
         caps.mostTemperature_c = kHottest_c;

@@ -216,6 +216,7 @@ std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
     Frame frame = m_operation && m_drain == 0 ? operationFrame(exchange, now) : idle(0);
     frame.cyclic = m_cyclicOutput;
     frame.cyclic.resize(m_words);
+    m_cyclicSent = frame.cyclic;
     return encodeFrame(frame);
 }
 

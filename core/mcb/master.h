@@ -136,6 +136,8 @@ public:
     void switchOff(TimePoint now);
     /// What the drive gets in every cycle from now on; filled up with zeros.
     void setCyclicOutput(Words words) { m_cyclicOutput = std::move(words); }
+    /// What the last cyclic frame took along; what was set behind it has not left.
+    const Words &cyclicSent() const { return m_cyclicSent; }
     const Mapping &mapping() const { return m_mapping; }
     Duration period() const { return m_period; }
 
@@ -226,7 +228,7 @@ private:
     TimePoint m_cycleStart{};
     std::int64_t m_nextTick = 0;
     std::optional<TimePoint> m_hurried; ///< since then
-    Words m_cyclicOutput;
+    Words m_cyclicOutput, m_cyclicSent;
 
     bool m_wasCyclic = false, m_met = false; ///< before the search
     int m_probes = 0;

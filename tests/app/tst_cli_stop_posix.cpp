@@ -105,8 +105,10 @@ private Q_SLOTS:
         support::BoardOnTerminal board(options);
         const QStringList words{
             QStringLiteral("--port"), board.path(), QStringLiteral("--protocol"), protocol};
-        const CliRun started = support::runCliBeside(
-            words + QStringList{QStringLiteral("start"), QStringLiteral("--expert")});
+        const CliRun started = support::typedAgain([&] {
+            return support::runCliBeside(
+                words + QStringList{QStringLiteral("start"), QStringLiteral("--expert")});
+        });
         QVERIFY2(started.status == 0, qPrintable(started.err));
         QByteArray heard;
         board.onHeard = [&heard](const Bytes &bytes) {
@@ -126,12 +128,14 @@ private Q_SLOTS:
         options.motors = 2;
         support::BoardOnTerminal board(options);
         const QStringList words{QStringLiteral("--port"), board.path()};
-        for (const char *motor : {"1", "2"})
-            QCOMPARE(support::runCliBeside(words
-                         + QStringList{QStringLiteral("start"), QStringLiteral("--motor"),
-                             QLatin1String(motor)})
-                         .status,
-                0);
+        for (const char *motor : {"1", "2"}) {
+            const CliRun started = support::typedAgain([&] {
+                return support::runCliBeside(words
+                    + QStringList{
+                        QStringLiteral("start"), QStringLiteral("--motor"), QLatin1String(motor)});
+            });
+            QVERIFY2(started.status == 0, qPrintable(started.err));
+        }
         const CliRun run = stopAt(board.path());
         QVERIFY2(run.status == 0, qPrintable(run.err));
         const CliRun info = support::runCliBeside(

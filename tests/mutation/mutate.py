@@ -50,7 +50,7 @@ PATH = {
     "core/session/link/driven_motors.cpp": ["tst_driven_motors"],
     "core/session/link/stop_page_posix.cpp": ["tst_guardian_rules_posix"],
     "core/session/link/guardian_posix.cpp": ["tst_guardian_rules_posix"],
-    "widgets/window/shutdown.cpp": ["tst_leaving"],
+    "widgets/window/shutdown.cpp": ["tst_shutdown"],
 }
 NEIGHBOURS = {
     "core/drive/wish_drive.cpp": ["tst_late_wishes", "tst_mcp_drive_stop", "tst_motion_limits", "tst_motion_record"],

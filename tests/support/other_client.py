@@ -95,13 +95,15 @@ class Line:
         return True
 
     def packet(self, until):
-        """(word, payload), or None when the time is over."""
-        while len(self.buffer) < 4:
-            if not self.fill(until):
-                return None
-        word = struct.unpack_from("<I", self.buffer)[0]
-        if not crc_holds(word):
-            raise Trouble(f"a header with a wrong CRC: {self.buffer[:4].hex(' ')}")
+        """(word, payload), or None when the time is over. What is no header was cut off before one: it is passed over."""
+        while True:
+            while len(self.buffer) < 4:
+                if not self.fill(until):
+                    return None
+            word = struct.unpack_from("<I", self.buffer)[0]
+            if crc_holds(word):
+                break
+            del self.buffer[0]
         size = word >> 4 & 0x1FFF if word & 15 in (DATA, RESPONSE) else 0
         while len(self.buffer) < 4 + size:
             if not self.fill(until):
@@ -154,6 +156,7 @@ class Client:
     def again(self):
         """After a lost packet: the agreed BEACON until it is echoed, then PING."""
         self.counts["recoveries"] += 1
+        self.line.buffer.clear()
         for _ in range(10):
             if self.exchange(header(self.agreed & 0x0FFFFFFF), BEACON) == self.agreed:
                 reply = self.exchange(header(PING), PING)

@@ -15,7 +15,6 @@ Shutdown::Shutdown(Device &device, std::function<TimePoint()> clock, QObject *pa
     , m_clock(std::move(clock))
 {
     m_deadline.setSingleShot(true);
-    m_deadline.setTimerType(Qt::PreciseTimer);
     connect(&m_deadline, &QTimer::timeout, this, &Shutdown::notConfirmed);
     connect(&device, &Device::openWished, this, [this] { m_rest.opened(); });
     connect(&device, &Device::closeWished, this, [this] { m_rest.leftAsTheyAre(); }); // was asked

@@ -90,7 +90,12 @@ private:
     bool travels(const Link::Request &request) const;
     Bytes frameWith(const Link::Request &request) const;
     void sendInFrames(const Link::Request &request, TimePoint now);
-    Link::Done confirmed(const Link::Done &read, const mcb::Words &wanted);
+    /// A set-point that travels and is being read back: the answer to its write.
+    struct Travelling {
+        mcb::Words before, wanted;
+    };
+    void setInFrames(std::uint16_t address, mcb::WordView words);
+    Link::Done confirmed(const Link::Done &read, const Travelling &travelling);
     void restSetPoints();
     void endSetPoints();
     Duration closingTime() const override { return std::chrono::milliseconds(500); }
@@ -102,8 +107,7 @@ private:
 
     McbStreamControl m_stream{m_board};
     McbSetPoints m_setPoints{m_board};
-    /// Words of a set-point that travels and is being read back: the answer to its write.
-    std::optional<mcb::Words> m_confirming;
+    std::optional<Travelling> m_confirming;
     bool m_toldCyclic = false, m_faulty = false;
     /// Since then a STOP waits for the drive to be ready or frames to have their new length.
     std::optional<TimePoint> m_stopWaits;
@@ -351,17 +355,29 @@ Bytes McbDrive::frameWith(const Link::Request &request) const
 /// the answer.
 void McbDrive::sendInFrames(const Link::Request &request, TimePoint now)
 {
-    m_setPoints.set(request.address, request.words);
-    m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
-    m_confirming = request.words;
+    m_confirming = {m_setPoints.of(request.address), request.words};
+    setInFrames(request.address, request.words);
     m_link.send({mcb::Command::Read, request.address}, now);
 }
 
-Link::Done McbDrive::confirmed(const Link::Done &read, const mcb::Words &wanted)
+void McbDrive::setInFrames(std::uint16_t address, mcb::WordView words)
 {
+    m_setPoints.set(address, words);
+    m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+}
+
+Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travelling)
+{
+    const mcb::Words &wanted = travelling.wanted;
     Link::Done write = read;
-    if (read.end == Link::End::NotSent)
-        write.end = Link::End::Unknown; // the question was not, but the value may have been
+    if (read.end == Link::End::NotSent) {
+        const mcb::Words output = m_setPoints.output(m_link.mapping().rx);
+        const mcb::Words &sent = m_link.cyclicSent();
+        if (sent.size() >= output.size() && std::equal(output.begin(), output.end(), sent.begin()))
+            write.end = Link::End::Unknown; // the question did not leave, but the value did
+        else
+            setInFrames(read.request.address, travelling.before);
+    }
     if (read.end != Link::End::Ok)
         return write;
     const bool same = read.words.size() >= wanted.size()
@@ -369,9 +385,8 @@ Link::Done McbDrive::confirmed(const Link::Done &read, const mcb::Words &wanted)
     if (!same) { // the drive has its own mind: it is left with it
         write.end = Link::End::Refused;
         write.code = kOtherValueRead;
-        m_setPoints.set(read.request.address,
+        setInFrames(read.request.address,
             mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
-        m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
     }
     return write;
 }

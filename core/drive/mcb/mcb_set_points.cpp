@@ -28,14 +28,19 @@ void McbSetPoints::set(std::uint16_t address, mcb::WordView words)
     m_words[address].assign(words.begin(), words.end());
 }
 
+mcb::Words McbSetPoints::of(std::uint16_t address) const
+{
+    const auto at = m_words.find(address);
+    return at == m_words.end() ? mcb::Words() : at->second;
+}
+
 void McbSetPoints::rest() { m_words.clear(); }
 
 mcb::Words McbSetPoints::output(const std::vector<mcb::MappedRegister> &rx) const
 {
     mcb::Words output;
     for (const mcb::MappedRegister &entry : rx) {
-        const auto at = m_words.find(entry.address);
-        mcb::Words words = at == m_words.end() ? mcb::Words() : at->second;
+        mcb::Words words = of(entry.address);
         words.resize(mcb::wordsOf(entry.size));
         output.insert(output.end(), words.begin(), words.end());
     }

@@ -30,6 +30,7 @@ public:
 
     /// What goes out for this register. @param words  as many as it has, at least
     void set(std::uint16_t address, mcb::WordView words);
+    mcb::Words of(std::uint16_t address) const; ///< empty: zero
     void rest(); ///< all of them zero
     /// Of a frame with this mapping.
     mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const;

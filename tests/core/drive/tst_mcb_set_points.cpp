@@ -101,6 +101,8 @@ private Q_SLOTS:
     void aStopPutsThemToRestWithItsFirstFrame();
     void aFaultPutsThemToRest();
     void disarmingHoldsThem();
+    void whatNoFrameHadNoneHasAfterwards_data();
+    void whatNoFrameHadNoneHasAfterwards();
     void aResetEndsThem();
     void aProgramThatWasKilledRepeatsNothing();
     void aLostLinkEndsThem();
@@ -372,6 +374,48 @@ void TestMcbSetPoints::disarmingHoldsThem()
     // Off is always possible.
     QVERIFY(pair.ask(CyclicSetPoints{false}).outcome == Outcome::Ok);
     QCOMPARE(has(pair, kVelocity), 10.0);
+}
+
+void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards_data()
+{
+    QTest::addColumn<bool>("disconnects");
+    QTest::newRow("disarmed") << false;
+    QTest::newRow("disconnected") << true;
+}
+
+/// At any instant of a set-point's way: between it and the next exchange it is taken back.
+void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
+{
+    QFETCH(const bool, disconnects);
+    int notSent = 0;
+    constexpr int kInstants = 60;
+    for (int i = 0; i < kInstants; ++i) {
+        Bench bench;
+        bench.pair.look = 250us;
+        QVERIFY(bench.travels());
+        McbPair &pair = bench.pair;
+        QVERIFY(bench.turnAt(600));
+        bench.keep = true;
+        const WishId ramp = pair.submit(SpeedRamp{1, 1200, 0ms});
+        pair.runFor(i * 250us);
+        const bool left = std::any_of(bench.sent.begin(), bench.sent.end(),
+            [&](const mcb::Frame &frame) { return bench.velocitySent(frame) != 10.0; });
+        bench.sent.clear();
+        if (disconnects)
+            pair.drive->disconnect(pair.now);
+        else
+            pair.drive->disarm();
+        pair.exchange();
+        QVERIFY(pair.runUntilEnded(ramp));
+        pair.runFor(20ms);
+        QVERIFY(!bench.sent.empty());
+        for (const mcb::Frame &frame : bench.sent)
+            QCOMPARE(bench.velocitySent(frame), left ? 20.0 : 10.0);
+        const Outcome outcome = pair.ended.at(ramp).front().outcome;
+        QCOMPARE(outcome == Outcome::NotSent, !left);
+        notSent += left ? 0 : 1;
+    }
+    QVERIFY(notSent > 0 && notSent < kInstants);
 }
 
 void TestMcbSetPoints::aResetEndsThem()

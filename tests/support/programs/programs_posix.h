@@ -40,6 +40,18 @@ struct CliRun {
     }
 };
 
+/// The program never repeats what moves a motor; what it says the board did not get, because this machine stalled, is typed
+/// again here.
+template <class Run>
+CliRun typedAgain(Run runOnce)
+{
+    constexpr int kTries = 5;
+    CliRun run = runOnce();
+    for (int tries = 1; tries < kTries && run.stalled(); ++tries)
+        run = runOnce();
+    return run;
+}
+
 inline CliRun resultOf(QProcess &process)
 {
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
@@ -110,17 +122,12 @@ public:
     QString port() const { return m_folder.filePath(QStringLiteral("port")); }
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
-    /// A command in one string, then words that may hold spaces. The program never repeats what moves a motor; what it
-    /// says the board did not get, because this machine stalled, is typed again here.
+    /// A command in one string, then words that may hold spaces.
     CliRun cli(const char *line, const QStringList &more = {}) const
     {
-        constexpr int kTries = 5;
         const QStringList words = QStringList{QStringLiteral("--port"), port()}
             + QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts) + more;
-        CliRun run = runCli(words);
-        for (int tries = 1; tries < kTries && run.stalled(); ++tries)
-            run = runCli(words);
-        return run;
+        return typedAgain([&] { return runCli(words); });
     }
 
 private:
