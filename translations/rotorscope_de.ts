@@ -2867,8 +2867,8 @@
         <translation>Sollwert</translation>
     </message>
     <message>
-        <source>Jog</source>
-        <translation>Tippen</translation>
+        <source>Limits: not known</source>
+        <translation>Grenzen: nicht bekannt</translation>
     </message>
 </context>
 <context>

@@ -2866,7 +2866,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog</source>
+        <source>Limits: not known</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -79,12 +79,7 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     // Drawing it in all its sizes takes about a tenth of a start; the first picture does without.
     QObject::connect(&window, &widgets::MainWindow::settled, &application,
         [] { QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/rotorscope.svg"))); });
-    // Where there is no room for the window and its frame, it takes all there is.
-    constexpr QSize kFrame(16, 48);
-    const QSize room = window.screen()->availableSize() - kFrame;
-    if (window.width() > room.width() || window.height() > room.height())
-        window.setWindowState(Qt::WindowMaximized);
-    window.show();
+    window.showWithin(window.screen()->availableSize());
     // Asked to end by a signal: the same questions as when the user closes the window.
     const cli::Interrupt interrupt;
     QObject::connect(&interrupt, &cli::Interrupt::raised, &window, &QWidget::close);

@@ -178,6 +178,7 @@ struct MotorStatus {
     /// voltages it sees nothing. Empty: not known yet.
     std::optional<bool> speedMeasured = {};
     TimePoint at;
+    TimePoint asked = {}; ///< when the reading began: it is no older than that; 0: not known
 };
 
 /// A stream takes effect; every block that follows belongs to it until the next one. An empty layout: stopped.

@@ -157,6 +157,7 @@ void Vitals<P>::publish(TimePoint now)
             continue;
         status->motor = motor;
         status->at = now;
+        status->asked = m_roundAsked;
         m_latest[motor] = *status;
         m_news.push_back(std::move(*status));
     }

@@ -153,6 +153,12 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_linkChanged;
     }
+    /// How often the port was opened.
+    int openings()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_openings;
+    }
     bool wasReset()
     {
         const std::lock_guard lock(m_mutex);
@@ -275,7 +281,7 @@ private:
     TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
     judge::McpBoard m_says; ///< these, too
     std::vector<TimePoint> m_setPoints;
-    int m_resets = 0;
+    int m_resets = 0, m_openings = 0;
     TimePoint m_linkChanged{};
     Duration m_drift{};
     double m_ampsPerDigit = 0.0;
@@ -305,6 +311,7 @@ public:
         if (!m_world.m_board || other)
             m_world.makeBoard();
         m_world.m_last = now;
+        ++m_world.m_openings;
         m_world.m_drift = {};
         m_world.m_says.forgetSamples(); // their times begin anew
         m_world.m_ampsPerDigit = m_world.m_board->truth(1).ampsPerDigit;

@@ -243,9 +243,8 @@ QWidget *ControlPanel::makeBody()
     layout->setContentsMargins(kMargin, kGap, kMargin, 0);
     layout->setSpacing(kGap);
     layout->addWidget(m_setpoints);
-    layout->addWidget(new SectionHead(tr("Jog"), this));
+    layout->addWidget(line(this)); // its row has its name
     layout->addWidget(m_jog);
-    layout->addWidget(line(this));
     layout->addLayout(limits);
     return body;
 }
@@ -327,6 +326,8 @@ void ControlPanel::showLimits()
     QString all;
     if (!m_device.identified())
         all = tr("Limits: not known yet");
+    else if (!expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
+        all = tr("Limits: not known");
     else if (expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
         all = tr("Limits: none (expert mode)");
     else if (marked && more.isEmpty())

@@ -124,9 +124,9 @@ void StateBox::showState(const drive::MotorStatus &status, bool believed)
     // A name that the strip does not have must not be hidden.
     const QString name = deviceText(status.stateName);
     const bool said = text.endsWith(name, Qt::CaseInsensitive);
-    if (believed && !name.isEmpty() && !said && m_strip->litName().isEmpty())
-        text += QStringLiteral(" (%1)").arg(name);
     const bool recorded = believed && replaying(m_device); // nothing turns now
+    if (believed && !recorded && !name.isEmpty() && !said && m_strip->litName().isEmpty())
+        text += QStringLiteral(" (%1)").arg(name);
     if (recorded)
         text = tr("Recorded: %1", "state").arg(text);
     m_state->setText(text);

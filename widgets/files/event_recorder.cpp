@@ -15,6 +15,8 @@ namespace widgets {
 namespace {
 constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to another clock
 constexpr std::size_t kMostAsked = 1000;
+// From the board's answer until it has forgotten the faults that were acknowledged, at most: some do it a cycle later.
+constexpr Duration kForgets = std::chrono::milliseconds(10);
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 } // namespace
 
@@ -42,6 +44,7 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::wishMade, this, &EventRecorder::wished);
     connect(&device, &Device::wishEnded, this, &EventRecorder::ended);
     connect(&device, &Device::statusChanged, this, &EventRecorder::status);
+    connect(&device, &Device::motionLogged, this, &EventRecorder::acted);
     connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
     connect(&device, &Device::portStateChanged, this, &EventRecorder::port);
     connect(&device, &Device::openWished, this, [this] { m_loss.reset(); });
@@ -195,12 +198,31 @@ void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
         Q_EMIT written(seconds, write.id);
 }
 
+void EventRecorder::acted(const drive::MotionRecord &record)
+{
+    if (record.act == drive::MotionAct::AcknowledgeFaults && record.outcome == drive::Outcome::Ok)
+        m_acknowledged[record.motor] = record.ended;
+}
+
+/// Whether what it tells of the past came since the faults of before were acknowledged.
+bool EventRecorder::pastIsNew(const drive::MotorStatus &now)
+{
+    const auto at = m_acknowledged.find(now.motor);
+    if (at == m_acknowledged.end() || now.asked < at->second + kForgets)
+        return false;
+    m_acknowledged.erase(at);
+    return true;
+}
+
 void EventRecorder::status(int motor)
 {
     const drive::MotorStatus now = m_device.status(motor);
     const auto known = m_status.find(motor);
     const bool met = known != m_status.end();
-    const drive::MotorStatus before = met ? known->second : drive::MotorStatus();
+    drive::MotorStatus before = met ? known->second : drive::MotorStatus();
+    // The same one again, before the board was seen without it.
+    if (pastIsNew(now))
+        before.faultsPast.clear();
     m_status[motor] = now;
     m_clock.stamped(now.at, m_now());
     const double seconds = toSeconds(now.at.time_since_epoch());
@@ -244,11 +266,13 @@ void EventRecorder::link()
     case LinkState::Connected:
         // What it tells next is told anew, but not behind a moment of silence. A board that was reset has no past: each
         // fault that it knows of came since.
-        if (link.reason == drive::LinkReason::BoardReset)
+        if (link.reason == drive::LinkReason::BoardReset) {
             for (auto &[motor, status] : m_status)
                 status = {};
-        else if (before != LinkState::Suspect && before != LinkState::Recovering)
+        } else if (before != LinkState::Suspect && before != LinkState::Recovering) {
             m_status.clear();
+            m_acknowledged.clear();
+        }
         if (const ScopeEvent *began = m_loss ? m_log.find(m_loss->id) : nullptr;
             began && m_loss->how < Trouble::Lost && link.reason != drive::LinkReason::BoardReset) {
             m_log.setText(m_loss->id, // a moment that is over: its line is enough

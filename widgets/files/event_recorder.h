@@ -61,6 +61,8 @@ private:
     void ended(const drive::Ended &ended);
     void wrote(const drive::WriteResult &write, double seconds);
     void status(int motor);
+    void acted(const drive::MotionRecord &record);
+    bool pastIsNew(const drive::MotorStatus &now);
     void link();
     void port();
     QString named(int motor, const QString &text) const;
@@ -74,6 +76,7 @@ private:
     std::map<drive::WishId, Asked> m_asked;
     std::pair<drive::WishId, quint32> m_lastEnded; ///< a command, and its line
     std::map<int, drive::MotorStatus> m_status;
+    std::map<int, TimePoint> m_acknowledged; ///< by motor: when the board had done so
     drive::LinkState m_link = drive::LinkState::Closed;
     std::optional<Loss> m_loss; ///< that goes on
     bool m_closing = false; ///< the link is closed, and its port has not told why

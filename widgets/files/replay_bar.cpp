@@ -23,7 +23,9 @@ namespace widgets {
 namespace {
 
 constexpr int kPlaces = 1000; ///< of the slider
-constexpr int kPlaceWidth = 160; ///< pixels
+// Pixels at least: the bar never makes the window wider than its screen, where Stop would be out of sight.
+constexpr int kPlaceWidth = 48;
+constexpr int kPaceWidth = 72;
 
 } // namespace
 
@@ -52,6 +54,7 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_speed->addItem(tr("1\u00d7, as it was"), 1.0);
     m_speed->addItem(tr("4\u00d7"), 4.0);
     m_speed->addItem(tr("as fast as possible"), 0.0);
+    m_speed->setMinimumWidth(kPaceWidth);
     new WheelGuard(m_speed);
     m_place->setObjectName(QStringLiteral("replayPlace"));
     m_place->setAccessibleName(tr("Place in the recording"));

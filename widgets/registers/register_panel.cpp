@@ -35,6 +35,8 @@ constexpr Choice kChoices[] = {{"value", RegisterModel::ValueColumn, 88},
     {"raw", RegisterModel::RawColumn, 52}, {"hex", RegisterModel::HexColumn, 84},
     {"access", RegisterModel::AccessColumn, 56}, {"help", RegisterModel::HelpColumn, 220}};
 
+constexpr int kLeastName = 96; ///< pixels of the column of names
+
 } // namespace
 
 RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget *parent)
@@ -134,8 +136,7 @@ void RegisterPanel::makeColumns()
             m_columnsMenu->addAction(m_model.headerData(choice.column, Qt::Horizontal).toString());
         action->setObjectName(QLatin1String(choice.name));
         action->setCheckable(true);
-        connect(action, &QAction::toggled, this,
-            [this, column = choice.column](bool on) { m_tree->setColumnHidden(column, !on); });
+        connect(action, &QAction::toggled, this, &RegisterPanel::showColumns);
     }
     setColumns({QStringLiteral("value"), QStringLiteral("raw")});
 
@@ -153,15 +154,32 @@ void RegisterPanel::setColumns(const QStringList &names)
     for (const Choice &choice : kChoices) {
         QAction *action = m_columnsMenu->findChild<QAction *>(QLatin1String(choice.name));
         action->setChecked(names.contains(QLatin1String(choice.name)));
-        m_tree->setColumnHidden(choice.column, !action->isChecked());
     }
+    showColumns();
+}
+
+/// The chosen ones; where they leave no room for names, without the raw numbers.
+void RegisterPanel::showColumns()
+{
+    int room = m_tree->width() - m_tree->verticalScrollBar()->sizeHint().width();
+    for (const Choice &choice : kChoices)
+        room -= chosen(choice.name) ? choice.width : 0;
+    for (const Choice &choice : kChoices) {
+        const bool gives = choice.column == RegisterModel::RawColumn && room < kLeastName;
+        m_tree->setColumnHidden(choice.column, !chosen(choice.name) || gives);
+    }
+}
+
+bool RegisterPanel::chosen(const char *column) const
+{
+    return m_columnsMenu->findChild<QAction *>(QLatin1String(column))->isChecked();
 }
 
 QStringList RegisterPanel::columns() const
 {
     QStringList names;
     for (const Choice &choice : kChoices)
-        if (!m_tree->isColumnHidden(choice.column))
+        if (chosen(choice.name))
             names.append(QLatin1String(choice.name));
     return names;
 }
@@ -262,6 +280,7 @@ bool RegisterPanel::eventFilter(QObject *watched, QEvent *event)
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show
         || event->type() == QEvent::Hide) {
         m_settled.start();
+        showColumns();
         updateDetails();
     }
     if (event->type() == QEvent::KeyPress) {

@@ -57,6 +57,8 @@ private:
     void makeColumns();
     void makeActions();
     void updateDetails();
+    void showColumns();
+    bool chosen(const char *column) const;
     void togglePinned();
     void updateEdits();
     void activate(const QModelIndex &index);

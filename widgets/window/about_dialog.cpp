@@ -5,8 +5,7 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QScreen>
 #include <QScrollArea>
@@ -14,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <iterator>
+#include <vector>
 
 namespace widgets {
 namespace {
@@ -22,7 +22,13 @@ struct About {
     Q_DECLARE_TR_FUNCTIONS(About)
 };
 
-constexpr double kMostOfScreen = 0.75; ///< of a dialog's table; the rest is for frame and buttons
+// Of a dialog's table; the rest is for frame and buttons.
+constexpr double kMostOfScreen = 0.75;
+constexpr double kMostOfWidth = 0.9;
+
+struct Key {
+    QString key, what;
+};
 
 QLabel *plainLabel(const QString &text, QWidget *parent)
 {
@@ -49,6 +55,26 @@ void finish(QDialog *dialog)
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     dialog->layout()->addWidget(buttons);
     dialog->open();
+}
+
+/// What is pressed, and what for: one below the other, in so many columns.
+QWidget *keyTable(const std::vector<Key> &keys, std::size_t columns, QWidget *parent)
+{
+    auto *table = new QWidget(parent);
+    auto *grid = new QGridLayout(table);
+    grid->setHorizontalSpacing(3 * kGrid);
+    grid->setVerticalSpacing(kHalfGrid);
+    const std::size_t rows = (keys.size() + columns - 1) / columns;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const int row = static_cast<int>(i % rows), column = static_cast<int>(i / rows);
+        for (const bool what : {false, true}) {
+            auto *label = plainLabel(what ? keys[i].what : keys[i].key, table);
+            label->setWordWrap(false);
+            grid->addWidget(label, row, 2 * column + (what ? 1 : 0));
+        }
+    }
+    grid->setRowStretch(static_cast<int>(rows), 1);
+    return table;
 }
 
 } // namespace
@@ -92,7 +118,7 @@ void showAbout(QWidget *parent)
 void showKeys(QWidget *parent)
 {
     QDialog *dialog = makeDialog(parent, About::tr("Keys"));
-    const std::pair<QString, QString> keys[] = {
+    const Key keys[] = {
         {QStringLiteral("Esc"), About::tr("Stop every motor, from any window")},
         {QStringLiteral("Ctrl+Enter"), About::tr("Start the motor (after Arm)")},
         {QStringLiteral("Ctrl+Backspace"), About::tr("Acknowledge faults")},
@@ -124,33 +150,25 @@ void showKeys(QWidget *parent)
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };
-    // In two columns, and to be scrolled where even that is too much: Close stays on the smallest screen.
-    auto *table = new QWidget(dialog);
-    auto *columns = new QHBoxLayout(table);
-    columns->setSpacing(4 * kGrid);
-    QFormLayout *form = nullptr;
-    std::size_t row = 0;
-    for (const auto &[key, what] : keys) {
-        if (row++ % ((std::size(keys) + 1) / 2) == 0) {
-            form = new QFormLayout;
-            form->setHorizontalSpacing(3 * kGrid);
-            columns->addLayout(form);
-        }
-        auto *label = plainLabel(what, table);
-        label->setWordWrap(false);
-        form->addRow(key, label);
-    }
+    // In two columns where the screen is wide enough, and to be scrolled where it is low: Close stays on the smallest one.
     auto *area = new QScrollArea(dialog);
+    const int bar = area->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const QSize screen = dialog->screen()->availableSize();
+    const QSize room(int(screen.width() * kMostOfWidth), int(screen.height() * kMostOfScreen));
+    const std::vector<Key> all(std::begin(keys), std::end(keys));
+    auto *table = keyTable(all, 2, dialog);
+    if (table->sizeHint().width() + bar > room.width()) {
+        delete table;
+        table = keyTable(all, 1, dialog);
+    }
     area->setObjectName(QStringLiteral("keys"));
     area->setAccessibleName(dialog->windowTitle());
     area->setFrameShape(QFrame::NoFrame);
     area->setWidget(table);
     area->setWidgetResizable(true);
     dialog->layout()->addWidget(area);
-    const QSize room = dialog->screen()->availableSize();
-    const int bar = area->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     const QSize whole = table->sizeHint() + QSize(bar, bar);
-    area->setMinimumSize(whole.boundedTo(room * kMostOfScreen));
+    area->setMinimumSize(whole.boundedTo(room));
     finish(dialog);
 }
 

@@ -138,6 +138,15 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
 
 MainWindow::~MainWindow() = default;
 
+void MainWindow::showWithin(const QSize &screen)
+{
+    constexpr QSize kFrame(16, 48);
+    const QSize room = screen - kFrame;
+    if (width() > room.width() || height() > room.height())
+        setWindowState(Qt::WindowMaximized);
+    show();
+}
+
 Settings MainWindow::settings() const
 {
     Settings now = m_settings;

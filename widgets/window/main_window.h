@@ -58,6 +58,8 @@ public:
     SignalSelection *selection() const { return m_selection; }
     /// Makes now what is made after the first picture; a second call costs nothing.
     void finishTools();
+    /// Shows it; where the screen has no room for it and its frame, it takes all there is.
+    void showWithin(const QSize &screen);
 
 public Q_SLOTS:
     void warn(const QString &sentence); ///< in the banner

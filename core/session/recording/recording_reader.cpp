@@ -136,9 +136,7 @@ Result<RecordingReport, QString> readRecording(const QString &path,
     decoder.finish();
     drain();
     if (!decoder.isRecording())
-        return fail(
-            QStringLiteral("it is no recording of Rotorscope: no valid block in its %1 bytes")
-                .arg(file.size()));
+        return fail(QStringLiteral("it is no recording of Rotorscope: no valid block is in it"));
     keeper.finish();
     report.blocks = decoder.blocks();
     report.bytes = file.pos();

@@ -197,7 +197,7 @@ private:
                     static_cast<int>(
                         (toSeconds(linked.time_since_epoch() + kMends) - range.from) / perColumn)
                     + off;
-                // Behind a loss it takes a while until the end of a packet is found again.
+                // Behind a loss it takes a while until packets are told apart again: some may be missing, none made up.
                 m_mended.clear();
                 for (const auto &[when, tick] : board.lost())
                     m_mended.emplace_back(
@@ -288,14 +288,7 @@ private:
             const Trace &trace = m_traces[painted.trace];
             if (painted.x + shift - kGap < m_known + kLoose)
                 continue; // from before the judge listened
-            // A packet that lost its middle may be taken with the end of another: open, see docs/reliability.md.
             const int at = painted.x + shift;
-            const bool mends =
-                std::any_of(m_mended.begin(), m_mended.end(), [at](const auto &loss) {
-                    return at > loss.first - kGap && at < loss.first + loss.second;
-                });
-            if (mends)
-                continue;
             const auto sent = [&](int around) {
                 judge::Extremes all;
                 for (int x = painted.x - around; x <= painted.x + around; ++x)
@@ -322,8 +315,12 @@ private:
                         + std::to_string(row(wide.least)));
                 ++wrong;
             }
-            if (narrow.empty() || at > m_drawn || at < m_linked)
-                continue;
+            const bool mends =
+                std::any_of(m_mended.begin(), m_mended.end(), [at](const auto &loss) {
+                    return at > loss.first - kGap && at < loss.first + loss.second;
+                });
+            if (narrow.empty() || at > m_drawn || at < m_linked || mends)
+                continue; // it need not be there; what is there has been sent
             const int from = row(narrow.greatest) - kLoose, to = row(narrow.least) + kLoose;
             if (to < kLoose || from > height - kLoose)
                 continue; // out of the picture

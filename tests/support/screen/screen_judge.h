@@ -14,10 +14,14 @@
 #include "support/screen/judge_values.h"
 #include "support/screen/screen_moment.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QPersistentModelIndex>
+#include <QSet>
 
 #include <map>
+#include <utility>
 
 namespace support {
 
@@ -36,6 +40,7 @@ public:
         , m_motors(motors)
         , m_moment(window, world)
     {
+        m_touch.follow(window);
     }
 
     /// Compares what is on the screen now. @return the first false statement; empty if there is none
@@ -65,8 +70,8 @@ public:
             theStopWordsAreOver();
         }
         aBoardIsNamedThatAnswered();
-        eachEventHappened();
-        eachFaultIsListed();
+        theChosenMotorStays();
+        theListIs();
         m_values.look();
         m_picture.look();
         m_trigger.look(m_unwell);
@@ -303,75 +308,120 @@ private:
             finds("firmware", name, "beside \"no board\"");
     }
 
-    /// What the list tells that came by itself.
-    void eachEventHappened()
+    /// Nobody but the user changes it while the port is open.
+    void theChosenMotorStays()
     {
-        const auto *list = find<QAbstractItemView>("eventList");
-        if (list == nullptr)
+        const auto *box = find<QComboBox>("motor");
+        const bool shown = box != nullptr && box->isVisible() && box->currentIndex() >= 0;
+        const bool touched = std::exchange(m_touch.touched, false);
+        if (!shown || touched || m_world.openings() != m_opening || m_choice < 0) {
+            m_opening = m_world.openings();
+            m_choice = shown ? box->currentIndex() : -1;
             return;
-        const QAbstractItemModel *model = list->model();
-        if (model->rowCount() < m_events)
-            m_events = model->rowCount(); // it was emptied
-        for (; m_events < model->rowCount(); ++m_events) {
-            const QString kind = model->index(m_events, 1).data().toString();
-            const QString text = model->index(m_events, 2).data().toString();
-            ++m_moment.statements;
-            if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
-                && m_world.sinceClosed() > kListed && m_closed + kListed < m_world.now())
-                finds("eventList", text, "nobody closed the port");
-            if (kind == QLatin1String("Recovery"))
-                m_metAt = m_world.now();
-            if (kind == QLatin1String("State") && m_motors == 1 && m_metAt + kListed < m_world.now()
-                && m_unwell + kListed < m_world.now()
-                && m_world.lately(1, BoardHistory::kKept).states.size() == 1)
-                finds("eventList", text, "the state has not changed");
         }
+        ++m_moment.statements;
+        if (box->currentIndex() != m_choice)
+            finds("motor", box->currentText(),
+                "and nobody chose another one than number " + std::to_string(m_choice + 1));
     }
 
-    /// A fault that came while the board was answering is in the list soon; none is there that the board did not have.
-    void eachFaultIsListed()
+    /// The rows of the list of events that were not there at the last look, wherever they were put.
+    std::vector<QModelIndex> newRows(const QAbstractItemView &list)
+    {
+        std::vector<QModelIndex> fresh;
+        QSet<QPersistentModelIndex> seen;
+        for (int row = 0; row < list.model()->rowCount(); ++row) {
+            const QPersistentModelIndex index = list.model()->index(row, 0);
+            if (!m_seen.contains(index))
+                fresh.emplace_back(index);
+            seen.insert(index);
+        }
+        m_seen = std::move(seen);
+        return fresh;
+    }
+    void theListIs()
     {
         const auto *list = find<QAbstractItemView>("eventList");
         if (list == nullptr)
             return;
-        const QAbstractItemModel *model = list->model();
-        int rows = 0;
-        QString newest;
-        for (int row = 0; row < model->rowCount(); ++row) {
-            const QString text = model->index(row, 2).data().toString();
-            if (model->index(row, 1).data().toString() == QLatin1String("Fault")
-                && !text.contains(QLatin1String("not confirmed"))) {
-                ++rows;
-                newest = text;
-            }
-        }
+        const auto *onlyMarkers = find<QAbstractButton>("onlyMarkers");
+        const bool all = onlyMarkers == nullptr || !onlyMarkers->isChecked();
+        const std::vector<QModelIndex> fresh = newRows(*list);
+        if (!all)
+            m_hidden = m_world.now();
+        if (m_hidden + kListed > m_world.now())
+            return; // what is new has come before, perhaps
+        for (const QModelIndex &row : fresh)
+            theEventHappened(
+                row.siblingAtColumn(1).data().toString(), row.siblingAtColumn(2).data().toString());
+        eachFaultIsListed();
+    }
+
+    /// What the list tells that came by itself.
+    void theEventHappened(const QString &kind, const QString &text)
+    {
         const TimePoint now = m_world.now();
-        for (; m_rows < rows; ++m_rows) {
-            ++m_moment.statements;
-            m_listed.push_back(now);
-            bool had = false;
-            for (int motor = 1; motor <= m_motors; ++motor) {
-                const auto truth = m_world.lately(motor, BoardHistory::kKept);
-                had = had || truth.faultPresent || truth.faultKept;
-            }
-            if (!had)
-                finds("eventList", newest, "the board had no fault");
+        ++m_moment.statements;
+        if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
+            && m_world.sinceClosed() > kListed && m_closed + kListed < now)
+            finds("eventList", text, "nobody closed the port");
+        if (kind == QLatin1String("Recovery"))
+            m_metAt = now;
+        if (kind == QLatin1String("State") && m_motors == 1 && m_metAt + kListed < now
+            && m_unwell + kListed < now
+            && m_world.lately(1, BoardHistory::kKept).states.size() == 1)
+            finds("eventList", text, "the state has not changed");
+        if (kind != QLatin1String("Fault") || text.contains(QLatin1String("not confirmed")))
+            return;
+        m_listed.push_back(now);
+        bool had = false;
+        for (int motor = 1; motor <= m_motors; ++motor) {
+            const auto truth = m_world.lately(motor, BoardHistory::kKept);
+            had = had || truth.faultPresent || truth.faultKept;
         }
-        m_rows = rows; // fewer: the list was emptied
+        if (!had)
+            finds("eventList", text, "the board had no fault");
+    }
+
+    /// A fault that came while the board was answering is in the list soon.
+    void eachFaultIsListed()
+    {
+        const TimePoint now = m_world.now();
         const auto faults = m_world.faults();
         for (; m_judged < faults.size() && faults[m_judged].at + kListed < now; ++m_judged) {
             const TimePoint at = faults[m_judged].at;
-            if (m_unwell + kOld > at)
-                continue; // the board was not heard all the time
+            if (m_unwell + kOld > at || m_hidden + kListed > at)
+                continue; // the board was not heard all the time, or not all rows were shown
             ++m_moment.statements;
             const bool listed = std::any_of(
                 m_listed.begin(), m_listed.end(), [at](TimePoint seen) { return seen >= at; });
             if (!listed)
-                finds("eventList", QStringLiteral("%1 faults").arg(rows),
+                finds("eventList", QStringLiteral("%1 faults").arg(m_listed.size()),
                     "a fault of motor " + std::to_string(faults[m_judged].motor)
                         + " is not among them");
         }
     }
+
+    /// Sees that the user touches a choice.
+    class Touch : public QObject {
+    public:
+        bool touched = false;
+        void follow(const QWidget &window)
+        {
+            auto *box = window.findChild<QComboBox *>(QStringLiteral("motor"));
+            for (QWidget *part : {static_cast<QWidget *>(box), static_cast<QWidget *>(box->view()),
+                     box->view()->viewport()})
+                part->installEventFilter(this);
+        }
+
+    protected:
+        bool eventFilter(QObject *, QEvent *event) override
+        {
+            touched = touched || event->type() == QEvent::KeyPress
+                || event->type() == QEvent::MouseButtonPress || event->type() == QEvent::Wheel;
+            return false;
+        }
+    };
 
     JudgedWorld &m_world;
     int m_motors;
@@ -384,10 +434,13 @@ private:
     TimePoint m_unwell{};
     TimePoint m_closed{};
     TimePoint m_metAt{}; ///< when the list told last that the board answers
-    int m_events = 0; ///< rows that were looked at
-    int m_rows = 0; ///< of faults that the list had
+    TimePoint m_hidden{}; ///< when the list did not show all rows
+    QSet<QPersistentModelIndex> m_seen; ///< its rows at the last look
     std::vector<TimePoint> m_listed; ///< when each row of a fault was seen first
     std::size_t m_judged = 0; ///< of the board's faults
+    Touch m_touch;
+    int m_choice = -1; ///< of the motor, its row; -1: there was none
+    int m_opening = 0; ///< of the port, for which it counts
     int m_looks = 0;
 };
 

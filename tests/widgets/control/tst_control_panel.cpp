@@ -21,6 +21,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <numbers>
@@ -71,6 +72,22 @@ private Q_SLOTS:
         QTRY_COMPARE(scroll->verticalScrollBar()->maximum(), 0);
         QCOMPARE(scroll->height(), wide);
         QVERIFY(!scroll->verticalScrollBar()->isVisible());
+    }
+
+    /// Which is on the screen while the pointer rests on the button.
+    void theToolTipOfAReasonGoesWithTheReason()
+    {
+        facts::connectBoard(*m_device);
+        auto *start = m_panel->findChild<widgets::MotorButton *>(QStringLiteral("start"));
+        QVERIFY(!start->isEnabled()); // disarmed
+        const QPoint at = start->mapTo(m_panel.get(), start->rect().center());
+        QTest::mouseMove(m_panel->windowHandle(), at);
+        QTRY_VERIFY(start->underMouse());
+        QToolTip::showText(start->mapToGlobal(start->rect().center()), start->toolTip(), start);
+        QVERIFY(QToolTip::isVisible());
+        m_device->armedChanged(true);
+        QVERIFY(start->isEnabled());
+        QTRY_VERIFY(!QToolTip::isVisible());
     }
 
     void setPointsAreReadStrictly_data()

@@ -21,6 +21,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTranslator>
 
 using widgets::Banner;
 
@@ -381,6 +382,27 @@ private Q_SLOTS:
         m_rig->find<QAction>("replayRecording")->trigger();
         QVERIFY(banner()->text().contains(QStringLiteral("is no recording")));
         QVERIFY(!device().portOpen());
+    }
+
+    /// 1920 x 1080 at a scale of 2, with a title bar: the bar of the replay gives way, not the buttons that stop.
+    void theWindowStaysOnALowScreen()
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
+        QCoreApplication::installTranslator(&german);
+        m_rig = std::make_unique<facts::WindowRig>();
+        m_rig->workbench.replay().setSpeed(1.0);
+        m_rig->window.resize(960, 515);
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        replay();
+        QTRY_VERIFY(m_rig->find<QWidget>("replayBar")->isVisible());
+        QTRY_VERIFY(device().answering());
+        QCoreApplication::processEvents();
+        QCOMPARE(m_rig->window.size(), QSize(960, 515));
+        for (const char *name : {"replayBadge", "replayPause", "replayPlace", "stopMotors", "stop"})
+            QVERIFY2(m_rig->find<QWidget>(name)->visibleRegion().boundingRect().size()
+                    == m_rig->find<QWidget>(name)->size(),
+                name);
     }
 
 private:

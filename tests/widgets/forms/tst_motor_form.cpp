@@ -11,6 +11,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -157,7 +158,14 @@ private Q_SLOTS:
                      .data(MotorModel::DiffersRole)
                      .toBool());
         QVERIFY(!text("derived", "kt", MotorModel::FileColumn).isEmpty());
-        QCOMPARE(int(MotorModel::FileColumn), int(MotorModel::ValueColumn) + 1); // side by side
+        const auto *head = m_rig->find<QTreeView>("motorTree")->header();
+        QStringList columns; // what is compared stands side by side
+        for (int place = 0; place < head->count(); ++place)
+            columns.append(
+                form().model().headerData(head->logicalIndex(place), Qt::Horizontal).toString());
+        QCOMPARE(columns,
+            (QStringList{QStringLiteral("Field"), QStringLiteral("On the board"),
+                QStringLiteral("In the file"), QStringLiteral("Raw")}));
     }
 
     void aDamagedFileLeavesWhatIsShown_data()

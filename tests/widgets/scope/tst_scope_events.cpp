@@ -42,6 +42,7 @@ private Q_SLOTS:
     void aWriteTellsOldAndNewValue();
     void statesAndFaultsHaveTheirOwnTime();
     void aFaultThatIsOverWhenTheBoardIsAskedIsNoted();
+    void theSameFaultIsNotedAgainWhenItWasAcknowledgedInBetween();
     void lostSamplesAreNotedWhereTheyAreMissing();
     void soAreThoseOfABoardWithSlowSignalsOnly();
     void aLinkThatGoesAndComesBackIsNoted();
@@ -185,6 +186,48 @@ void TestScopeEvents::aFaultThatIsOverWhenTheBoardIsAskedIsNoted()
     status.at = TimePoint(3100ms);
     facts::feed(m_rig->device(), {status});
     QCOMPARE(faultsIn(2.9, 3.2), QStringList{QStringLiteral("OVER_VOLT")});
+}
+
+/// Also when the board was never seen without it: it came back before the next reading.
+void TestScopeEvents::theSameFaultIsNotedAgainWhenItWasAcknowledgedInBetween()
+{
+    const auto faults = [this] {
+        return std::count_if(log().events().begin(), log().events().end(),
+            [](const widgets::ScopeEvent &event) { return event.kind == EventKind::Fault; });
+    };
+    const auto read = [this](drive::MotorStatus status, std::chrono::milliseconds asked) {
+        status.asked = TimePoint(asked);
+        status.at = TimePoint(asked + 2ms);
+        facts::feed(m_rig->device(), {status});
+    };
+    facts::feed(m_rig->device(),
+        {drive::LinkChanged{drive::LinkState::Closed, drive::LinkReason::None},
+            drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None}});
+    read(facts::status(drive::MotorState::Idle), 1000ms);
+    drive::MotorStatus over = facts::status(drive::MotorState::FaultOver);
+    over.faultsPast = {"OVER_CURR"};
+    read(over, 1100ms);
+    QCOMPARE(faults(), 1);
+
+    drive::MotionRecord acknowledged;
+    acknowledged.act = drive::MotionAct::AcknowledgeFaults;
+    acknowledged.motor = 1;
+    acknowledged.ended = TimePoint(2000ms);
+    acknowledged.outcome = drive::Outcome::Refused;
+    facts::feed(m_rig->device(), {acknowledged});
+    read(over, 2100ms);
+    QCOMPARE(faults(), 1); // the board did not
+
+    acknowledged.outcome = drive::Outcome::Ok;
+    acknowledged.ended = TimePoint(3000ms);
+    facts::feed(m_rig->device(), {acknowledged});
+    read(over, 2999ms); // asked before
+    read(over, 3001ms); // perhaps it had not forgotten yet
+    QCOMPARE(faults(), 1);
+    read(over, 3020ms);
+    QCOMPARE(faults(), 2);
+    read(over, 3120ms);
+    QCOMPARE(faults(), 2); // once
 }
 
 void TestScopeEvents::lostSamplesAreNotedWhereTheyAreMissing()

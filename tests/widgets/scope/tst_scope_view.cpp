@@ -1,8 +1,11 @@
 // The scope as a person sees it: pixels of the grabbed widget.
 #include "support/scope_bench.h"
+#include "support/screen/text_catcher.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/scope/drawing/axis_ticker.h"
 #include "widgets/scope/scope_ghosts.h"
+
+#include <QRegularExpression>
 
 #include <limits>
 #include <random>
@@ -22,6 +25,7 @@ private Q_SLOTS:
     void theLegendCoversNoTrace();
     void labelsSayWhatADivisionIsWorth();
     void smallTicksAreRoundNumbersAndFew();
+    void anAxisOfValuesHasThreeNumbersWhereTheyHaveRoom();
     void smallTicksStandBetweenTheLinesOfTheGrid_data();
     void smallTicksStandBetweenTheLinesOfTheGrid();
     void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
@@ -225,6 +229,33 @@ void TestScopeView::smallTicksAreRoundNumbersAndFew()
     QCOMPARE(count({0.0, 10.0}), 0);
     ticker.setMost(10, 400);
     QCOMPARE(count({0.0, std::numeric_limits<double>::infinity()}), 0);
+}
+
+/// Two say nothing of the scale; which ones they were depended on the height.
+void TestScopeView::anAxisOfValuesHasThreeNumbersWhereTheyHaveRoom()
+{
+    // The newest value stands beside the axis and is no round one.
+    static const QRegularExpression number(QStringLiteral("^(0|[-\u2212]?[0-9]+00)$"));
+    constexpr int kRoom = 104; // pixels: also of the numbers of the next finer step
+    for (const int top : {1730, 1930, 2130, 2630, 3130, 3930, 4130}) {
+        Bench bench({signal(1, "rpm")});
+        bench.view.addChannel(bench.id(1));
+        bench.record(2000, [top](int, int tick) { return tick * top / 2000; });
+        for (int height = 120; height <= 400; height += 20) {
+            bench.view.resize(800, height);
+            bench.picture();
+            if (bench.view.plotRect(0).height() < kRoom)
+                continue;
+            support::TextCatcher texts(bench.view.shapesSize());
+            bench.view.drawShapes(texts);
+            const auto numbers = texts.caught().filter(number);
+            QVERIFY2(numbers.size() >= 3,
+                qPrintable(
+                    QStringLiteral("%1 px, to %2: ")
+                        .arg(QString::number(bench.view.plotRect(0).height()), QString::number(top))
+                    + numbers.join(QLatin1Char(' '))));
+        }
+    }
 }
 
 void TestScopeView::smallTicksStandBetweenTheLinesOfTheGrid_data()

@@ -31,13 +31,14 @@ using drive::MotorState;
 
 class TestFirstSession : public QObject {
     Q_OBJECT
+    static constexpr int kHeight = 700; ///< of a screen of 720 lines, under a title bar
 
 private Q_SLOTS:
     void initTestCase()
     {
         m_rig = std::make_unique<facts::WindowRig>();
         m_rig->sayYesToMotion();
-        m_rig->window.resize(1280, 720);
+        m_rig->window.resize(1280, kHeight);
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     }
     void cleanupTestCase() { m_rig.reset(); }
@@ -161,7 +162,7 @@ private Q_SLOTS:
             m_rig->window.findChild<widgets::ControlPanel *>()->findChild<widgets::StopWords *>();
         QTRY_VERIFY_WITH_TIMEOUT(
             words->text().contains(QStringLiteral("speed not measurable")), 10000);
-        QCOMPARE(m_rig->window.height(), 720);
+        QCOMPARE(m_rig->window.height(), kHeight);
         // With the words of the stop and a message over them.
         QVERIFY(m_rig->find<QWidget>("banner")->isVisible());
         const auto *panel = m_rig->window.findChild<widgets::ControlPanel *>();

@@ -55,6 +55,27 @@ private Q_SLOTS:
         QVERIFY(next.find<QComboBox>("port")->findData(QStringLiteral("/a/board")) >= 0);
     }
 
+    void whereTheScreenHasNoRoomForItItTakesAllThereIs_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        QTest::addColumn<bool>("fills");
+        QTest::newRow("large") << QSize(1920, 1080) << false;
+        QTest::newRow("low") << QSize(1920, 720) << true;
+        QTest::newRow("narrow") << QSize(1280, 1080) << true;
+        QTest::newRow("at 200 %, saved at 100 %") << QSize(960, 540) << true;
+    }
+    void whereTheScreenHasNoRoomForItItTakesAllThereIs()
+    {
+        QFETCH(QSize, screen);
+        QFETCH(bool, fills);
+        widgets::MainWindow &window = m_rig->window;
+        window.hide();
+        window.resize(1280, 720); // of the last time
+        window.showWithin(screen);
+        QVERIFY(window.isVisible());
+        QCOMPARE(window.isMaximized(), fills);
+    }
+
     void toolsAreMadeWhenTheyAreOpenedOrABoardIsToCome()
     {
         facts::NoPorts ports;

@@ -218,6 +218,12 @@ private:
             : all[qsizetype(m_random.below(static_cast<std::uint64_t>(all.size())))];
     }
 
+    void shortFault()
+    {
+        note("short fault");
+        m_world.shortFault = true;
+        rest(2800);
+    }
     /// What some people do again and again.
     void habit()
     {
@@ -227,9 +233,18 @@ private:
             rest(400 + int(m_random.below(400)));
             goOnPurpose();
             goOnPurpose();
-            rest(300);
+            for (int i = 0; i < 8; ++i) {
+                rest(300);
+                look();
+            }
             return;
-        case 1: // has a loose cable
+        case 1: // has a loose cable, and looks at the other motor
+            if (auto *box = m_rig.find<QComboBox>("motor"); box != nullptr && box->isVisible()) {
+                note("other motor");
+                box->setFocus();
+                key(box, m_random.chance(0.7) ? Qt::Key_Down : Qt::Key_Up);
+                look();
+            }
             note("loose cable");
             m_world.cut = true;
             rest(700 + int(m_random.below(1500)));
@@ -243,11 +258,12 @@ private:
             choose();
             return goOnPurpose();
         case 3: // waits for the list
-            note("short fault");
-            m_world.shortFault = true;
-            rest(2800);
+            shortFault();
             click("acknowledge");
-            return;
+            if (!m_random.chance(0.5))
+                return;
+            rest(static_cast<int>(m_random.below(60))); // it comes back at once
+            return shortFault();
         case 4:
             return tune();
         case 5: // compares two boards

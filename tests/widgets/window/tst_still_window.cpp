@@ -5,6 +5,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/control/state_strip.h"
 #include "widgets/control/stop_alarm.h"
+#include "widgets/registers/register_model.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
@@ -18,9 +19,12 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTranslator>
+#include <QTreeView>
 
 #include <cstdlib>
 
@@ -330,6 +334,19 @@ private Q_SLOTS:
         QCOMPARE(m_rig->window.size(), QSize(960, 515));
         for (const char *name : {"stop", "start", "speed", "SPEED_MEAS"})
             QVERIFY2(!m_rig->find<QWidget>(name)->visibleRegion().isEmpty(), name);
+        // Names that can be read go before raw numbers, which come back with the room.
+        const auto *tree = m_rig->find<QTreeView>("registerTree");
+        const auto hasRaw = [tree] {
+            return !tree->isColumnHidden(widgets::RegisterModel::RawColumn);
+        };
+        QVERIFY(!hasRaw());
+        QVERIFY(tree->columnWidth(widgets::RegisterModel::NameColumn) >= 96);
+        QVERIFY(m_rig->window.settings().registerColumns.contains(QStringLiteral("raw")));
+        m_rig->window.resize(1280, 720);
+        settle();
+        m_rig->window.resizeDocks(
+            {m_rig->find<QDockWidget>("registerDock")}, {300}, Qt::Horizontal);
+        QTRY_VERIFY(hasRaw());
     }
 
     void theKeysFitSmallScreens()
@@ -345,6 +362,7 @@ private Q_SLOTS:
         QVERIFY2(
             keys->height() < room.height() * 9 / 10, qPrintable(QString::number(keys->height())));
         QVERIFY2(keys->width() < room.width(), qPrintable(QString::number(keys->width())));
+        QCOMPARE(m_rig->find<QScrollArea>("keys")->horizontalScrollBar()->maximum(), 0);
         keys->close();
     }
 

@@ -3,6 +3,7 @@
 #include "widgets/control/motor_button.h"
 
 #include <QDockWidget>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTabWidget>
 
@@ -62,6 +63,33 @@ private Q_SLOTS:
             pages->setCurrentIndex(0);
             QVERIFY(!m_rig->find<QPushButton>("labPreview")->isVisible());
         }
+    }
+
+    void oneEntryClosesAllThatAreOpen()
+    {
+        QAction *close = nullptr;
+        for (const QMenu *menu : m_rig->window.findChildren<QMenu *>())
+            for (QAction *entry : menu->actions())
+                if (entry->objectName() == QLatin1String("closeTools"))
+                    close = entry;
+        QVERIFY(close);
+        const auto open = [this] {
+            int count = 0;
+            for (const QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>())
+                count +=
+                    m_rig->find<QAction>((dock->objectName() + QStringLiteral("Open")).toLatin1())
+                        != nullptr
+                    && !dock->isHidden();
+            return count;
+        };
+        m_rig->find<QAction>("eventDockOpen")->trigger();
+        m_rig->find<QAction>("measureDockOpen")->trigger();
+        m_rig->find<QDockWidget>("eventDock")->setFloating(true);
+        QCOMPARE(open(), 3);
+        QVERIFY(close->isEnabled());
+        close->trigger();
+        QCOMPARE(open(), 0);
+        QVERIFY(!close->isEnabled());
     }
 
     void everyToolCanFloatAndEachHasItsStop()
