@@ -138,14 +138,13 @@ QByteArray jsonOf(const Tuned &tuned)
     json.endArray();
     json.member("applied", tuned.proof.has_value());
     if (tuned.proof) {
-        const auto value = [](const auto &known) { return known.value_or(std::nan("")); };
         const auto mean = [](const std::optional<lab::Estimate> &known) {
             return known ? known->value : std::nan("");
         };
         json.beginObject("proof");
-        json.member("crossover_hz", value(tuned.proof->response.crossover_hz));
-        json.member("phase_margin_deg", value(tuned.proof->response.phaseMargin_deg));
-        json.member("ms", value(tuned.proof->response.ms));
+        json.member("crossover_hz", mean(tuned.proof->response.crossover_hz));
+        json.member("phase_margin_deg", mean(tuned.proof->response.phaseMargin_deg));
+        json.member("ms", mean(tuned.proof->response.ms));
         json.member("rise_s", mean(tuned.proof->step.rise_s));
         json.member("overshoot_pct", mean(tuned.proof->step.overshoot_pct));
         json.endObject();
@@ -179,10 +178,12 @@ void print(const Tuned &tuned, Output &out)
         return;
     const lab::SpeedResponse &got = tuned.proof->response;
     const lab::StepSeries &step = tuned.proof->step;
+    const auto value = [](const std::optional<lab::Estimate> &known) {
+        return known ? known->value : 0.0;
+    };
     out.line(line("measured", tuned.chosen.proportional, tuned.chosen.integral,
-        got.crossover_hz.value_or(0.0), got.phaseMargin_deg.value_or(0.0), got.ms.value_or(0.0),
-        step.rise_s ? step.rise_s->value : 0.0,
-        step.overshoot_pct ? step.overshoot_pct->value : 0.0));
+        value(got.crossover_hz), value(got.phaseMargin_deg), value(got.ms), value(step.rise_s),
+        value(step.overshoot_pct)));
 }
 
 /// Whether the loop keeps what was promised, and else the way back.
@@ -193,13 +194,13 @@ Outcome<int> verdict(const Tuned &tuned)
         return kDone;
     const double promised = lab::distanceOf(tuned.chosen.goal).ms;
     const auto &ms = tuned.proof->response.ms;
-    if (ms && *ms <= kTolerated * promised)
+    if (ms && ms->value <= kTolerated * promised)
         return kDone;
     return failure(kRefused,
         QStringLiteral(
             "The loop is worse than predicted: Ms %1 instead of at most %2. The way back: "
             "rotorscope-cli set SPEED_KP=%3 SPEED_KI=%4.")
-            .arg(ms ? QString::number(*ms, 'f', 2) : QStringLiteral("unknown"),
+            .arg(ms ? QString::number(ms->value, 'f', 2) : QStringLiteral("unknown"),
                 QString::number(promised), QString::number(tuned.before.proportional),
                 QString::number(tuned.before.integral)));
 }

@@ -225,12 +225,9 @@ QByteArray jsonOf(const lab::FrequencyResponse &found)
         json.endObject();
     }
     json.endArray();
-    const auto scalar = [](const std::optional<double> &value) {
-        return value ? std::optional(lab::Estimate{*value, {}, {}}) : std::nullopt;
-    };
-    put(json, "crossover_hz", scalar(found.crossover_hz));
-    put(json, "phase_margin_deg", scalar(found.phaseMargin_deg));
-    put(json, "ms", scalar(found.ms));
+    put(json, "crossover_hz", found.crossover_hz);
+    put(json, "phase_margin_deg", found.phaseMargin_deg);
+    put(json, "ms", found.ms);
     json.endObject();
     return json.text();
 }
@@ -257,8 +254,8 @@ void print(const lab::FrequencyResponse &found, const QString &unit, Output &out
                 QString::number(point.coherence, 'f', 3)}));
     }
     out.line(QStringLiteral("Loop: crossover %1 Hz, phase margin %2 degrees, Ms %3")
-                 .arg(number(found.crossover_hz, 1.0, 2), number(found.phaseMargin_deg, 1.0, 1),
-                     number(found.ms, 1.0, 2)));
+                 .arg(meanText(found.crossover_hz, 1.0, 2), meanText(found.phaseMargin_deg, 1.0, 1),
+                     meanText(found.ms, 1.0, 2)));
 }
 
 Outcome<int> report(const lab::FrequencyResponse &found, const QString &unit, Output &out)

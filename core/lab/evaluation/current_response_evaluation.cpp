@@ -99,6 +99,7 @@ std::size_t addPoint(
     point.relative =
         std::hypot(std::sqrt(varianceOf(point.coherence, bins * fine.averages)), kScale);
     point.loop = point.plant / (1.0 - point.plant);
+    point.loopRelative = point.relative / std::abs(1.0 - point.plant);
     if (point.coherence >= kLeastCoherence)
         found.points.push_back(point);
     return bin;

@@ -116,7 +116,8 @@ struct Fits {
 Mechanics mechanicsOf(const RecordedSpin &spin, const Fits &fits)
 {
     Mechanics found;
-    const auto &[plain, fan, fastest, digit_nm, unsure] = fits;
+    const Fit &plain = fits.plain, &fan = fits.fan;
+    const double fastest = fits.fastest, digit_nm = fits.digit_nm, unsure = fits.unsure;
     // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is none.
     const bool impossible = plain.unknowns < kUnknowns - 1;
     // Torques that are off by some share bend a friction as a fan does, by a few times as much.

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace lab {
 
@@ -157,6 +156,35 @@ double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
         / (kHann * static_cast<double>(kTransform) * static_cast<double>(kTransform) * transforms));
 }
 
+constexpr double kNormal = 1.96; ///< 95 % to either side, in standard errors
+
+/// @param hz, phase  where the loop is 1, and its phase there in rad
+/// @param relative  standard error of the loop there
+void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoint *> &points,
+    double hz, double phase, double relative)
+{
+    // How gain and phase fall around it, by the logarithm of the frequency.
+    constexpr double kAround = 1.5, kLeastSlope = 0.2;
+    double squares = 0.0, gains = 0.0, phases = 0.0;
+    for (const ResponsePoint *point : points) {
+        const double far = std::log(point->hz / hz);
+        if (std::abs(far) > std::log(kAround))
+            continue;
+        squares += far * far;
+        gains += far * std::log(std::abs(point->loop));
+        phases += far * std::remainder(std::arg(point->loop) - phase, 2.0 * std::numbers::pi);
+    }
+    const double slope =
+        squares > 0.0 ? std::max(kLeastSlope, std::abs(gains / squares)) : kLeastSlope;
+    const double off = kNormal * relative / slope;
+    found.crossover_hz = Estimate{hz, hz * std::exp(-off), hz * std::exp(off)};
+    const double toDegrees = 180.0 / std::numbers::pi;
+    const double margin = std::remainder(phase * toDegrees + 180.0, 360.0);
+    const double half =
+        toDegrees * std::hypot(kNormal * relative, squares > 0.0 ? off * phases / squares : 0.0);
+    found.phaseMargin_deg = Estimate{margin, margin - half, margin + half};
+}
+
 } // namespace
 
 double varianceOf(double coherence, int averages)
@@ -167,25 +195,29 @@ double varianceOf(double coherence, int averages)
 void addMargins(FrequencyResponse &found, double leastCoherence)
 {
     constexpr double kWidest = 1.4; // from one point to the next: more is not guessed
-    const ResponsePoint *before = nullptr;
-    for (const ResponsePoint &point : found.points) {
-        if (point.coherence < leastCoherence)
-            continue;
+    std::vector<const ResponsePoint *> sure;
+    for (const ResponsePoint &point : found.points)
+        if (point.coherence >= leastCoherence)
+            sure.push_back(&point);
+    for (const ResponsePoint *point : sure) {
+        const double away = std::abs(1.0 + point->loop);
         // Beyond all points the loop ends, where it is 1.
-        found.ms = std::max(found.ms.value_or(1.0), 1.0 / std::abs(1.0 + point.loop));
-        const ResponsePoint *from = std::exchange(before, &point);
-        if (from == nullptr || found.crossover_hz || point.hz > kWidest * from->hz)
+        if (found.ms && 1.0 / away <= found.ms->value)
             continue;
-        const double above = std::log(std::abs(from->loop)), below = std::log(std::abs(point.loop));
-        if (!(above >= 0.0 && below < 0.0))
+        const double half = kNormal * point->loopRelative * std::abs(point->loop) / (away * away);
+        found.ms = Estimate{std::max(1.0, 1.0 / away), std::max(1.0, 1.0 / away - half),
+            std::max(1.0, 1.0 / away + half)};
+    }
+    for (std::size_t at = 1; at < sure.size() && !found.crossover_hz; ++at) {
+        const ResponsePoint &a = *sure[at - 1], &b = *sure[at];
+        const double above = std::log(std::abs(a.loop)), below = std::log(std::abs(b.loop));
+        if (!(above >= 0.0 && below < 0.0) || b.hz > kWidest * a.hz)
             continue;
         const double share = above / (above - below);
-        found.crossover_hz = from->hz + share * (point.hz - from->hz);
-        const double phase = std::arg(from->loop)
-            + share
-                * std::remainder(
-                    std::arg(point.loop) - std::arg(from->loop), 2.0 * std::numbers::pi);
-        found.phaseMargin_deg = std::remainder(phase * 180.0 / std::numbers::pi + 180.0, 360.0);
+        const double phase = std::arg(a.loop)
+            + share * std::remainder(std::arg(b.loop) - std::arg(a.loop), 2.0 * std::numbers::pi);
+        addCrossover(found, sure, a.hz + share * (b.hz - a.hz), phase,
+            std::hypot((1.0 - share) * a.loopRelative, share * b.loopRelative));
     }
     if (!found.crossover_hz)
         found.notes.emplace_back("the loop's gain does not fall through 1 where it could be "
@@ -259,6 +291,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
         point.plantKnown = byEncoder || point.hz <= kObserved_hz;
         if (knownGains)
             point.loop = cross(Sensed) / cross(Reference) * regulatorAt(plan->regulator, point.hz);
+        point.loopRelative = std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages)
+            + varianceOf(spectra.coherence(Reference, bin), spectra.averages));
         found.points.push_back(point);
     }
     if (found.points.empty())

@@ -8,6 +8,7 @@
 
 #include "lab/experiment.h"
 #include "lab/happenings.h"
+#include "lab/maths/estimate.h"
 
 #include <complex>
 #include <optional>
@@ -25,13 +26,14 @@ struct ResponsePoint {
     double relative = 0.0; ///< standard error of its gain, and of its phase in rad
     double coherence = 0.0; ///< the smaller one of both signals with the set-point
     std::complex<double> loop; ///< as the regulator closes it; 0: its gains are not known
+    double loopRelative = 0.0; ///< standard error of it, and of its phase in rad
 };
 
 /// Of a loop.
 struct FrequencyResponse {
     std::vector<ResponsePoint> points; ///< with a coherence of a half or more, by frequency
-    std::optional<double> crossover_hz, phaseMargin_deg;
-    std::optional<double> ms; ///< largest of 1 / |1 + loop|
+    std::optional<Estimate> crossover_hz, phaseMargin_deg;
+    std::optional<Estimate> ms; ///< largest of 1 / |1 + loop|
     std::vector<std::string> notes; ///< sentences without a full stop
 };
 struct SpeedResponse : FrequencyResponse {

@@ -77,10 +77,41 @@ private Q_SLOTS:
         }
         QVERIFY2(clear >= 15, qPrintable(QString::number(clear)));
         QVERIFY(within >= 0.9 * double(measured.found->points.size()));
-        QVERIFY(std::abs(*measured.found->crossover_hz - 6.7) < 0.5);
-        QVERIFY(std::abs(*measured.found->phaseMargin_deg - 63.0) < 4.0);
-        QVERIFY(*measured.found->ms > 1.1 && *measured.found->ms < 1.4);
+        QVERIFY(std::abs(measured.found->crossover_hz->value - 6.7) < 0.5);
+        QVERIFY(std::abs(measured.found->phaseMargin_deg->value - 63.0) < 4.0);
+        QVERIFY(measured.found->ms->value > 1.1 && measured.found->ms->value < 1.4);
         QVERIFY(measured.found->notes.empty());
+    }
+
+    /// Their spread over seeds is what they say.
+    void marginsHaveIntervals()
+    {
+        std::vector<FrequencyResponse> all;
+        for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+            LabBench bench(support::servo(seed), seed);
+            ResponsePlan plan = responsePlanFor(bench.experiment.subject, {});
+            plan.seed = seed;
+            bench.experiment.plan = plan;
+            QVERIFY(bench.run().end == End::Complete);
+            const auto found = evaluateResponse(bench.capture, bench.happenings);
+            QVERIFY(found && found->crossover_hz && found->phaseMargin_deg && found->ms);
+            all.push_back(*found);
+        }
+        for (const auto member : {&FrequencyResponse::crossover_hz,
+                 &FrequencyResponse::phaseMargin_deg, &FrequencyResponse::ms}) {
+            double mean = 0.0, width = 0.0;
+            for (const FrequencyResponse &one : all) {
+                mean += (one.*member)->value / double(all.size());
+                width += (*(one.*member)->high - *(one.*member)->low) / double(all.size());
+            }
+            int held = 0;
+            for (const FrequencyResponse &one : all) {
+                const Estimate &estimate = *(one.*member);
+                held += *estimate.low <= mean && mean <= *estimate.high ? 1 : 0;
+            }
+            QVERIFY2(held >= 5, qPrintable(QString::number(held)));
+            QVERIFY(width < 0.5 * mean);
+        }
     }
 
     void anObservedSpeedTellsItUpTo10Hz_data()

@@ -94,12 +94,12 @@ private Q_SLOTS:
         QVERIFY2(proof, proof ? "" : proof.error().c_str());
         // From a quarter of the gains of an observed motor little is seen of the frequencies where a quicker loop is nearest.
         const double tolerated = factor < 1.0 ? 1.2 : 1.1;
-        QVERIFY2(*proof->ms <= tolerated * distanceOf(Goal::Medium).ms,
-            qPrintable(QString::number(*proof->ms)));
-        QVERIFY2(std::abs(*proof->phaseMargin_deg - medium->phaseMargin_deg) < 5.0,
-            qPrintable(QString::number(*proof->phaseMargin_deg)));
-        QVERIFY2(std::abs(*proof->crossover_hz / medium->crossover_hz - 1.0) < 0.1,
-            qPrintable(QString::number(*proof->crossover_hz)));
+        QVERIFY2(proof->ms->value <= tolerated * distanceOf(Goal::Medium).ms,
+            qPrintable(QString::number(proof->ms->value)));
+        QVERIFY2(std::abs(proof->phaseMargin_deg->value - medium->phaseMargin_deg) < 5.0,
+            qPrintable(QString::number(proof->phaseMargin_deg->value)));
+        QVERIFY2(std::abs(proof->crossover_hz->value / medium->crossover_hz - 1.0) < 0.1,
+            qPrintable(QString::number(proof->crossover_hz->value)));
     }
 
     /// The nearer to instability, the greater the integral gain.
