@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QTimer>
 
+#include <array>
 #include <functional>
 
 namespace {
@@ -23,6 +24,8 @@ using support::Beat;
 
 constexpr double kPicture_s = 70.0;
 constexpr int kWatched_ms = 10'000;
+constexpr std::array kNames{
+    "I_A", "I_B", "I_Q_MEAS", "I_D_MEAS", "I_ALPHA_MEAS", "I_BETA_MEAS", "I_Q_REF", "I_D_REF"};
 constexpr std::size_t kBatch = 333; ///< samples in a 60th of a second
 
 /// The window, connected, on a running picture of eight signals.
@@ -35,12 +38,18 @@ public:
         device.disconnect(SIGNAL(openWished(session::Endpoint)));
         device.disconnect(SIGNAL(closeWished()));
         facts::connectBoard(device);
-        m_data.layout.id = 1;
-        facts::feed(device, {drive::StreamStarted{m_data.layout}});
+        // The window shows what is planned: signals that the board has.
+        widgets::SignalSelection &selection = *rig.window.selection();
+        const auto before = selection.plan().wanted();
+        for (const widgets::WantedSignal &signal : before)
+            selection.remove(signal.id);
+        for (std::size_t s = 0; s < kNames.size(); ++s) {
+            m_data.layout.fast[s].id = device.catalog()->resolve(kNames[s]).value_or(0);
+            selection.add(m_data.layout.fast[s].id, 0);
+        }
         m_data.record(rig.workbench.capture(), std::size_t(kPicture_s * kTickHz));
+        facts::feed(device, {drive::StreamStarted{m_data.layout}});
         widgets::ScopeView &scope = *rig.window.scope();
-        for (const auto id : rig.workbench.capture().streaming())
-            scope.addChannel(id);
         scope.setVisibleRange(0.0, kPicture_s);
         scope.time().setFollowing(true);
         scope.setCalm(false);
@@ -139,6 +148,10 @@ void stalls(benchmark::State &state)
     for ([[maybe_unused]] auto _ : state)
         running.live(kWatched_ms);
     const Beat::Told told = Beat::told();
+    const widgets::ScopeView &view = *running.rig.window.scope();
+    require(view.channels().size() >= kSignals && view.visibleRange().span() > kPicture_s - 1.0
+            && view.visibleRange().to > kPicture_s + 5.0,
+        "the picture does not run over all signals");
     state.counters["redraws_per_s"] =
         double(running.rig.window.scope()->redraws() - drawn) * 1e3 / kWatched_ms;
     report({"N1 stall", std::string("70 s of 8 x 20 kHz, ") + tool.name, told.longest_s * 1e3,

@@ -1,5 +1,6 @@
 // The watchdog of the tests: what it counts, and what it tells.
 #include "support/watchdog/beats.h"
+#include "support/watchdog/running_code.h"
 
 #include <QEventLoop>
 #include <QTimer>
@@ -7,11 +8,16 @@
 
 using support::Beat;
 
-/// Named in what the watchdog tells.
+/// Named in what the watchdog tells. The system looks at its timer when it looks at the thread, which is a little later.
 void computeForLong()
 {
     const double start = support::threadSeconds();
-    while (support::threadSeconds() - start < 1.5 * Beat::kLong_s) { }
+    if (start == 0.0)
+        return; // no system of which this can be told
+    double took = 0.0;
+    while (took < 1.5 * Beat::kLong_s
+        || (support::codeThatRan().empty() && took < 4.0 * Beat::kLong_s))
+        took = support::threadSeconds() - start;
 }
 
 class TestBeats : public QObject {
