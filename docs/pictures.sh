@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the window that docs/tuning.md and docs/tuning-lab.md show: the real program on its simulated board, driven by the
+# Makes the pictures of the window that README.md, docs/tuning.md and docs/tuning-lab.md show: the real program on its simulated board, driven by the
 # keyboard alone, on a screen of its own.
 #
 #   docs/pictures.sh [FOLDER]     FOLDER has the programs; build/release/bin, else build/dev/bin if not given
@@ -34,11 +34,11 @@ started+=($!)
 for _ in $(seq 100); do xdotool get_num_desktops >/dev/null 2>&1 && break; sleep 0.1; done
 
 program=
-# open_window PORT: a new window, as nobody has used one before, connected.
+# open_window PORT [THEME]: a new window, as nobody has used one before, connected.
 open_window() {
     local window=
     [ -z "$program" ] || { kill "$program"; wait "$program" || true; }
-    echo '{"theme":"light","firstStepsDone":true,"port":"'"$1"'"}' >"$work/rotorscope/settings.json"
+    echo '{"theme":"'"${2:-light}"'","firstStepsDone":true,"port":"'"$1"'"}' >"$work/rotorscope/settings.json"
     "$bin/rotorscope" --connect --language en 2>/dev/null &
     program=$!
     started+=("$program")
@@ -52,7 +52,23 @@ open_window() {
 }
 
 keys() { for key in "$@"; do xdotool key "$key"; sleep 0.2; done; }
-open_window ""
+
+# A motor that runs, at a few turns of its field.
+open_window sim dark
+keys alt+m r # Arm
+sleep 1
+keys ctrl+Return
+sleep 1
+keys Tab space # the question
+sleep 8
+keys plus plus plus plus plus plus plus
+sleep 1
+import -window root +dither -colors 128 "PNG8:$images/window.png"
+echo "pictures: $images/window.png"
+keys Escape
+sleep 2
+
+open_window sim
 keys ctrl+1 alt+l
 keys Tab Tab Tab Tab Tab Tab # from Rs to the inertia
 xdotool type 500
