@@ -116,8 +116,9 @@ DEFECTS = [
     ("the currents of a board that comes back are not drawn", "tst_monkey@13-21", "untrue", [
         ("core/capture/capture.cpp", "(!best || kind == Kind::Polled || entry.touched >= best->touched))",
          "(!best || kind == Kind::Polled || entry.channel != nullptr))")]),
-    ("values stay unmarked when the link is silent or closed", "tst_monkey@1-13", "untrue", [
-        ("widgets/registers/register_model.cpp", "    if (std::exchange(m_believed, believed) != believed)\n", "    believed = believed || !m_rows.empty();\n    if (std::exchange(m_believed, believed) != believed)\n")]),
+    ("values stay unmarked when the link is silent or closed", "tst_monkey@9-9", "untrue", [
+        ("widgets/registers/register_model.cpp", "    if (std::exchange(m_believed, believed) != believed)\n", "    believed = believed || !m_rows.empty();\n    if (std::exchange(m_believed, believed) != believed)\n"),
+        ("widgets/registers/register_model.cpp", "    return !m_believed || now - row.at", "    return !m_believed && now - row.at")]),
     ("fields of forms do not mark old values", "tst_register_field", "untrue|FAIL", [
         ("widgets/registers/register_field.cpp", "} else if (index.data(RegisterModel::StaleRole).toBool()) {", "} else if (index.data(RegisterModel::StaleRole).isNull()) {")]),
     ("the trigger misses faults", "tst_monkey@6-36", "untrue", [

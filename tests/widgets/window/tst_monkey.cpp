@@ -248,6 +248,10 @@ private:
             note("loose cable");
             m_world.cut = true;
             rest(700 + int(m_random.below(1500)));
+            if (m_random.chance(0.4)) { // and goes to look for it: all that is shown is old then
+                rest(3000);
+                look();
+            }
             m_world.cut = false;
             for (int i = 0; i < 30; ++i) {
                 rest(20);
