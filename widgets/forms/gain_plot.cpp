@@ -67,9 +67,10 @@ void GainPlot::drawStep(
     QPainter &painter, const QRectF &area, const motor::StepPrediction &step) const
 {
     QPainterPath path;
+    const double full = top(); // looks through both responses
     for (std::size_t i = 0; i < step.response.size(); ++i) {
         const double time = static_cast<double>(i) * step.period_s;
-        const double level = std::clamp(step.response[i] / top(), 0.0, 1.0);
+        const double level = std::clamp(step.response[i] / full, 0.0, 1.0);
         const QPointF at(area.left() + time / m_duration_s * area.width(),
             area.bottom() - level * area.height());
         i == 0 ? path.moveTo(at) : path.lineTo(at);

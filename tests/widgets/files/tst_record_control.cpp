@@ -186,6 +186,8 @@ private Q_SLOTS:
         QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
         device().setArmed(true);
         QTRY_VERIFY(device().armed());
+        m_rig->acts.noteArming();
+        m_rig->boards.act(judge::Act::Kind::Input); // a click on what follows
         device().submit(drive::Command{drive::MotorAction::AcknowledgeFaults, 1});
         device().setArmed(false);
         QTRY_VERIFY(m_rig->workbench.motionLog().rowCount() >= 3);
