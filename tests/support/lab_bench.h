@@ -3,8 +3,8 @@
 #pragma once
 
 #include "drive/values.h"
-#include "lab/runner.h"
 #include "lab/evaluation/step_series.h"
+#include "lab/runner.h"
 #include "record/drive_entries.h"
 #include "record/restore.h"
 #include "support/link_pair.h"

@@ -180,7 +180,8 @@ private:
                     continue; // told apart
                 const double zero = toSeconds(at->time_since_epoch()) - double(*newest) / hz;
                 const double first = (range.from - zero) * hz - off * perColumn * hz;
-                trace.sent.resize(static_cast<std::size_t>(width + 2 * off));
+                trace.sent.resize(
+                    static_cast<std::size_t>(width) + 2U * static_cast<std::size_t>(off));
                 for (std::size_t i = 0; i < trace.sent.size(); ++i) {
                     const auto from = static_cast<std::int64_t>(first + double(i) * perColumn * hz);
                     const auto to =
