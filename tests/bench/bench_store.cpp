@@ -50,7 +50,7 @@ void appendAgainstMemcpy(benchmark::State &state)
     const auto batch = static_cast<std::size_t>(state.range(0));
     const auto blocks = blocksOf(999'000 / batch * batch, batch);
     // Into memory that is in use: what is left is new pages, the envelope and the order.
-    std::vector<std::int16_t> there(999'000 * kSignals, 1);
+    std::vector<std::int16_t> there(std::size_t{999'000} * kSignals, 1);
     const auto copy = [&] {
         std::int16_t *at = there.data();
         for (const capture::SampleBlock &block : blocks) {

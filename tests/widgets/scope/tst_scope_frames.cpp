@@ -85,7 +85,7 @@ private Q_SLOTS:
             record();
             QCoreApplication::processEvents();
         }
-        QCOMPARE(m_rig->workbench.capture().size(id), before + 100 * kBatch);
+        QCOMPARE(m_rig->workbench.capture().size(id), before + std::size_t{100} * kBatch);
     }
 
     void aPictureThatIsTakenUnseenIsOfNow()
