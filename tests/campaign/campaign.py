@@ -287,7 +287,7 @@ def main():
     chosen = arguments.parse_args()
     budget = Budget(chosen.hours)
     if chosen.target and chosen.target.name in SESSIONS:
-        return run_sessions(chosen.target.resolve(), chosen.seeds)
+        return run_sessions(chosen.target.absolute(), chosen.seeds)  # its name says which of the tests in it
     if chosen.target:
         return run_fuzzer(chosen.target.resolve(), budget.left(), ROOT / "build" / "fuzz", chosen.how, nice=19, runs=chosen.runs)
     run = {"fuzz": fuzz, "sessions": sessions, "long": long, "asan": lambda b: whole_tree(b, "asan", "ASan, UBSan"),
