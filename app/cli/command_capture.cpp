@@ -569,6 +569,14 @@ Outcome<bool> readCapture(const Given &given, Arguments &arguments)
     if (capture.file.isEmpty() && capture.recording.isEmpty())
         return usage(QStringLiteral(
             "Name the file to write with -o FILE.csv, or --record FILE.pcapng, or both."));
+    if (capture.file.endsWith(QLatin1String(".pcapng"), Qt::CaseInsensitive))
+        return usage(
+            QStringLiteral("-o writes CSV; a recording is --record %1.").arg(capture.file));
+    const auto *format = session::exportFormatOf(capture.file);
+    if (format != nullptr && format != session::exportFormatNamed("csv"))
+        return usage(QStringLiteral("-o writes CSV; for %1 record with --record FILE.pcapng, and "
+                                    "export that.")
+                         .arg(capture.file));
     if (capture.recordLink && capture.recording.isEmpty())
         return usage(QStringLiteral("--link belongs to --record FILE.pcapng."));
     capture.start = given.has("start");

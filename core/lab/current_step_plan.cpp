@@ -171,8 +171,7 @@ std::string objectionTo(const CurrentStepPlan &plan, const Subject &subject)
     const double way = plan.rpm < 0 ? -1.0 : 1.0;
     if (!flux && std::min(plan.fromAmps * way, plan.toAmps * way) < 0.0)
         return "a torque against the way that the motor turns would brake it, and nothing says "
-               "that "
-               "its supply takes what comes back: both currents have to push the same way";
+               "that its supply takes what comes back: both currents have to push the same way";
     return {};
 }
 

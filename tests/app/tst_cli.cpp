@@ -104,7 +104,9 @@ void TestCli::wrongUsageIsExitStatus2AndOneLine_data()
              "--port sim capture --hf SPEED_MEAS --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --hf-rate 256 --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --mf I_B --mf-rate 255 --seconds 1 -o x.csv",
-             "--port sim capture --hf I_A --ramp 1500 --seconds 1 -o x.csv", "decode"})
+             "--port sim capture --hf I_A --ramp 1500 --seconds 1 -o x.csv",
+             "--port sim capture --hf I_A --seconds 1 -o x.pcapng",
+             "--port sim capture --hf I_A --seconds 1 -o x.mat", "decode"})
         QTest::newRow(line) << QString::fromLatin1(line);
 }
 

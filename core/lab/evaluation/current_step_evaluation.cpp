@@ -168,7 +168,10 @@ Result<MeasuredSteps, std::string> currentSteps(
         found.notes.emplace_back("the recording ends before the series does");
     noteNoise(found, *plan, *response);
     noteRuns(found, "current");
-    addMeans(found, reference->info().digit(), 1.0 / 16e3);
+    const Nanos sample = reference->empty()
+        ? 0
+        : reference->holdUntil(reference->begin()) - reference->timeOf(reference->begin());
+    addMeans(found, reference->info().digit(), capture::toSeconds(sample));
     return found;
 }
 
