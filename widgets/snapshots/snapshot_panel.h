@@ -50,6 +50,8 @@ public:
 public Q_SLOTS:
     /// Loads a file as A and compares it with the board, or with what B is.
     void openFile(const QString &path);
+    /// The one as A, the other as B; empty: the board as it is now.
+    void compareFiles(const QString &a, const QString &b);
     void readBoard();
     void restore();
 

@@ -1,0 +1,227 @@
+#include "widgets/lab/run_book_panel.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
+#include "widgets/base/look/spacing.h"
+#include "widgets/base/steady_label.h"
+#include "widgets/files/file_job.h"
+#include "widgets/lab/run_book_model.h"
+
+#include <QDir>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+constexpr qsizetype kMostTold = 3;
+
+QString problemsText(const QStringList &problems)
+{
+    if (problems.isEmpty())
+        return {};
+    QStringList told;
+    for (const QString &problem : problems.mid(0, kMostTold))
+        told.append(deviceText(problem));
+    return RunBookPanel::tr("%n file(s) make no sense: ", nullptr, int(problems.size()))
+        + told.join(QStringLiteral("; "));
+}
+
+} // namespace
+
+RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent)
+    : Form(parent)
+    , m_keeper(keeper)
+    , m_files(files)
+    , m_model(new RunBookModel(this))
+    , m_table(new QTreeView(this))
+    , m_folder(new QLabel(this))
+    , m_told(new SteadyLabel(this, 1))
+{
+    setObjectName(QStringLiteral("runBook"));
+    m_table->setObjectName(QStringLiteral("runBookTable"));
+    m_table->setAccessibleName(tr("Runs"));
+    m_table->setModel(m_model);
+    m_table->setRootIsDecorated(false);
+    m_table->setUniformRowHeights(true);
+    m_table->setAlternatingRowColors(true);
+    m_table->setAllColumnsShowFocus(true);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_table->setToolTip(tr("The tick gives a run its star, F2 its note."));
+    m_table->installEventFilter(this);
+    m_folder->setObjectName(QStringLiteral("runBookFolder"));
+    m_folder->setTextFormat(Qt::PlainText);
+    m_folder->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_told->setObjectName(QStringLiteral("runBookTold"));
+    m_told->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    const auto button = [this](const QString &text, const char *name) {
+        auto *made = new QPushButton(text, this);
+        made->setObjectName(QLatin1String(name));
+        return made;
+    };
+    auto *folder = button(tr("Folder\u2026"), "runBookChoose");
+    m_registers = button({}, "runBookRegisters");
+    m_reference = button(tr("As reference"), "runBookReference");
+    m_open = button(tr("Open"), "runBookOpen");
+    auto *above = new QHBoxLayout;
+    above->addWidget(m_folder, 1);
+    above->addWidget(folder);
+    auto *below = new QHBoxLayout;
+    below->addWidget(m_told, 1);
+    below->addWidget(m_registers);
+    below->addWidget(m_reference);
+    below->addWidget(m_open);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->addLayout(above);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(below);
+
+    connect(folder, &QPushButton::clicked, this, &RunBookPanel::askFolder);
+    connect(m_registers, &QPushButton::clicked, this, &RunBookPanel::compare);
+    connect(m_reference, &QPushButton::clicked, this, [this] {
+        for (const session::Run &run : chosen())
+            Q_EMIT referenceWanted(session::recordingOf(m_keeper.folder(), run.number));
+    });
+    connect(m_open, &QPushButton::clicked, this, [this] {
+        Q_EMIT recordingWanted(session::recordingOf(m_keeper.folder(), chosen().front().number));
+    });
+    connect(m_model, &RunBookModel::annotated, this, &RunBookPanel::annotate);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+        &RunBookPanel::updateButtons);
+    connect(&keeper, &RunKeeper::folderChanged, this, [this] {
+        m_read = false;
+        if (isVisible())
+            read();
+    });
+    connect(&keeper, &RunKeeper::kept, this, [this](const session::Run &run) {
+        if (!m_read)
+            return; // it is read with the others
+        m_model->add(run);
+        tell(tr("Run %1 is kept.", "number").arg(run.number));
+    });
+    updateButtons();
+}
+
+void RunBookPanel::focusFirst() { m_table->setFocus(Qt::ShortcutFocusReason); }
+
+void RunBookPanel::showEvent(QShowEvent *event)
+{
+    Form::showEvent(event);
+    if (!m_read)
+        read();
+}
+
+/// F2 is the note's here, whatever column is the current one, and not a register's.
+bool RunBookPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto type = event->type();
+    const bool key = type == QEvent::KeyPress || type == QEvent::ShortcutOverride;
+    if (watched != m_table || !key || static_cast<QKeyEvent *>(event)->key() != Qt::Key_F2)
+        return Form::eventFilter(watched, event);
+    if (type == QEvent::ShortcutOverride) {
+        event->accept();
+        return true;
+    }
+    m_table->setCurrentIndex(m_table->currentIndex().siblingAtColumn(RunBookModel::NoteColumn));
+    return false;
+}
+
+void RunBookPanel::askFolder()
+{
+    FolderQuestion question;
+    question.title = tr("Keep experiments in a folder");
+    question.folder = m_keeper.folder().isEmpty() ? QDir::homePath() : m_keeper.folder();
+    m_files.askFolder(
+        window(), question, [this](const QString &path) { m_keeper.setFolder(path); });
+}
+
+void RunBookPanel::read()
+{
+    const QString folder = m_keeper.folder();
+    m_folder->setText(folder.isEmpty()
+            ? tr("Experiments are not kept: choose a folder for them.")
+            : tr("Every experiment is kept in %1", "folder").arg(deviceText(folder)));
+    m_folder->setToolTip(plainToolTip(folder));
+    m_read = !folder.isEmpty();
+    if (folder.isEmpty())
+        return;
+    m_model->setRuns({});
+    new FileJob(
+        tr("Reading the run book"),
+        [this, folder](const FileJob::Proceed &proceed) -> FileJob::Finish {
+            auto book = session::readRunBook(folder, proceed);
+            return [this, folder, book = std::move(book)]() mutable {
+                if (folder != m_keeper.folder())
+                    return;
+                if (!book)
+                    return tell(tr("%1 cannot be read: %2.", "folder, reason")
+                                    .arg(deviceText(folder), deviceText(book.error())));
+                tell(problemsText(book->problems));
+                m_model->setRuns(std::move(book->runs));
+                for (int column = 0; column < m_model->columnCount(); ++column)
+                    m_table->resizeColumnToContents(column);
+                updateButtons();
+            };
+        },
+        this);
+}
+
+void RunBookPanel::annotate(int number, const QString &note, bool starred)
+{
+    const QString why = session::annotateRun(m_keeper.folder(), number, note, starred);
+    tell(why.isEmpty() ? QString()
+                       : tr("The note of run %1 is not kept: %2.", "number, reason")
+                             .arg(QString::number(number), deviceText(why)));
+}
+
+std::vector<session::Run> RunBookPanel::chosen() const
+{
+    std::vector<session::Run> runs;
+    for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
+        runs.push_back(m_model->run(index.row()));
+    std::sort(runs.begin(), runs.end(), [](const session::Run &one, const session::Run &other) {
+        return one.number < other.number;
+    });
+    return runs;
+}
+
+void RunBookPanel::compare()
+{
+    const auto runs = chosen();
+    const auto file = [this](const session::Run &run) {
+        return session::registersOf(m_keeper.folder(), run.number);
+    };
+    Q_EMIT registersWanted(file(runs.front()), runs.size() == 2 ? file(runs.back()) : QString());
+}
+
+void RunBookPanel::updateButtons()
+{
+    const auto runs = chosen();
+    const bool one = runs.size() == 1, two = runs.size() == 2;
+    const bool known = std::all_of(
+        runs.begin(), runs.end(), [](const session::Run &run) { return run.registers; });
+    m_registers->setText(two ? tr("Compare registers") : tr("Back to this run\u2026"));
+    m_registers->setEnabled((one || two) && known);
+    m_registers->setToolTip(plainToolTip(two
+            ? tr("Shows which registers differ between both runs")
+            : tr("Shows what the board holds otherwise than behind this run; Restore writes it")));
+    m_reference->setEnabled(one || two);
+    m_reference->setToolTip(
+        plainToolTip(tr("Lays one or two runs behind what the scope shows, as references")));
+    m_open->setEnabled(one);
+    m_open->setToolTip(
+        plainToolTip(tr("Opens the recording of the run, in place of what is shown")));
+}
+
+void RunBookPanel::tell(const QString &sentence) { m_told->setText(sentence); }
+
+} // namespace widgets
