@@ -106,6 +106,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
         if (!m_read)
             return; // it is read with the others
         m_model->add(run);
+        fitColumns();
         tell(tr("Run %1 is kept.", "number").arg(run.number));
     });
     updateButtons();
@@ -167,12 +168,17 @@ void RunBookPanel::read()
                                     .arg(deviceText(folder), deviceText(book.error())));
                 tell(problemsText(book->problems));
                 m_model->setRuns(std::move(book->runs));
-                for (int column = 0; column < m_model->columnCount(); ++column)
-                    m_table->resizeColumnToContents(column);
+                fitColumns();
                 updateButtons();
             };
         },
         this);
+}
+
+void RunBookPanel::fitColumns()
+{
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        m_table->resizeColumnToContents(column);
 }
 
 void RunBookPanel::annotate(int number, const QString &note, bool starred)

@@ -37,6 +37,7 @@ protected:
 private:
     void askFolder();
     void read();
+    void fitColumns();
     void annotate(int number, const QString &note, bool starred);
     void compare();
     void updateButtons();

@@ -46,6 +46,7 @@ public:
 
     SnapshotModel *model() const { return m_model; }
     void focusFirst() override;
+    QWidget *footer() const override { return m_footer; }
 
 public Q_SLOTS:
     /// Loads a file as A and compares it with the board, or with what B is.
@@ -124,6 +125,7 @@ private:
     QPushButton *m_cancel = nullptr;
     QPushButton *m_read = nullptr;
     QPushButton *m_restore = nullptr;
+    QWidget *m_footer = nullptr;
     QString m_restoring; ///< what the list of writes is called
 };
 

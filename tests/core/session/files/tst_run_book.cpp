@@ -4,6 +4,7 @@
 #include "session/recording/recording_reader.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QTemporaryDir>
@@ -169,6 +170,25 @@ private Q_SLOTS:
         const auto book = session::readRunBook(folder.path());
         QCOMPARE(book->runs.size(), 1U);
         QVERIFY(book->problems.isEmpty());
+    }
+
+    /// How long it takes is told, not judged: machines are busy.
+    void aThousandRunsAreRead()
+    {
+        QTemporaryDir folder;
+        QVERIFY(session::keepRun(folder.path(), anEndedRun()));
+        const QByteArray run = contentOf(folder.filePath(QStringLiteral("run-0001.json")));
+        for (int i = 2; i <= 1000; ++i) {
+            QFile copy(
+                folder.filePath(QStringLiteral("run-%1.json").arg(i, 4, 10, QLatin1Char('0'))));
+            QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write(run) == run.size());
+        }
+        QElapsedTimer timer;
+        timer.start();
+        const auto book = session::readRunBook(folder.path());
+        qInfo("1,000 runs read in %lld ms", static_cast<long long>(timer.elapsed()));
+        QVERIFY(book && book->runs.size() == 1000);
+        QCOMPARE(book->runs.back().number, 1000);
     }
 
     void readingCanBeCancelled()
