@@ -2016,6 +2016,11 @@
         <source>Response of the current</source>
         <translation>Frequenzgang des Stroms</translation>
     </message>
+    <message>
+        <source>%1, %2 to %3 s</source>
+        <comment>a recording, seconds</comment>
+        <translation>%1, %2 bis %3 s</translation>
+    </message>
 </context>
 <context>
     <name>Setpoint</name>
@@ -6663,6 +6668,45 @@ mN·m</translation>
     <message>
         <source>Back to this run…</source>
         <translation>Zurück zu diesem Lauf…</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>Aufzeichnung aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <translation>Bewahrt jeden Abschnitt einer Aufzeichnung zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
+    </message>
+    <message>
+        <source>Add a recording to the run book</source>
+        <translation>Aufzeichnung in das Versuchsbuch aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 is not added: %2.</source>
+        <comment>file, reason</comment>
+        <translation>%1 ist nicht aufgenommen: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) are added.</source>
+        <translation>
+            <numerusform>%n Lauf ist aufgenommen.</numerusform>
+            <numerusform>%n Läufe sind aufgenommen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) are left out, because they are short.</source>
+        <translation>
+            <numerusform>%n Abschnitt fehlt, weil er kurz ist.</numerusform>
+            <numerusform>%n Abschnitte fehlen, weil sie kurz sind.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

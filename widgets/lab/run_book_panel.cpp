@@ -1,5 +1,6 @@
 #include "widgets/lab/run_book_panel.h"
 
+#include "session/files/run_stretches.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/look/spacing.h"
@@ -8,6 +9,7 @@
 #include "widgets/lab/run_book_model.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -68,11 +70,15 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
         return made;
     };
     auto *folder = button(tr("Folder\u2026"), "runBookChoose");
+    m_split = button(tr("Add a recording\u2026"), "runBookAdd");
+    m_split->setToolTip(plainToolTip(tr("Keeps each stretch of a recording between two changes of "
+                                        "its gains as a run")));
     m_registers = button({}, "runBookRegisters");
     m_reference = button(tr("As reference"), "runBookReference");
     m_open = button(tr("Open"), "runBookOpen");
     auto *above = new QHBoxLayout;
     above->addWidget(m_folder, 1);
+    above->addWidget(m_split);
     above->addWidget(folder);
     auto *below = new QHBoxLayout;
     below->addWidget(m_told, 1);
@@ -86,6 +92,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     layout->addLayout(below);
 
     connect(folder, &QPushButton::clicked, this, &RunBookPanel::askFolder);
+    connect(m_split, &QPushButton::clicked, this, &RunBookPanel::askRecording);
     connect(m_registers, &QPushButton::clicked, this, &RunBookPanel::compare);
     connect(m_reference, &QPushButton::clicked, this, [this] {
         for (const session::Run &run : chosen())
@@ -145,6 +152,43 @@ void RunBookPanel::askFolder()
         window(), question, [this](const QString &path) { m_keeper.setFolder(path); });
 }
 
+void RunBookPanel::askRecording()
+{
+    OpenQuestion question;
+    question.title = tr("Add a recording to the run book");
+    question.folder = m_keeper.folder();
+    question.filter = tr("Recordings (*.pcapng)");
+    m_files.askOpen(window(), question, [this](const QString &path) { split(path); });
+}
+
+void RunBookPanel::split(const QString &recording)
+{
+    const QString name = deviceText(QFileInfo(recording).fileName());
+    new FileJob(
+        tr("Adding %1").arg(name),
+        [this, name, recording, folder = m_keeper.folder()](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
+            auto kept = session::keepStretches(folder, recording, proceed);
+            return [this, name, folder, kept = std::move(kept)] {
+                if (!kept)
+                    return tell(tr("%1 is not added: %2.", "file, reason")
+                                    .arg(name, deviceText(kept.error())));
+                if (folder != m_keeper.folder())
+                    return;
+                for (const session::Run &run : kept->runs)
+                    m_model->add(run);
+                fitColumns();
+                QString told = tr("%n run(s) are added.", nullptr, int(kept->runs.size()));
+                if (kept->leftOut > 0)
+                    told += QLatin1Char(' ')
+                        + tr("%n stretch(es) are left out, because they are short.", nullptr,
+                            kept->leftOut);
+                tell(told);
+            };
+        },
+        this);
+}
+
 void RunBookPanel::read()
 {
     const QString folder = m_keeper.folder();
@@ -153,6 +197,7 @@ void RunBookPanel::read()
             : tr("Every experiment is kept in %1", "folder").arg(deviceText(folder)));
     m_folder->setToolTip(plainToolTip(folder));
     m_read = !folder.isEmpty();
+    m_split->setEnabled(m_read);
     if (folder.isEmpty())
         return;
     m_model->setRuns({});

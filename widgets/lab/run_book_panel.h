@@ -36,6 +36,8 @@ protected:
 
 private:
     void askFolder();
+    void askRecording();
+    void split(const QString &recording);
     void read();
     void fitColumns();
     void annotate(int number, const QString &note, bool starred);
@@ -50,7 +52,7 @@ private:
     QTreeView *m_table;
     QLabel *m_folder;
     SteadyLabel *m_told;
-    QPushButton *m_registers, *m_reference, *m_open;
+    QPushButton *m_split, *m_registers, *m_reference, *m_open;
     bool m_read = false; ///< what is in the folder
 };
 

@@ -24,7 +24,7 @@ QString field(const session::Run &run, const char *name)
 {
     for (const auto &[key, value] : run.plan)
         if (key == QLatin1String(name))
-            return deviceText(value).replace(QLatin1Char('-'), QChar(0x2212));
+            return deviceText(value);
     return kDash;
 }
 
@@ -86,7 +86,8 @@ QString numbersText(const QJsonObject &result)
 QString experimentText(const session::Run &run)
 {
     const auto fromTo = [&run](const char *from, const char *to) {
-        return QStringLiteral("%1 \u2192 %2").arg(field(run, from), field(run, to));
+        QString text = QStringLiteral("%1 \u2192 %2").arg(field(run, from), field(run, to));
+        return text.replace(QLatin1Char('-'), QChar(0x2212));
     };
     if (run.experiment == QLatin1String("step plan"))
         return RunText::tr("Speed step %1 rpm", "from to").arg(fromTo("from rpm", "to rpm"));
@@ -104,6 +105,9 @@ QString experimentText(const session::Run &run)
         return field(run, "current loop") == QLatin1String("0")
             ? RunText::tr("Response of the speed")
             : RunText::tr("Response of the current");
+    if (run.experiment == QLatin1String(session::kStretch))
+        return RunText::tr("%1, %2 to %3 s", "a recording, seconds")
+            .arg(field(run, "recording"), field(run, "from s"), field(run, "to s"));
     return deviceText(run.experiment);
 }
 

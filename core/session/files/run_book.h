@@ -3,43 +3,17 @@
 // what came of it (docs/run-book.md). All of it looks at a disk, so it belongs into a job.
 #pragma once
 
-#include "lab/happenings.h"
 #include "lab/outcome.h"
+#include "session/files/run.h"
 #include "session/recording/recording_tap.h"
 #include "snapshots/snapshot.h"
 
-#include <QJsonObject>
-#include <QMap>
-#include <QString>
-#include <QStringList>
-
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace session {
-
-struct Run {
-    int number = 0; ///< from 1
-    qint64 at = 0; ///< UTC since 1970, seconds: when it ended
-    QString board; ///< its firmware
-    QString motorName;
-    int motor = 1;
-    QString experiment; ///< as a recording names its plan, e.g. "step plan"
-    QList<std::pair<QString, QString>> plan; ///< its fields as the recording has them
-    QString end; ///< "complete", "refused", "aborted", "interrupted", "lost"
-    QString reason;
-    QMap<QString, double> gains; ///< registers of the motor, digits
-    bool registers = false; ///< they are in a file
-    QJsonObject result; ///< as `rotorscope-cli evaluate --json` has it; empty: none
-    QStringList notes; ///< what has to be known of the result; the first says why there is none
-    QString note; ///< the user's
-    bool starred = false;
-    bool operator==(const Run &) const = default;
-};
-
-QString recordingOf(const QString &folder, int number);
-QString registersOf(const QString &folder, int number);
 
 /// What is to be kept of an experiment that has ended.
 struct EndedRun {

@@ -219,6 +219,15 @@ private Q_SLOTS:
         QTRY_VERIFY(ghosts.hasReference(widgets::Reference::A)
             && ghosts.hasReference(widgets::Reference::B));
         QVERIFY(bench.rig.workbench.device().answering());
+
+        // A recording in which no gain was turned is one run.
+        bench.rig.files.answer = session::recordingOf(bench.folder.path(), 1);
+        bench.press("runBookAdd");
+        QTRY_COMPARE(bench.model().rowCount(), 3);
+        QVERIFY2(bench.cell(0, Book::ExperimentColumn)
+                     .startsWith(QLatin1String("run-0001.pcapng, ")),
+            qPrintable(bench.cell(0, Book::ExperimentColumn)));
+        QCOMPARE(bench.cell(0, Book::ResultColumn), bench.cell(2, Book::ResultColumn));
     }
 
     void starsAndNotesAreKept()

@@ -1,6 +1,9 @@
 // A run book: what is kept is read back, nothing that is there is overwritten, and a file that makes no sense costs no other.
 #include "session/files/run_book.h"
+#include "session/files/run_stretches.h"
+#include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
+#include "session/recording/recording_file.h"
 #include "session/recording/recording_reader.h"
 
 #include <QDir>
@@ -89,6 +92,67 @@ private Q_SLOTS:
         QCOMPARE(report->snapshots.size(), 1U);
         QVERIFY(report->ending && report->damage.empty());
         QVERIFY(contentOf(session::registersOf(folder.path(), 1)).contains("SPEED_KP"));
+    }
+
+    void aRecordingIsPartedWhereItsGainsChange()
+    {
+        using record::Nanos;
+        constexpr Nanos kMilli = 1'000'000;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("long.pcapng"));
+        QString why;
+        session::RecordingFile file(
+            session::makeDiskSink(path, why), {1'700'000'000, "test", "sim"});
+        QVERIFY(file.open());
+        const auto run = anEndedRun();
+        QVERIFY(file.add(0,
+            record::RegisterSnapshot{
+                "all registers", session::snapshotJson(*run.registers).toStdString()}));
+        QVERIFY(file.add(0, record::PolledRegister{7, "BUS_VOLTAGE", "V"}));
+        const auto written = [](const char *told) {
+            return record::Happening{
+                "ended", {{"wish", "1"}, {"outcome", "ok"}, {"reason", ""}, {"SPEED_KP", told}}};
+        };
+        for (Nanos ms = 100; ms <= 5000; ms += 100) {
+            if (ms == 2000)
+                QVERIFY(file.add(ms * kMilli, written("ok, was 700, is 350")));
+            if (ms == 2200)
+                QVERIFY(file.add(ms * kMilli, written("ok, was 350, is 300")));
+            if (ms == 3000) // no change
+                QVERIFY(file.add(ms * kMilli, written("refused, was 300, is 300, why")));
+            const double volts = double(ms) / 1000.0;
+            QVERIFY(file.add(ms * kMilli, record::PolledValues{{{7, ms * kMilli, volts}}}));
+        }
+        QVERIFY(file.end());
+
+        const auto kept = session::keepStretches(folder.path(), path);
+        QVERIFY2(kept, kept ? "" : qPrintable(kept.error()));
+        QCOMPARE(kept->runs.size(), 2U);
+        QCOMPARE(kept->leftOut, 1); // 0.2 s between two turns of a gain
+        QCOMPARE(kept->runs[0].gains[QStringLiteral("SPEED_KP")], 700.0);
+        QCOMPARE(kept->runs[1].gains[QStringLiteral("SPEED_KP")], 300.0);
+        QCOMPARE(kept->runs[1].gains[QStringLiteral("SPEED_KI")], 30.0); // of the snapshot
+        QVERIFY(kept->runs[0].notes.isEmpty() && kept->runs[0].result.isEmpty());
+        QVERIFY(contentOf(session::registersOf(folder.path(), 2)).contains("300"));
+        const auto millisOf = [&](int number) {
+            capture::Capture capture;
+            const auto report =
+                session::readRecording(session::recordingOf(folder.path(), number), capture);
+            const auto span = capture.timeSpan();
+            const auto millis = [](double seconds) { return std::lround(seconds * 1000.0); };
+            return report && report->damage.empty() && span
+                ? std::pair(millis(span->from), millis(span->to))
+                : std::pair(0L, 0L);
+        };
+        QCOMPARE(millisOf(1), std::pair(100L, 2000L));
+        QCOMPARE(millisOf(2), std::pair(2300L, 5000L));
+        const auto book = session::readRunBook(folder.path());
+        QVERIFY(book && book->problems.isEmpty() && book->runs.size() == 2);
+        QVERIFY(book->runs[1] == kept->runs[1]);
+
+        QVERIFY(!session::keepStretches(folder.path(), folder.filePath(QStringLiteral("none"))));
+        QVERIFY(!session::keepStretches(folder.path(), path, [](double) { return false; }));
+        QCOMPARE(session::readRunBook(folder.path())->runs.size(), 2U);
     }
 
     void aNoteAndAStarStay()
