@@ -31,7 +31,8 @@ void GainStretches::take(Nanos at, const Entry &entry)
 {
     if (m_all.empty())
         m_all.push_back({at, at, {}});
-    m_all.back().to = std::max(m_all.back().to, at);
+    at = std::max(m_all.back().to, at); // a file may be anyone's
+    m_all.back().to = at;
     const auto *happening = std::get_if<Happening>(&entry);
     if (happening == nullptr || happening->name != "ended")
         return;

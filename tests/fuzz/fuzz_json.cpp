@@ -5,6 +5,7 @@
 #include "session/files/mcb_rig_file.h"
 #include "session/files/motor_file.h"
 #include "session/files/rev_up_json.h"
+#include "session/files/run.h"
 #include "session/files/snapshot_json.h"
 
 namespace {
@@ -42,6 +43,15 @@ void revUp(const QByteArray &text)
     }
 }
 
+void run(const QByteArray &text)
+{
+    const auto read = session::readRunJson(text);
+    if (!read)
+        return fuzz::require(!read.error().isEmpty());
+    const auto again = session::readRunJson(session::runJson(*read));
+    fuzz::require(again.has_value() && *again == *read);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
@@ -50,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return 0;
     const QByteArray text(
         reinterpret_cast<const char *>(data + 1), static_cast<qsizetype>(size - 1));
-    switch (data[0] % 5) {
+    switch (data[0] % 6) {
     case 0:
         snapshot(text);
         break;
@@ -64,9 +74,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         if (const auto rig = session::readFcpRig(text); !rig)
             fuzz::require(!rig.error().empty());
         break;
-    default:
+    case 4:
         if (const auto rig = session::readMcbRig(text); !rig)
             fuzz::require(!rig.error().isEmpty());
+        break;
+    default:
+        run(text);
         break;
     }
     return 0;

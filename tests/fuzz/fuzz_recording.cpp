@@ -2,6 +2,7 @@
 // payloads, each in a sound block, because no fuzzer guesses checksums.
 #include "fuzz/script.h"
 #include "record/decoder.h"
+#include "record/gain_stretches.h"
 #include "record/restore.h"
 
 namespace {
@@ -35,6 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     record::Decoder decoder;
     capture::Capture capture({.maxBytes = 10'000'000});
     record::Restorer restorer(capture);
+    record::GainStretches stretches;
     std::uint64_t last = 0;
     const auto drain = [&] {
         while (const auto step = decoder.next()) {
@@ -42,6 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
                 fuzz::require(item->offset >= last && item->offset < file.size());
                 last = item->offset;
                 restorer.take(item->entry);
+                stretches.take(item->at, item->entry);
             } else {
                 const auto &damage = std::get<record::Damage>(*step);
                 fuzz::require(damage.offset + damage.bytes <= file.size());
@@ -55,6 +58,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     }
     decoder.finish();
     drain();
+    for (std::size_t i = 0; i < stretches.all().size(); ++i) {
+        const record::GainStretch &one = stretches.all()[i];
+        fuzz::require(one.from <= one.to && (i == 0 || one.from == stretches.all()[i - 1].to));
+    }
     if (const auto span = capture.timeSpan()) {
         for (const capture::ChannelInfo &info : capture.channels())
             fuzz::require(capture.columns(info.id, span->from, span->to, 10).size() == 10);

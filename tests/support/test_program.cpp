@@ -21,7 +21,7 @@ std::string nameOf(const char *path) { return std::filesystem::path(path).stem()
 
 namespace support {
 
-NamedTest::NamedTest(const char *file, TestMain main) { tests()[nameOf(file)] = main; }
+NamedTest::NamedTest(const char *source, TestMain main) { tests()[nameOf(source)] = main; }
 
 } // namespace support
 

@@ -10,10 +10,10 @@ namespace support {
 
 using TestMain = int (*)(int argc, char *argv[]);
 
-/// Makes a test known to its program under the name of its file, without folder and ending.
+/// Makes a test known to its program under the name of its source, without folder and ending.
 class NamedTest {
 public:
-    NamedTest(const char *file, TestMain main);
+    NamedTest(const char *source, TestMain main);
 };
 
 } // namespace support

@@ -8,6 +8,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -124,7 +125,7 @@ public:
 private:
     bool isKept(const GainStretch &stretch) const
     {
-        return capture::toSeconds(stretch.to - stretch.from) >= kLeastStretch_s
+        return capture::toSeconds(stretch.to) - capture::toSeconds(stretch.from) >= kLeastStretch_s
             && m_kept.runs.size() < kMostStretches;
     }
     void beginRun(const GainStretch &stretch);
@@ -147,7 +148,8 @@ void StretchWriter::beginRun(const GainStretch &stretch)
     run.experiment = QString::fromLatin1(kStretch);
     run.plan = {{QStringLiteral("from s"), seconds(stretch.from)},
         {QStringLiteral("recording"), m_name}, {QStringLiteral("to s"), seconds(stretch.to)}};
-    run.at = m_begin.startSeconds + stretch.to / kSecond;
+    constexpr std::int64_t kFarthest = 100'000'000'000; // a file may be anyone's
+    run.at = std::clamp(m_begin.startSeconds, -kFarthest, kFarthest) + stretch.to / kSecond;
     run.end = QStringLiteral("complete");
     if (const auto &held = m_survey.registers) {
         run.board = QString::fromStdString(held->board.firmware);
