@@ -3,7 +3,6 @@
 // where it was. Afterwards the motor coasts back to its speed, and speed control takes it over again: it is never braked.
 #pragma once
 
-#include "lab/conditions.h"
 #include "lab/course.h"
 #include "lab/recorded_motor.h"
 

@@ -3,7 +3,6 @@
 // current loop is measured by the same: its reference jumps with each set-point, and moves with each turn of the speed loop.
 #pragma once
 
-#include "lab/conditions.h"
 #include "lab/course.h"
 #include "lab/recorded_motor.h"
 

@@ -6,7 +6,7 @@
 // start-up, whose stages are borrowed for that: none of them turns, and the motor is stopped before the last one is over.
 #pragma once
 
-#include "lab/conditions.h"
+#include "lab/course.h"
 #include "lab/recorded_motor.h"
 
 #include <optional>

@@ -5,7 +5,6 @@
 // end it. With currents along the magnets beside them, inductances follow from the same course.
 #pragma once
 
-#include "lab/conditions.h"
 #include "lab/course.h"
 #include "lab/recorded_motor.h"
 

@@ -2,7 +2,6 @@
 // `hold`. The plan is written into the recording of its series, so that the file alone says what was wanted.
 #pragma once
 
-#include "lab/conditions.h"
 #include "lab/course.h"
 #include "lab/recorded_motor.h"
 

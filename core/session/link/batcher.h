@@ -8,12 +8,22 @@
 // stays.
 #pragma once
 
-#include "session/link/batch.h"
+#include "drive/event.h"
 
+#include <memory>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace session {
+
+/// What a session tells at one go, in order. A complete value that may cross threads.
+struct Batch {
+    std::vector<drive::Event> events;
+    std::uint64_t droppedForDisplay =
+        0; ///< samples since the session began that only the display did not get
+};
+using BatchPtr = std::shared_ptr<const Batch>;
 
 class Batcher {
 public:
