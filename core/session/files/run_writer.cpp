@@ -64,9 +64,12 @@ QString RunWriter::begin(const record::Begin &begin)
 {
     if (!QDir().mkpath(m_folder))
         return QStringLiteral("there is no such folder");
+    constexpr int kAttempts = 10; // another program may keep its runs there, too
     m_run.number = nextNumber(m_folder);
     QString why;
     auto sink = makeDiskSink(recordingOf(m_folder, m_run.number), why);
+    for (int i = 1; !sink && i < kAttempts; ++i)
+        sink = makeDiskSink(recordingOf(m_folder, ++m_run.number), why);
     if (!sink)
         return why;
     m_made = true;
