@@ -175,7 +175,14 @@ void Workbench::connectTrigger()
         m_setPoints.get(), &session::SetPointTap::left, this,
         [this](const drive::SentSetPoint &sent) {
             m_trigger.event(Kind::SetPoint, sent.seconds, static_cast<quint32>(sent.motor));
-            m_recorder.left(sent);
+            m_recorder.left(sent.wish, sent.within_s);
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_setPoints.get(), &session::SetPointTap::ended, this,
+        [this](const drive::SetPointsEnd &end) {
+            if (end.held)
+                m_recorder.left(end.wish, end.within_s);
         },
         Qt::QueuedConnection);
 }
