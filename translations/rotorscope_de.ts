@@ -3177,6 +3177,11 @@
         <comment>trouble of the link, how long</comment>
         <translation>%1, %2 lang</translation>
     </message>
+    <message>
+        <source>Another board: %1</source>
+        <comment>its names</comment>
+        <translation>Anderes Board: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Experiments</name>

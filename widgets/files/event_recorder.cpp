@@ -326,6 +326,22 @@ void EventRecorder::port()
         note(EventKind::Command, now(), tr("Disconnected"));
 }
 
+void EventRecorder::replaced()
+{
+    const auto &board = m_device.identified();
+    if (!board)
+        return;
+    QStringList names{deviceText(board->identity.firmware)};
+    if (const QString version = deviceText(board->identity.version); !names[0].contains(version))
+        names[0] += QLatin1Char(' ') + version;
+    names.append(deviceText(board->identity.controlBoard));
+    for (const std::string &motor : board->identity.motorNames)
+        names.append(deviceText(motor));
+    names.removeAll(QString());
+    note(EventKind::Recovery, now(),
+        tr("Another board: %1", "its names").arg(names.join(QStringLiteral(", "))));
+}
+
 void EventRecorder::stored(const capture::SampleBlock &block)
 {
     if (block.lostTicks <= 0 || !(m_tickHz > 0))

@@ -109,6 +109,7 @@ void Workbench::connectSession()
     connect(&m_device, &Device::streamStarted, &m_signalPlan, &SignalPlan::begin);
     connect(this, &Workbench::samplesStored, &m_recorder, &EventRecorder::stored);
     connect(&m_signalPlan, &SignalPlan::begunAnew, &m_events, &EventLog::clear);
+    connect(&m_signalPlan, &SignalPlan::boardReplaced, &m_recorder, &EventRecorder::replaced);
     connect(&m_device, &Device::batchApplied, this, &Workbench::advance);
     connect(&m_signalPlan, &SignalPlan::renewed, this, &Workbench::advance);
     m_math.setPolled([this] { return m_signalPlan.planned().polled; });
