@@ -4356,6 +4356,20 @@
         <source>Valid, unit not known or a plain number</source>
         <translation>Gültig, Einheit unbekannt oder reine Zahl</translation>
     </message>
+    <message>
+        <source>Record it</source>
+        <comment>a signal</comment>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
+        <translation>Wo einer Formel ein Signal des Boards fehlt, das nicht im Oszilloskop ist, holt es dies dorthin.</translation>
+    </message>
+    <message>
+        <source>The board has %1: puts it on the scope.</source>
+        <comment>a signal</comment>
+        <translation>Das Board hat %1: holt es ins Oszilloskop.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathTable</name>

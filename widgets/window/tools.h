@@ -17,6 +17,7 @@ class MeasurePanel;
 class NotesPanel;
 class Opening;
 class RampForm;
+class SignalSelection;
 class ScopeView;
 class SnapshotActions;
 class SnapshotPanel;
@@ -33,6 +34,7 @@ public:
         ScopeView &scope;
         TriggerControl &trigger;
         ChannelStrip &strip; ///< shows what is computed, too
+        SignalSelection &selection;
         RegisterPanel::Actions edits;
         const Opening &opening; ///< whose snapshots can be compared
         FilePrompt &files;
@@ -58,6 +60,7 @@ private:
     void addForms();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
+    void offerToMath();
     void fillTraceMenu(QMenu &menu, quint32 channel);
     void measure(quint32 channel, const QList<scope::Quantity> &quantities);
     int motor() const; ///< whose constants apply to what is shown; 0: that of a file
