@@ -3074,10 +3074,6 @@
 <context>
     <name>widgets::EventPanel</name>
     <message>
-        <source>&amp;Markers only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Events and markers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3086,15 +3082,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Delete markers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Set a mar&amp;ker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers on&amp;ly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete m&amp;arkers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3174,6 +3174,11 @@
     <message>
         <source>%1, for %2</source>
         <comment>trouble of the link, how long</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another board: %1</source>
+        <comment>its names</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4299,23 +4304,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;New</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rea&amp;dy formulas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Insert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Na&amp;me</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Formula</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4328,10 +4317,6 @@
     </message>
     <message>
         <source>The name is taken by a signal or a function.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C&amp;hange</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4348,6 +4333,40 @@
     </message>
     <message>
         <source>Valid, unit not known or a plain number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read&amp;y formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ormula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record it</source>
+        <comment>a signal</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board has %1: puts it on the scope.</source>
+        <comment>a signal</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4397,23 +4416,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Clear statistics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C&amp;opy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Trace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4422,6 +4425,22 @@
     </message>
     <message>
         <source>&amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meas&amp;ure</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5581,10 +5600,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Show</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5598,10 +5613,6 @@
     </message>
     <message>
         <source>Keep as &amp;reference A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Drop A</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5626,6 +5637,14 @@
     </message>
     <message>
         <source>Takes the earlier records out of the picture; those to come stay again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop &amp;A</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7291,10 +7310,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read the &amp;board</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reads every register of the board again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7314,10 +7329,6 @@ mN·m</source>
     </message>
     <message>
         <source>Filter the differences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Measured values, too</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7391,15 +7402,23 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Save…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save a snapshot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is not known whether these were written:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the b&amp;oard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meas&amp;ured values, too</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7477,10 +7496,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Trace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;In</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7490,18 +7505,6 @@ mN·m</source>
     </message>
     <message>
         <source>&amp;Length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A&amp;verage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7561,16 +7564,32 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Restart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>orders: largest peak</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>orders: %1</source>
         <comment>name of a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Avera&amp;ge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest&amp;art</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8368,10 +8387,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Draw</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;X</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8381,10 +8396,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>&amp;In</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Trail</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8451,6 +8462,14 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Choose a trace for X and for Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;rail</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
