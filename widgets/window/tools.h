@@ -17,8 +17,9 @@ class MeasurePanel;
 class NotesPanel;
 class Opening;
 class RampForm;
-class SignalSelection;
+class RunKeeper;
 class ScopeView;
+class SignalSelection;
 class SnapshotActions;
 class SnapshotPanel;
 class SpectrumPanel;
@@ -36,7 +37,7 @@ public:
         ChannelStrip &strip; ///< shows what is computed, too
         SignalSelection &selection;
         RegisterPanel::Actions edits;
-        const Opening &opening; ///< whose snapshots can be compared
+        Opening &opening; ///< whose snapshots can be compared
         FilePrompt &files;
         QMainWindow &window;
     };
@@ -58,6 +59,7 @@ private:
     void addScopeTools();
     void addSnapshots();
     void addForms();
+    void addRunBook();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
     void offerToMath();
@@ -77,9 +79,11 @@ private:
     QAction *m_openMeasures = nullptr;
     QAction *m_openSpectrum = nullptr;
     QAction *m_openXy = nullptr;
+    QAction *m_openSnapshots = nullptr;
     NotesPanel *m_notes = nullptr;
     SnapshotPanel *m_snapshots = nullptr;
     RampForm *m_ramps = nullptr;
+    RunKeeper *m_runs = nullptr;
     SnapshotActions *m_snapshotActions = nullptr;
 };
 
