@@ -3147,8 +3147,8 @@
 <context>
     <name>widgets::EventPanel</name>
     <message>
-        <source>&amp;Markers only</source>
-        <translation>Nur &amp;Markierungen</translation>
+        <source>Markers on&amp;ly</source>
+        <translation>N&amp;ur Markierungen</translation>
     </message>
     <message>
         <source>Events and markers</source>
@@ -3159,7 +3159,7 @@
         <translation>Enter zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
     </message>
     <message>
-        <source>&amp;Delete markers</source>
+        <source>Delete m&amp;arkers</source>
         <translation>Markierungen &amp;löschen</translation>
     </message>
     <message>
@@ -3168,7 +3168,7 @@
     </message>
     <message>
         <source>Set a mar&amp;ker</source>
-        <translation>Mar&amp;kierung setzen</translation>
+        <translation>Markierung set&amp;zen</translation>
     </message>
 </context>
 <context>
@@ -3248,6 +3248,11 @@
         <source>%1, for %2</source>
         <comment>trouble of the link, how long</comment>
         <translation>%1, %2 lang</translation>
+    </message>
+    <message>
+        <source>Another board: %1</source>
+        <comment>its names</comment>
+        <translation>Anderes Board: %1</translation>
     </message>
 </context>
 <context>
@@ -4361,7 +4366,7 @@
     <name>widgets::MathPanel</name>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>Ent&amp;fernen</translation>
     </message>
     <message>
         <source>Math channels</source>
@@ -4372,24 +4377,24 @@
         <translation>Buchstaben A bis Z, Ziffern und _; andere Formeln benutzen den Kanal unter diesem Namen.</translation>
     </message>
     <message>
-        <source>&amp;New</source>
+        <source>Ne&amp;w</source>
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Rea&amp;dy formulas</source>
-        <translation>Ferti&amp;ge Formeln</translation>
+        <source>Read&amp;y formulas</source>
+        <translation>Fer&amp;tige Formeln</translation>
     </message>
     <message>
         <source>&amp;Insert</source>
         <translation>E&amp;infügen</translation>
     </message>
     <message>
-        <source>Na&amp;me</source>
-        <translation>Na&amp;me</translation>
+        <source>&amp;Name</source>
+        <translation>Nam&amp;e</translation>
     </message>
     <message>
-        <source>&amp;Formula</source>
-        <translation>&amp;Formel</translation>
+        <source>F&amp;ormula</source>
+        <translation>Forme&amp;l</translation>
     </message>
     <message>
         <source>There is no signal in it.</source>
@@ -4404,12 +4409,12 @@
         <translation>So heißt schon ein Signal oder eine Funktion.</translation>
     </message>
     <message>
-        <source>C&amp;hange</source>
-        <translation>Än&amp;dern</translation>
+        <source>&amp;Change</source>
+        <translation>Ände&amp;rn</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
+        <translation>Hin&amp;zufügen</translation>
     </message>
     <message>
         <source>There is no room for more than %1.</source>
@@ -4422,6 +4427,20 @@
     <message>
         <source>Valid, unit not known or a plain number</source>
         <translation>Gültig, Einheit unbekannt oder reine Zahl</translation>
+    </message>
+    <message>
+        <source>Record it</source>
+        <comment>a signal</comment>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
+        <translation>Wo einer Formel ein Signal des Boards fehlt, das nicht im Oszilloskop ist, holt es dies dorthin.</translation>
+    </message>
+    <message>
+        <source>The board has %1: puts it on the scope.</source>
+        <comment>a signal</comment>
+        <translation>Das Board hat %1: holt es ins Oszilloskop.</translation>
     </message>
 </context>
 <context>
@@ -4467,10 +4486,10 @@
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
+        <translation>Hin&amp;zufügen</translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
+        <source>Rem&amp;ove</source>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
@@ -4478,20 +4497,20 @@
         <translation>&amp;Statistik leeren</translation>
     </message>
     <message>
-        <source>C&amp;opy</source>
-        <translation>K&amp;opieren</translation>
+        <source>Co&amp;py</source>
+        <translation>Ko&amp;pieren</translation>
     </message>
     <message>
-        <source>&amp;Trace</source>
+        <source>T&amp;race</source>
         <translation>&amp;Kurve</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messung</translation>
+        <source>Meas&amp;ure</source>
+        <translation>Mess&amp;ung</translation>
     </message>
     <message>
         <source>A&amp;gainst</source>
-        <translation>&amp;Gegen</translation>
+        <translation>Gege&amp;n</translation>
     </message>
     <message>
         <source>&amp;In</source>
@@ -4786,7 +4805,7 @@
     </message>
     <message>
         <source>S&amp;ave…</source>
-        <translation>S&amp;peichern …</translation>
+        <translation>Sp&amp;eichern …</translation>
     </message>
     <message>
         <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
@@ -5654,7 +5673,7 @@
         <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
     </message>
     <message>
-        <source>&amp;Show</source>
+        <source>Sho&amp;w</source>
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
@@ -5674,16 +5693,16 @@
         <translation>Als &amp;Referenz A behalten</translation>
     </message>
     <message>
-        <source>&amp;Drop A</source>
+        <source>Drop &amp;A</source>
         <translation>A &amp;verwerfen</translation>
     </message>
     <message>
         <source>Keep as reference &amp;B</source>
-        <translation>Als Referenz &amp;B behalten</translation>
+        <translation>Als Re&amp;ferenz B behalten</translation>
     </message>
     <message>
         <source>Dr&amp;op B</source>
-        <translation>B ver&amp;werfen</translation>
+        <translation>B verwerfe&amp;n</translation>
     </message>
     <message>
         <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
@@ -5691,7 +5710,7 @@
     </message>
     <message>
         <source>C&amp;lear</source>
-        <translation>Leere&amp;n</translation>
+        <translation>L&amp;eeren</translation>
     </message>
     <message>
         <source>Clear the persistence</source>
@@ -7547,8 +7566,8 @@ mN·m</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Read the &amp;board</source>
-        <translation>&amp;Board lesen</translation>
+        <source>Read the b&amp;oard</source>
+        <translation>Board &amp;lesen</translation>
     </message>
     <message>
         <source>Reads every register of the board again</source>
@@ -7557,12 +7576,12 @@ mN·m</translation>
     <message>
         <source>&amp;A</source>
         <comment>the first of two snapshots</comment>
-        <translation>&amp;A</translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>&amp;B</source>
         <comment>the second of two snapshots</comment>
-        <translation>&amp;B</translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>Filter by name or group</source>
@@ -7573,8 +7592,8 @@ mN·m</translation>
         <translation>Unterschiede filtern</translation>
     </message>
     <message>
-        <source>&amp;Measured values, too</source>
-        <translation>Auch &amp;Messwerte</translation>
+        <source>Meas&amp;ured values, too</source>
+        <translation>Auch M&amp;esswerte</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -7597,7 +7616,7 @@ mN·m</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
+        <translation>W&amp;iederherstellen</translation>
     </message>
     <message>
         <source>Writes what is checked and shown to the board and reads it back</source>
@@ -7647,7 +7666,7 @@ mN·m</translation>
         <translation>%1 bei %2 s</translation>
     </message>
     <message>
-        <source>&amp;Save…</source>
+        <source>Save…</source>
         <translation>&amp;Sichern…</translation>
     </message>
     <message>
@@ -7733,7 +7752,7 @@ mN·m</translation>
         <translation>Dezibel</translation>
     </message>
     <message>
-        <source>&amp;Trace</source>
+        <source>T&amp;race</source>
         <translation>&amp;Kurve</translation>
     </message>
     <message>
@@ -7749,15 +7768,15 @@ mN·m</translation>
         <translation>&amp;Länge</translation>
     </message>
     <message>
-        <source>A&amp;verage</source>
-        <translation>&amp;Mittelung</translation>
+        <source>Avera&amp;ge</source>
+        <translation>Mi&amp;ttelung</translation>
     </message>
     <message>
-        <source>&amp;Axis</source>
-        <translation>&amp;Achse</translation>
+        <source>A&amp;xis</source>
+        <translation>A&amp;chse</translation>
     </message>
     <message>
-        <source>&amp;Scale</source>
+        <source>S&amp;cale</source>
         <translation>&amp;Skala</translation>
     </message>
     <message>
@@ -7766,7 +7785,7 @@ mN·m</translation>
     </message>
     <message>
         <source>C&amp;opy</source>
-        <translation>K&amp;opieren</translation>
+        <translation>Ko&amp;pieren</translation>
     </message>
     <message>
         <source>The table of peaks</source>
@@ -7817,7 +7836,7 @@ mN·m</translation>
         <translation>Der Mittelwert so vieler Spektren nacheinander, aus Abtastwerten, die sich nicht überlappen</translation>
     </message>
     <message>
-        <source>&amp;Restart</source>
+        <source>Rest&amp;art</source>
         <translation>&amp;Neu starten</translation>
     </message>
     <message>
@@ -8042,7 +8061,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Fr&amp;om</source>
-        <translation>V&amp;on</translation>
+        <translation>Vo&amp;n</translation>
     </message>
     <message>
         <source>to</source>
@@ -8629,7 +8648,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>nur das Neueste</translation>
     </message>
     <message>
-        <source>&amp;Draw</source>
+        <source>Dra&amp;w</source>
         <translation>&amp;Zeichnen</translation>
     </message>
     <message>
@@ -8645,7 +8664,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>&amp;In</translation>
     </message>
     <message>
-        <source>&amp;Trail</source>
+        <source>T&amp;rail</source>
         <translation>S&amp;pur</translation>
     </message>
     <message>

@@ -3146,10 +3146,6 @@
 <context>
     <name>widgets::EventPanel</name>
     <message>
-        <source>&amp;Markers only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Events and markers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3158,15 +3154,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Delete markers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Set a mar&amp;ker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers on&amp;ly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete m&amp;arkers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3246,6 +3246,11 @@
     <message>
         <source>%1, for %2</source>
         <comment>trouble of the link, how long</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another board: %1</source>
+        <comment>its names</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4371,23 +4376,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;New</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rea&amp;dy formulas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Insert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Na&amp;me</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Formula</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4400,10 +4389,6 @@
     </message>
     <message>
         <source>The name is taken by a signal or a function.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C&amp;hange</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4420,6 +4405,40 @@
     </message>
     <message>
         <source>Valid, unit not known or a plain number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read&amp;y formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ormula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record it</source>
+        <comment>a signal</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board has %1: puts it on the scope.</source>
+        <comment>a signal</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4469,23 +4488,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Clear statistics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C&amp;opy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Trace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4494,6 +4497,22 @@
     </message>
     <message>
         <source>&amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meas&amp;ure</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5653,10 +5672,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Show</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5670,10 +5685,6 @@
     </message>
     <message>
         <source>Keep as &amp;reference A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Drop A</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5698,6 +5709,14 @@
     </message>
     <message>
         <source>Takes the earlier records out of the picture; those to come stay again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop &amp;A</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7540,10 +7559,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read the &amp;board</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reads every register of the board again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7563,10 +7578,6 @@ mN·m</source>
     </message>
     <message>
         <source>Filter the differences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Measured values, too</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7640,15 +7651,23 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Save…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save a snapshot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is not known whether these were written:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the b&amp;oard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meas&amp;ured values, too</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7726,10 +7745,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Trace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;In</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7739,18 +7754,6 @@ mN·m</source>
     </message>
     <message>
         <source>&amp;Length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A&amp;verage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7810,16 +7813,32 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Restart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>orders: largest peak</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>orders: %1</source>
         <comment>name of a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Avera&amp;ge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest&amp;art</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8621,10 +8640,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Draw</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;X</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8634,10 +8649,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>&amp;In</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Trail</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8704,6 +8715,14 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Choose a trace for X and for Y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;rail</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

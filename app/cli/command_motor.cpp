@@ -15,8 +15,17 @@ namespace {
 
 constexpr auto kStandstillWithin = 10s; ///< a motor may coast
 
+bool stands(drive::MotorState state)
+{
+    using drive::MotorState;
+    return state == MotorState::Idle || state == MotorState::FaultNow
+        || state == MotorState::FaultOver;
+}
+
 /// Carries out a wish for the motor that is meant and prints the state that follows.
-Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, const QString &what)
+/// @param atRest  what else is to be known where the motor stands, for people
+Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, const QString &what,
+    const QString &atRest = {})
 {
     if (const auto armed = desk.talk.armToMove(); !armed)
         return tl::make_unexpected(armed.error());
@@ -27,6 +36,8 @@ Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, c
     if (!status)
         return tl::make_unexpected(status.error());
     printStatus(desk.out, *status);
+    if (stands(status->state) && !atRest.isEmpty() && !desk.out.json())
+        desk.out.line(atRest);
     return kDone;
 }
 
@@ -119,7 +130,8 @@ Outcome<int> runRamp(Desk &desk)
         drive::SpeedRamp{.motor = *motor,
             .rpm = ramp.rpm,
             .duration = std::chrono::milliseconds(ramp.milliseconds)},
-        QStringLiteral("The ramp"));
+        QStringLiteral("The ramp"),
+        QStringLiteral("The motor stands: the speed is for its next start."));
 }
 
 Outcome<int> runTorque(Desk &desk)
@@ -135,7 +147,8 @@ Outcome<int> runTorque(Desk &desk)
         drive::TorqueRamp{.motor = *motor,
             .amps = torque.amps,
             .duration = std::chrono::milliseconds(torque.milliseconds)},
-        QStringLiteral("The ramp"));
+        QStringLiteral("The ramp"),
+        QStringLiteral("The motor stands: the current is for its next start."));
 }
 
 constexpr OptionText kRampOptions[] = {kCyclicOption};

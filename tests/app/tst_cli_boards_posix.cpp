@@ -15,6 +15,7 @@ private Q_SLOTS:
     void sixStepTurnsWithoutAScope();
     void hsoReadsAndRecordsInItsUnits();
     void theOldestFirmwareReadsInRpm();
+    void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall();
 };
 
 namespace {
@@ -128,6 +129,21 @@ void TestCliBoards::theOldestFirmwareReadsInRpm()
     QVERIFY(bench.reaches("SPEED_MEAS", 1500.0));
     QVERIFY(bench.reaches("STOPLL_ROT_SPEED", 1500.0));
     QVERIFY(bench.does("stop"));
+}
+
+/// Reset by the port's lines, booting, held by a debugger.
+void TestCliBoards::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall()
+{
+    for (const int silent_ms : {300, 1800, 3300}) {
+        Bench bench({QStringLiteral("--control")});
+        QVERIFY(bench.ready());
+        bench.tell(QByteArray("mute ").append(QByteArray::number(silent_ms)).constData());
+        QElapsedTimer time;
+        time.start();
+        QVERIFY2(bench.does("info"), qPrintable(QString::number(silent_ms)));
+        // Else it was found before it was silent. Half of that is for the programs' own start.
+        QVERIFY2(time.elapsed() > silent_ms / 2, qPrintable(QString::number(time.elapsed())));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCliBoards)

@@ -54,10 +54,19 @@ private Q_SLOTS:
     {
         const Simulator board;
         QVERIFY(board.ready());
-        COMPARE_STATUS(board.cli("ramp 2100 0"), 0);
+        const CliRun ramp = board.cli("ramp 2100 0");
+        COMPARE_STATUS(ramp, 0);
+        QVERIFY2(ramp.out.contains(QStringLiteral("stands: the speed is for its next start")),
+            qPrintable(ramp.out));
+        const CliRun json = board.cli("--json ramp 2100 0"); // the state alone
+        COMPARE_STATUS(json, 0);
+        QVERIFY2(!json.out.contains(QStringLiteral("next start")), qPrintable(json.out));
         const CliRun start = board.cli("start");
         COMPARE_STATUS(start, 0);
         QVERIFY2(start.out.contains(QStringLiteral("Start -> 2100 rpm")), qPrintable(start.out));
+        const CliRun moving = board.cli("ramp 2000 100");
+        COMPARE_STATUS(moving, 0);
+        QVERIFY2(!moving.out.contains(QStringLiteral("next start")), qPrintable(moving.out));
         COMPARE_STATUS(board.cli("stop"), 0);
     }
 

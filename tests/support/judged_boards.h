@@ -14,6 +14,7 @@
 #include "support/wire/either.h"
 #include "support/wire/mcb.h"
 
+#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -52,6 +53,12 @@ public:
         if (m_judge)
             m_judge->excuse(rule, reason);
     }
+
+    /// What a board sends in so long after its line was opened is lost: it boots, or a debugger holds it.
+    std::chrono::milliseconds silentAtFirst{};
+
+    /// What the first motor's firmware wants, each time somebody looks; in the session's thread, and set before it runs.
+    std::function<void(TimePoint, const simulation::MotorTruth &)> truthOfFirst;
 
     void act(judge::Act::Kind kind) override
     {
@@ -108,6 +115,8 @@ public:
         m_board = simulation::makeBoard(m_options);
         if (!m_board)
             return;
+        if (m_world.silentAtFirst.count() > 0)
+            m_board->mute(m_world.silentAtFirst);
         const std::lock_guard lock(m_world.m_mutex);
         m_world.m_judges.push_back(std::make_unique<judge::MsRules>());
         m_world.m_judge = m_world.m_judges.back().get();
@@ -142,6 +151,8 @@ public:
         for (int motor = 1; motor <= m_options.motors; ++motor) {
             const simulation::MotorTruth is = m_board->truth(motor);
             truth.push_back({is.driven, is.idle, is.rpm});
+            if (motor == 1 && m_world.truthOfFirst)
+                m_world.truthOfFirst(m_world.m_clock(), is);
         }
         m_world.m_judge->heard(out, m_world.m_clock());
         m_world.m_judge->look(m_world.m_clock(), truth);
@@ -154,7 +165,8 @@ private:
     {
         if (protocol == drive::Protocol::Mcb)
             return std::make_unique<judge::WireMcb>();
-        if (simulation::isFcpProfile(m_options.profile)) // it may be asked in the newer words first
+        // It may be asked in the words of another protocol first.
+        if (simulation::isFcpProfile(m_options.profile) || m_world.silentAtFirst.count() > 0)
             return std::make_unique<judge::WireEither>();
         return std::make_unique<judge::WireMcp>(m_options.baud, m_board->truth(1).ampsPerDigit);
     }

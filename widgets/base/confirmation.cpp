@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -17,7 +18,20 @@ struct ConfirmationText {
     Q_DECLARE_TR_FUNCTIONS(Confirmation)
 };
 
-/// A key that was held before the question came must not answer it; Enter behind the word that had to be typed does.
+/// With a letter of its own, which Cancel does not have.
+QString withKey(const QString &text, const QPushButton &cancel)
+{
+    const QString taken = QKeySequence::mnemonic(cancel.text()).toString().right(1);
+    for (qsizetype i = 0; i < text.size() && !text.contains(QLatin1Char('&')); ++i)
+        if (text[i].isLetter() && text[i].unicode() < 128
+            && QString(text[i]).compare(taken, Qt::CaseInsensitive) != 0)
+            return QString(text).insert(i, QLatin1Char('&'));
+    return text;
+}
+
+/// A key that was held before the question came must not answer it; Enter behind the word that had to be typed does. A
+/// letter alone answers nothing: a box of messages would take it for Alt and the letter, and single letters are keys of the
+/// scope.
 class HeldKeys : public QObject {
 public:
     HeldKeys(QPushButton *yes, QObject *parent)
@@ -33,6 +47,9 @@ public:
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
         if (key->isAutoRepeat())
             return enter || key->key() == Qt::Key_Space;
+        if (watched->inherits("QMessageBox") && !key->text().isEmpty() && key->text()[0].isPrint()
+            && (key->modifiers() & (Qt::AltModifier | Qt::ControlModifier | Qt::MetaModifier)) == 0)
+            return true;
         if (!enter || qobject_cast<QLineEdit *>(watched) == nullptr)
             return false;
         if (m_yes->isEnabled()) // the word was typed: that is no Enter by mistake
@@ -86,8 +103,8 @@ QDialog *askToConfirm(
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
     box->setInformativeText(question.lines.join(QLatin1Char('\n')));
-    QPushButton *yes = box->addButton(question.yes, QMessageBox::DestructiveRole);
     QPushButton *cancel = box->addButton(QMessageBox::Cancel);
+    QPushButton *yes = box->addButton(withKey(question.yes, *cancel), QMessageBox::DestructiveRole);
     yes->setObjectName(QLatin1String(question.yesName));
     yes->setAutoDefault(false); // Enter does not press it, wherever the focus is
     box->setDefaultButton(cancel);

@@ -349,6 +349,15 @@ void ControlPanel::stopAdvanced(const drive::StopProgress &progress)
     m_setpoints->expectReference(); // which a stop leaves on the board, for the next start
 }
 
+/// A file has nothing of the board that was stopped. Words of a Stop that has not ended stay.
+void ControlPanel::fileShown()
+{
+    if (!m_words->rested())
+        return;
+    m_words->clear();
+    m_words->hide();
+}
+
 void ControlPanel::start() { m_commands->start(); }
 void ControlPanel::acknowledge() { m_commands->acknowledge(); }
 void ControlPanel::go() { m_setpoints->go(); }

@@ -42,6 +42,7 @@ public Q_SLOTS:
     void go();
     void stopRamp();
     void toggleArmed();
+    void fileShown(); ///< in the place of what a board tells
 
 Q_SIGNALS:
     void watchedRegistersChanged();

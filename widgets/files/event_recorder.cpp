@@ -165,17 +165,17 @@ void EventRecorder::ended(const drive::Ended &ended)
         wrote(write, seconds);
 }
 
-void EventRecorder::left(const drive::SentSetPoint &sent)
+void EventRecorder::left(drive::WishId wish, double within_s)
 {
     // Told by the session itself, before or behind the end of the wish.
-    const auto asked = m_asked.find(sent.wish);
+    const auto asked = m_asked.find(wish);
     const quint32 id = asked != m_asked.end() ? asked->second.event
-        : m_lastEnded.first == sent.wish      ? m_lastEnded.second
+        : m_lastEnded.first == wish           ? m_lastEnded.second
                                               : 0;
     if (const ScopeEvent *event = m_log.find(id); event && event->kind == EventKind::Command)
         m_log.setText(id,
             tr("%1; at the board within %2", "a command, a time")
-                .arg(event->text, exactTime(sent.within_s, QLocale())));
+                .arg(event->text, exactTime(within_s, QLocale())));
 }
 
 void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
@@ -324,6 +324,22 @@ void EventRecorder::port()
         noteLoss(Trouble::Port, portProblemText(error, m_device.endpoint().path));
     else
         note(EventKind::Command, now(), tr("Disconnected"));
+}
+
+void EventRecorder::replaced()
+{
+    const auto &board = m_device.identified();
+    if (!board)
+        return;
+    QStringList names{deviceText(board->identity.firmware)};
+    if (const QString version = deviceText(board->identity.version); !names[0].contains(version))
+        names[0] += QLatin1Char(' ') + version;
+    names.append(deviceText(board->identity.controlBoard));
+    for (const std::string &motor : board->identity.motorNames)
+        names.append(deviceText(motor));
+    names.removeAll(QString());
+    note(EventKind::Recovery, now(),
+        tr("Another board: %1", "its names").arg(names.join(QStringLiteral(", "))));
 }
 
 void EventRecorder::stored(const capture::SampleBlock &block)

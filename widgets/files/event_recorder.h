@@ -3,7 +3,6 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "drive/set_points/set_point_times.h"
 #include "widgets/base/device.h"
 #include "widgets/scope/events/event_log.h"
 
@@ -32,7 +31,8 @@ public:
 
     double now() const; ///< seconds on the session's axis
     /// Its line tells from now on how exactly its instant is known.
-    void left(const drive::SentSetPoint &sent);
+    void left(drive::WishId wish, double within_s);
+    void replaced(); ///< another board has answered than before
     void stored(const capture::SampleBlock &block); ///< it is in the capture
 
     /// What was asked for, in words; empty for what is no command. @param several  motors, which are told apart

@@ -48,7 +48,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
                           "Page up and page down go through the records."));
     m_list->installEventFilter(this);
 
-    auto *show = new QPushButton(tr("&Show"), this);
+    auto *show = new QPushButton(tr("Sho&w"), this);
     show->setObjectName(QStringLiteral("showRecord"));
     m_persistence->setObjectName(QStringLiteral("persistence"));
     m_persistence->setRange(0, ScopeGhosts::kMost);
@@ -114,7 +114,7 @@ QWidget *RecordPanel::makeReferences(ScopeView &scope)
         enable();
     };
     add(Reference::A, 0, "keepReference", "dropReference", tr("Keep as &reference A"),
-        tr("&Drop A"), QStringLiteral("R"));
+        tr("Drop &A"), QStringLiteral("R"));
     add(Reference::B, 1, "keepReferenceB", "dropReferenceB", tr("Keep as reference &B"),
         tr("Dr&op B"), QStringLiteral("B"));
     return box;

@@ -84,8 +84,14 @@ constexpr PictureFormat kPictures[] = {
 
 QImage scopeImage(ScopeView &scope)
 {
-    scope.catchUp();
-    return scope.grab().toImage();
+    QImage image;
+    {
+        const OnPaper paper(scope);
+        scope.catchUp();
+        image = scope.grab().toImage();
+    }
+    scope.catchUp(); // the screen does not flash
+    return image;
 }
 
 std::span<const PictureFormat> pictureFormats() { return kPictures; }

@@ -1,4 +1,5 @@
-// Pictures of the scope as it is on the screen, as files.
+// Pictures of the scope as it is on the screen, as files and to be copied; in the light colours, whatever the theme: they go on
+// paper.
 #pragma once
 
 #include "session/files/piece_file.h"

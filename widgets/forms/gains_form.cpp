@@ -31,7 +31,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     , m_board(new QLabel)
     , m_table(new GainTable(model))
     , m_lab(new GainLab(model))
-    , m_editBar(new EditBar(edits, model, apply, revert, true, this))
+    , m_editBar(new EditBar(edits, model, apply, revert, EditBar::Room::Wide, this))
 {
     setObjectName(QStringLiteral("gainsForm"));
     m_pages->setObjectName(QStringLiteral("gainPages"));

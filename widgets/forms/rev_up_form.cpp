@@ -145,7 +145,8 @@ QWidget *RevUpForm::makeFooter(const Parts &parts)
         tr("Reads the stages from a file, as rotorscope-cli revup writes them"));
     m_save = makeButton(tr("Save\u2026"), "revUpSave",
         tr("Writes the stages to a file that rotorscope-cli revup reads"));
-    m_bar = new EditBar(parts.edits, parts.registers, parts.apply, parts.revert, true, footer);
+    m_bar = new EditBar(
+        parts.edits, parts.registers, parts.apply, parts.revert, EditBar::Room::Wide, footer);
     auto *layout = new QHBoxLayout(footer);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kHalfGrid);

@@ -39,6 +39,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     , m_verdict(new QLabel(this))
     , m_apply(new QPushButton(this))
     , m_remove(new QPushButton(tr("&Remove"), this))
+    , m_record(new QPushButton(tr("Record it", "a signal"), this))
 {
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
@@ -55,6 +56,11 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     connect(m_name, &QLineEdit::returnPressed, this, &MathPanel::apply);
     connect(m_apply, &QPushButton::clicked, this, &MathPanel::apply);
     connect(m_remove, &QPushButton::clicked, this, &MathPanel::removeChosen);
+    connect(m_record, &QPushButton::clicked, this, [this] {
+        const QString name = m_lacking;
+        m_formula->setFocus(); // what was written waits for it
+        Q_EMIT signalWanted(name);
+    });
     connect(&channels, &MathChannels::changed, this, &MathPanel::check);
     connect(&scope, &ScopeView::channelsChanged, this, &MathPanel::check);
     beginNew();
@@ -91,9 +97,9 @@ QWidget *MathPanel::makeEditor()
     m_verdict->setWordWrap(true);
     m_apply->setObjectName(QStringLiteral("applyMath"));
     m_remove->setObjectName(QStringLiteral("removeMath"));
-    auto *fresh = new QPushButton(tr("&New"), side);
+    auto *fresh = new QPushButton(tr("Ne&w"), side);
     fresh->setObjectName(QStringLiteral("newMath"));
-    auto *ready = new QPushButton(tr("Rea&dy formulas"), side);
+    auto *ready = new QPushButton(tr("Read&y formulas"), side);
     ready->setObjectName(QStringLiteral("readyMath"));
     auto *insertIt = new QPushButton(tr("&Insert"), side);
     insertIt->setObjectName(QStringLiteral("insertMath"));
@@ -108,12 +114,14 @@ QWidget *MathPanel::makeEditor()
     withMenu(insertIt, "insertMathMenu", &MathPanel::fillInsert);
 
     auto *form = new QFormLayout;
-    form->addRow(tr("Na&me"), m_name);
-    form->addRow(tr("&Formula"), m_formula);
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("F&ormula"), m_formula);
     form->addRow(QString(), m_verdict);
     auto *helps = new QHBoxLayout;
     helps->addWidget(ready);
     helps->addWidget(insertIt);
+    m_record->setObjectName(QStringLiteral("recordForMath"));
+    helps->addWidget(m_record);
     auto *buttons = new QHBoxLayout;
     for (QPushButton *button : {fresh, m_apply, m_remove})
         buttons->addWidget(button);
@@ -204,6 +212,22 @@ void MathPanel::showChosen()
     m_formula->setText(formula.text);
 }
 
+void MathPanel::offerSignals(std::function<bool(const QString &name)> can)
+{
+    m_can = std::move(can);
+    check();
+}
+
+void MathPanel::offer(const QString &name)
+{
+    m_lacking = !name.isEmpty() && m_can && m_can(name) ? name : QString();
+    m_record->setEnabled(!m_lacking.isEmpty());
+    m_record->setToolTip(plainToolTip(m_lacking.isEmpty()
+            ? tr("Where a formula needs a signal of the board that is not on the scope, this puts "
+                 "it there.")
+            : tr("The board has %1: puts it on the scope.", "a signal").arg(m_lacking)));
+}
+
 /// Says what is wrong and where, or the unit of what comes out.
 void MathPanel::check()
 {
@@ -235,7 +259,8 @@ void MathPanel::check()
                                : QStringLiteral("\u2717 ");
     m_verdict->setText(sign + says);
     m_formula->setAccessibleDescription(says);
-    m_apply->setText(exists ? tr("C&hange") : tr("&Add"));
+    offer(result.fault ? unknownName(*result.fault, m_formula->text()) : QString());
+    m_apply->setText(exists ? tr("&Change") : tr("&Add"));
     m_apply->setEnabled(fine);
     m_remove->setEnabled(exists);
 }

@@ -14,6 +14,8 @@ namespace capture {
 class Capture;
 }
 
+#include <functional>
+
 namespace widgets {
 
 class MathChannels;
@@ -29,9 +31,15 @@ public:
 
     void choose(const QString &name); ///< that channel, to be changed
 
+    /// @param can  whether the board has a signal of this name that is not on the scope: it is offered then
+    void offerSignals(std::function<bool(const QString &name)> can);
+
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
+
+Q_SIGNALS:
+    void signalWanted(const QString &name); ///< on the scope, for a formula
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -45,6 +53,7 @@ private:
     void beginNew();
     void showChosen();
     void check();
+    void offer(const QString &name);
     void apply();
     void removeChosen();
     QString chosenName() const;
@@ -59,6 +68,9 @@ private:
     QLabel *m_verdict;
     QPushButton *m_apply;
     QPushButton *m_remove;
+    QPushButton *m_record; ///< the signal that a formula lacks
+    QString m_lacking; ///< its name
+    std::function<bool(const QString &)> m_can;
 };
 
 } // namespace widgets

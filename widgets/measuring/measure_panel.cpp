@@ -90,16 +90,16 @@ void MeasurePanel::makeSide(QWidget *side)
     m_range->addItems({tr("the picture"), tr("between the cursors")});
     auto *add = new QPushButton(tr("&Add"), side);
     add->setObjectName(QStringLiteral("addMeasure"));
-    auto *remove = new QPushButton(tr("&Remove"), side);
+    auto *remove = new QPushButton(tr("Rem&ove"), side);
     remove->setObjectName(QStringLiteral("removeMeasure"));
     auto *again = new QPushButton(tr("&Clear statistics"), side);
     again->setObjectName(QStringLiteral("clearStatistics"));
-    auto *copyIt = new QPushButton(tr("C&opy"), side);
+    auto *copyIt = new QPushButton(tr("Co&py"), side);
     copyIt->setObjectName(QStringLiteral("copyMeasures"));
 
     auto *form = new QFormLayout;
-    form->addRow(tr("&Trace"), m_trace);
-    form->addRow(tr("&Measure"), m_quantity);
+    form->addRow(tr("T&race"), m_trace);
+    form->addRow(tr("Meas&ure"), m_quantity);
     form->addRow(tr("A&gainst"), m_against);
     form->addRow(tr("&In"), m_range);
     auto *first = new QHBoxLayout;

@@ -194,14 +194,28 @@ QString whatIsWrong(scope::FormulaError error, const QString &rest)
     }
     return {};
 }
+
+/// In characters.
+qsizetype placeOf(const scope::FormulaFault &fault, const QString &formula)
+{
+    const QByteArray bytes = formula.toUtf8();
+    return QString::fromUtf8(bytes.left(std::min(qsizetype(fault.position), bytes.size()))).size();
+}
 } // namespace
+
+QString unknownName(const scope::FormulaFault &fault, const QString &formula)
+{
+    if (fault.error != scope::FormulaError::UnknownName)
+        return {};
+    const QString name = nameAtBeginningOf(formula.mid(placeOf(fault, formula)));
+    const bool bracketed = name.startsWith(QLatin1Char('[')) && name.endsWith(QLatin1Char(']'));
+    return bracketed ? name.mid(1, name.size() - 2) : name;
+}
 
 QString faultText(const scope::FormulaFault &fault, const QString &formula)
 {
     constexpr int kShown = 24;
-    const QByteArray bytes = formula.toUtf8();
-    const auto at = std::min(qsizetype(fault.position), bytes.size());
-    const qsizetype character = QString::fromUtf8(bytes.left(at)).size();
+    const qsizetype character = placeOf(fault, formula);
     QString rest = formula.mid(character);
     if (fault.error == scope::FormulaError::UnknownName)
         rest = nameAtBeginningOf(rest);

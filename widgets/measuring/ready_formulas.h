@@ -52,5 +52,7 @@ QString inFormula(const QString &name);
 
 /// What is wrong with a formula and where, in words.
 QString faultText(const scope::FormulaFault &fault, const QString &formula);
+/// The name that is not known, without brackets; empty: that is not what is wrong.
+QString unknownName(const scope::FormulaFault &fault, const QString &formula);
 
 } // namespace widgets

@@ -131,13 +131,13 @@ QFormLayout *SpectrumPanel::makeChoices()
     m_scale->addItems({tr("amplitude"), tr("decibels")});
 
     auto *form = new QFormLayout;
-    form->addRow(tr("&Trace"), m_trace);
+    form->addRow(tr("T&race"), m_trace);
     form->addRow(tr("&In"), m_range);
     form->addRow(tr("&Window"), m_window);
     form->addRow(tr("&Length"), m_size);
-    form->addRow(tr("A&verage"), m_average);
-    form->addRow(tr("&Axis"), m_axis);
-    form->addRow(tr("&Scale"), m_scale);
+    form->addRow(tr("Avera&ge"), m_average);
+    form->addRow(tr("A&xis"), m_axis);
+    form->addRow(tr("S&cale"), m_scale);
     return form;
 }
 
@@ -145,7 +145,7 @@ QWidget *SpectrumPanel::makeSide()
 {
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);
-    auto *again = new QPushButton(tr("&Restart"), side);
+    auto *again = new QPushButton(tr("Rest&art"), side);
     again->setObjectName(QStringLiteral("spectrumAgain"));
     again->setToolTip(tr("Forgets what was averaged"));
     auto *copyIt = new QPushButton(tr("C&opy"), side);

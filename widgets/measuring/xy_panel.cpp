@@ -118,11 +118,11 @@ QFormLayout *XyPanel::makeChoices()
     m_trail->addItem(tr("all alike"), int(XyPlot::Trail::Alike));
     m_trail->addItem(tr("the newest only"), int(XyPlot::Trail::None));
     auto *form = new QFormLayout;
-    form->addRow(tr("&Draw"), m_kind);
+    form->addRow(tr("Dra&w"), m_kind);
     form->addRow(tr("&X"), m_x);
     form->addRow(tr("&Y"), m_y);
     form->addRow(tr("&In"), m_range);
-    form->addRow(tr("&Trail"), m_trail);
+    form->addRow(tr("T&rail"), m_trail);
     return form;
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/registers/edit_bar.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
 
 #include <QAction>
@@ -8,15 +9,19 @@
 #include <QPushButton>
 
 namespace widgets {
+namespace {
+
+constexpr int kLines = 2; ///< of what is told in a narrow panel; the tool tip has all of it
+
+} // namespace
 
 EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *apply, QAction *revert,
-    bool always, QWidget *parent)
+    Room room, QWidget *parent)
     : QWidget(parent)
     , m_edits(edits)
     , m_model(model)
     , m_applyAction(apply)
     , m_revertAction(revert)
-    , m_always(always)
     , m_told(new QLabel(this))
     , m_revert(new QPushButton(tr("Revert"), this))
     , m_apply(new QPushButton(this))
@@ -32,7 +37,10 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    if (always) { // a wide page: one line
+    const bool wide = room == Room::Wide;
+    m_told->setFixedHeight((wide ? 1 : kLines) * m_told->fontMetrics().lineSpacing());
+    m_told->setAlignment(Qt::AlignLeft | (wide ? Qt::AlignVCenter : Qt::AlignTop));
+    if (wide) {
         layout->addWidget(m_told, 0, 0);
         layout->addWidget(m_revert, 0, 1);
         layout->addWidget(m_apply, 0, 2);
@@ -73,8 +81,7 @@ void EditBar::refresh()
                   .arg(elsewhere.join(QStringLiteral(", "))))
                     .trimmed();
     m_told->setText(shown);
-    m_told->setVisible(m_always || !shown.isEmpty());
-    setVisible(m_always || m_model.hasEdits() || !shown.isEmpty());
+    m_told->setToolTip(plainToolTip(shown));
 }
 
 void EditBar::tell(const QString &sentence, bool good)

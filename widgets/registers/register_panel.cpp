@@ -71,8 +71,8 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
     layout->addWidget(m_details);
-    layout->addWidget(
-        m_editBar = new EditBar(edits, model, m_actions.apply, m_actions.revert, false, this));
+    layout->addWidget(m_editBar = new EditBar(edits, model, m_actions.apply, m_actions.revert,
+                          EditBar::Room::Narrow, this));
 
     m_settled.setSingleShot(true);
     m_settled.setInterval(kSettleMs);

@@ -71,7 +71,7 @@ QWidget *SnapshotPanel::makeSides()
     auto *row = new QWidget(this);
     makeSide(m_a, tr("A", "the first of two snapshots"), "snapshotA");
     makeSide(m_b, tr("B", "the second of two snapshots"), "snapshotB");
-    m_read = new QPushButton(tr("Read the &board"), row);
+    m_read = new QPushButton(tr("Read the b&oard"), row);
     m_read->setObjectName(QStringLiteral("snapshotRead"));
     m_read->setToolTip(plainToolTip(tr("Reads every register of the board again")));
     connect(m_read, &QPushButton::clicked, this, &SnapshotPanel::readBoard);
@@ -96,7 +96,7 @@ QWidget *SnapshotPanel::makeSides()
 
 void SnapshotPanel::offerSave(QAction *save)
 {
-    auto *button = new QPushButton(tr("&Save\u2026"), m_read->parentWidget());
+    auto *button = new QPushButton(tr("Save\u2026"), m_read->parentWidget());
     button->setObjectName(QStringLiteral("snapshotSave"));
     button->setAccessibleName(tr("Save a snapshot"));
     const auto follow = [button, save] {
@@ -118,7 +118,7 @@ QWidget *SnapshotPanel::makeFilters()
     m_search->setAccessibleName(tr("Filter the differences"));
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(260);
-    m_all = new QCheckBox(tr("&Measured values, too"), row);
+    m_all = new QCheckBox(tr("Meas&ured values, too"), row);
     m_all->setObjectName(QStringLiteral("snapshotAll"));
     m_summary = new QLabel(row);
     m_summary->setObjectName(QStringLiteral("snapshotSummary"));

@@ -314,10 +314,10 @@ void MainWindow::makeTools()
     // The control panel keeps its height: state and commands stay in view while something is tuned.
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    m_tools =
-        std::make_unique<Tools>(Tools::Parts{m_workbench, *m_scope, *m_trigger, m_page->strip(),
-                                    m_registerPanel->actions(), *m_opening, m_files, *this},
-            m_settings);
+    m_tools = std::make_unique<Tools>(
+        Tools::Parts{m_workbench, *m_scope, *m_trigger, m_page->strip(), *m_selection,
+            m_registerPanel->actions(), *m_opening, m_files, *this},
+        m_settings);
     connect(&m_tools->docks(), &ToolDocks::opened, m_firstSteps, &FirstSteps::setCrowded);
     // A form is to see a board come: it does not ask what came before it.
     connect(&m_device, &Device::openWished, this, &MainWindow::finishTools);
@@ -383,6 +383,10 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::armedStateChanged, m_news, &LinkNews::armedChanged);
     connect(&m_device, &Device::identityChanged, m_news, &LinkNews::identityChanged);
     connect(&m_workbench.signalPlan(), &SignalPlan::changed, this, &MainWindow::updateFrame);
+    connect(&m_workbench.signalPlan(), &SignalPlan::forgot, m_control, [this] {
+        if (m_workbench.signalPlan().showsFile())
+            m_control->fileShown();
+    });
 }
 
 void MainWindow::connectFlows()

@@ -2,6 +2,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tick_menu.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
 #include "widgets/files/marker_file.h"
@@ -110,7 +111,8 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     menu->addSeparator();
     menu->addAction(m_page->setPoints());
     menu->setToolTipsVisible(true);
-    QMenu *ofFile = menu->addMenu(tr("Signals of the &file"));
+    auto *ofFile = new TickMenu(tr("Signals of the &file"), menu);
+    menu->addMenu(ofFile);
     ofFile->setObjectName(QStringLiteral("fileSignals"));
     connect(menu, &QMenu::aboutToShow, m_selection,
         [this, ofFile] { m_selection->fillFileSignals(*ofFile); });

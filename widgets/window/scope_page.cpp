@@ -162,6 +162,8 @@ void ScopePage::makeSetPoints()
     auto *trace = new SetPointTrace(workbench.capture(), m_parts.scope, this);
     connect(&workbench.setPoints(), &session::SetPointTap::left, trace, &SetPointTrace::take,
         Qt::QueuedConnection);
+    connect(&workbench.setPoints(), &session::SetPointTap::ended, trace, &SetPointTrace::finish,
+        Qt::QueuedConnection);
     connect(&workbench, &Workbench::advanced, trace,
         [trace, &workbench] { trace->advance(workbench.eventRecorder().now()); });
     connect(&workbench.device(), &Device::portStateChanged, trace, [trace, &workbench] {

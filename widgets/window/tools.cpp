@@ -20,6 +20,7 @@
 #include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/channel_strip.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
 #include "widgets/snapshots/snapshot_actions.h"
 #include "widgets/snapshots/snapshot_panel.h"
@@ -110,7 +111,9 @@ void Tools::addScopeTools()
     new MathTraces(math, capture, scope, this);
     QAction *openMath = m_docks.add(tr("Math"), "mathDock", "math",
         Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, &math, &capture, ofMotor] {
-            return m_math = new MathPanel(math, m_parts.scope, capture, ofMotor);
+            m_math = new MathPanel(math, m_parts.scope, capture, ofMotor);
+            offerToMath();
+            return m_math;
         });
     showComputed(openMath);
     connect(&scope, &ScopeView::traceMenuOpening, this, &Tools::fillTraceMenu);
@@ -119,6 +122,23 @@ void Tools::addScopeTools()
             return m_xy =
                        new XyPanel(m_parts.scope, capture, m_parts.workbench.registers(), ofMotor);
         });
+}
+
+/// What a formula lacks, if the board has it under that name.
+void Tools::offerToMath()
+{
+    const auto idOf = [this](const QString &name) -> std::optional<catalog::RegisterId> {
+        const auto catalog = m_device.catalog();
+        const auto id = catalog ? catalog->resolve(name.toStdString()) : std::nullopt;
+        const SignalPlan &plan = m_parts.workbench.signalPlan();
+        const bool free = id && m_device.answering() && !plan.showsFile() && !plan.find(*id);
+        return free && catalog->nameOf(*id) == name.toStdString() ? id : std::nullopt;
+    };
+    m_math->offerSignals([idOf](const QString &name) { return idOf(name).has_value(); });
+    connect(m_math, &MathPanel::signalWanted, this, [this, idOf](const QString &name) {
+        if (const auto id = idOf(name))
+            m_parts.selection.add(*id);
+    });
 }
 
 /// What the tools do with a trace that is clicked.

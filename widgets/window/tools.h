@@ -19,6 +19,7 @@ class Opening;
 class RampForm;
 class RunKeeper;
 class ScopeView;
+class SignalSelection;
 class SnapshotActions;
 class SnapshotPanel;
 class SpectrumPanel;
@@ -34,6 +35,7 @@ public:
         ScopeView &scope;
         TriggerControl &trigger;
         ChannelStrip &strip; ///< shows what is computed, too
+        SignalSelection &selection;
         RegisterPanel::Actions edits;
         Opening &opening; ///< whose snapshots can be compared
         FilePrompt &files;
@@ -60,6 +62,7 @@ private:
     void addRunBook();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
+    void offerToMath();
     void fillTraceMenu(QMenu &menu, quint32 channel);
     void measure(quint32 channel, const QList<scope::Quantity> &quantities);
     int motor() const; ///< whose constants apply to what is shown; 0: that of a file

@@ -109,6 +109,7 @@ void Workbench::connectSession()
     connect(&m_device, &Device::streamStarted, &m_signalPlan, &SignalPlan::begin);
     connect(this, &Workbench::samplesStored, &m_recorder, &EventRecorder::stored);
     connect(&m_signalPlan, &SignalPlan::begunAnew, &m_events, &EventLog::clear);
+    connect(&m_signalPlan, &SignalPlan::boardReplaced, &m_recorder, &EventRecorder::replaced);
     connect(&m_device, &Device::batchApplied, this, &Workbench::advance);
     connect(&m_signalPlan, &SignalPlan::renewed, this, &Workbench::advance);
     m_math.setPolled([this] { return m_signalPlan.planned().polled; });
@@ -175,7 +176,14 @@ void Workbench::connectTrigger()
         m_setPoints.get(), &session::SetPointTap::left, this,
         [this](const drive::SentSetPoint &sent) {
             m_trigger.event(Kind::SetPoint, sent.seconds, static_cast<quint32>(sent.motor));
-            m_recorder.left(sent);
+            m_recorder.left(sent.wish, sent.within_s);
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_setPoints.get(), &session::SetPointTap::ended, this,
+        [this](const drive::SetPointsEnd &end) {
+            if (end.held)
+                m_recorder.left(end.wish, end.within_s);
         },
         Qt::QueuedConnection);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drive {
 
@@ -37,65 +38,144 @@ double SampleAxis::ahead_s() const
 void SetPointTimes::onWish(const Wish &wish)
 {
     using Kind = SentSetPoint::Kind;
-    SentSetPoint wished;
-    wished.wish = wish.id;
-    const bool known = std::visit(Overloaded{
-                                      [&](const SpeedRamp &ramp) {
-                                          wished.motor = ramp.motor;
-                                          wished.value = ramp.rpm;
-                                          wished.ramp = ramp.duration;
-                                          return true;
-                                      },
-                                      [&](const TorqueRamp &ramp) {
-                                          wished.kind = Kind::Current;
-                                          wished.motor = ramp.motor;
-                                          wished.value = ramp.amps;
-                                          wished.ramp = ramp.duration;
-                                          return true;
-                                      },
-                                      [&](const CurrentReference &reference) {
-                                          wished.kind = Kind::Current;
-                                          wished.motor = reference.motor;
-                                          wished.value = reference.iqAmps;
-                                          return true;
-                                      },
-                                      [&](const PositionRamp &ramp) {
-                                          wished.kind = Kind::Position;
-                                          wished.motor = ramp.motor;
-                                          wished.value = ramp.radians;
-                                          wished.ramp = ramp.duration;
-                                          return true;
-                                      },
-                                      [](const auto &) { return false; },
-                                  },
+    const auto setPoint = [](Kind kind, int motor, double value,
+                              std::chrono::milliseconds ramp = {}) -> std::optional<SetPointNews> {
+        SentSetPoint sent;
+        sent.kind = kind;
+        sent.motor = motor;
+        sent.value = value;
+        sent.ramp = ramp;
+        return sent;
+    };
+    const auto end = [](int motor, bool held = false) -> std::optional<SetPointNews> {
+        SetPointsEnd ends;
+        ends.motor = motor;
+        ends.held = held;
+        return ends;
+    };
+    auto wished = std::visit(
+        Overloaded{
+            [&](const SpeedRamp &ramp) {
+                return setPoint(Kind::Speed, ramp.motor, ramp.rpm, ramp.duration);
+            },
+            [&](const TorqueRamp &ramp) {
+                return setPoint(Kind::Current, ramp.motor, ramp.amps, ramp.duration);
+            },
+            [&](const CurrentReference &reference) {
+                return setPoint(Kind::Current, reference.motor, reference.iqAmps);
+            },
+            [&](const PositionRamp &ramp) {
+                return setPoint(Kind::Position, ramp.motor, ramp.radians, ramp.duration);
+            },
+            [&](const Command &command) -> std::optional<SetPointNews> {
+                if (command.action == MotorAction::Start)
+                    m_motors[command.motor].state = MotorState::Unknown; // until it is read again
+                const bool ramp = command.action == MotorAction::StopRamp;
+                if (ramp || command.action == MotorAction::StopMotor)
+                    return end(command.motor, ramp);
+                return std::nullopt;
+            },
+            [&](const Write &write) -> std::optional<SetPointNews> {
+                const bool kept =
+                    std::all_of(write.writes.begin(), write.writes.end(), [&](const auto &one) {
+                        const auto *info = m_catalog ? m_catalog->find(one.id) : nullptr;
+                        return info != nullptr && info->effect == catalog::Effect::Kept;
+                    });
+                return kept ? std::nullopt : end(0);
+            },
+            [](const auto &) -> std::optional<SetPointNews> { return std::nullopt; },
+        },
         wish.what);
-    if (known && m_wished.size() < kMostWished)
-        m_wished[wish.id] = wished;
+    if (!wished || m_wished.size() >= kMostWished)
+        return;
+    std::visit([&](auto &news) { news.wish = wish.id; }, *wished);
+    m_wished.insert_or_assign(wish.id, *wished);
 }
 
-std::optional<SentSetPoint> SetPointTimes::onEvent(const Event &event, TimePoint now)
+std::optional<SetPointNews> SetPointTimes::onEvent(const Event &event, TimePoint now)
 {
     if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
         heard(*block, now);
     } else if (const auto *board = std::get_if<Identified>(&event)) {
         m_bytesPerSecond = board->streaming.linkBytesPerSecond;
+        m_catalog = board->catalog;
     } else if (const auto *started = std::get_if<StreamStarted>(&event)) {
         if (started->layout.originSeconds != m_layout.originSeconds)
             m_axis.forget();
         m_layout = started->layout;
-    } else if (const auto *ended = std::get_if<Ended>(&event)) {
-        auto wished = m_wished.extract(ended->id);
-        const bool there = ended->outcome == Outcome::Ok || ended->outcome == Outcome::Unknown;
-        if (wished.empty() || !there)
+    } else if (const auto *outcome = std::get_if<Ended>(&event)) {
+        return ended(*outcome, now);
+    } else if (const auto *told = std::get_if<MotorStatus>(&event)) {
+        return status(*told);
+    } else if (const auto *link = std::get_if<LinkChanged>(&event)) {
+        if (link->state != LinkState::Lost && link->state != LinkState::Closed
+            && link->reason != LinkReason::BoardReset)
             return std::nullopt;
-        SentSetPoint sent = wished.mapped();
-        const TimePoint left = ended->outcome == Outcome::Ok ? m_sentBefore : m_sent;
-        sent.ahead_s = m_axis.ahead_s();
-        sent.seconds = toSeconds(left.time_since_epoch()) + sent.ahead_s;
-        sent.within_s = toSeconds(now - left);
-        return sent;
+        m_motors.clear();
+        return endAt(0, link->state == LinkState::Connected ? now : m_received);
     }
     return std::nullopt;
+}
+
+std::optional<SetPointNews> SetPointTimes::ended(const Ended &ended, TimePoint now)
+{
+    auto wished = m_wished.extract(ended.id);
+    if (wished.empty() || ended.outcome == Outcome::NotSent)
+        return std::nullopt;
+    const bool sure = ended.outcome == Outcome::Ok;
+    const TimePoint left = sure ? m_sentBefore : m_sent;
+    SetPointNews news = wished.mapped();
+    if (auto *sent = std::get_if<SentSetPoint>(&news)) {
+        if (ended.outcome == Outcome::Refused)
+            return std::nullopt;
+        const auto motor = m_motors.find(sent->motor);
+        sent->sure = sure;
+        sent->runs = motor == m_motors.end() || motor->second.state == MotorState::Running
+            || motor->second.state == MotorState::Unknown;
+        sent->ahead_s = m_axis.ahead_s();
+        sent->seconds = onAxis(left);
+        sent->within_s = toSeconds(now - left);
+        return news;
+    }
+    auto &end = std::get<SetPointsEnd>(news);
+    const bool write = end.motor == 0; // of several registers: a part of them may be there
+    if (ended.outcome == Outcome::Refused && !write)
+        return std::nullopt;
+    end.held = end.held && sure;
+    end.seconds = onAxis(left);
+    end.within_s = toSeconds(now - left);
+    return news;
+}
+
+/// A motor that was driven and is not follows nothing; since when, the readings tell.
+std::optional<SetPointNews> SetPointTimes::status(const MotorStatus &status)
+{
+    const auto driven = [](MotorState state) {
+        return state == MotorState::Unknown || state == MotorState::Starting
+            || state == MotorState::Running;
+    };
+    Motor &motor = m_motors[status.motor];
+    const bool ends = driven(motor.state) && !driven(status.state);
+    motor.state = status.state;
+    const TimePoint asked = status.asked != TimePoint{} ? status.asked : status.at;
+    const TimePoint last =
+        std::exchange(motor.drivenAt, driven(status.state) ? asked : TimePoint{});
+    if (!ends || last == TimePoint{})
+        return std::nullopt;
+    return endAt(status.motor, last);
+}
+
+SetPointsEnd SetPointTimes::endAt(int motor, TimePoint at) const
+{
+    SetPointsEnd end;
+    end.motor = motor;
+    end.seconds = onAxis(at);
+    return end;
+}
+
+double SetPointTimes::onAxis(TimePoint at) const
+{
+    return toSeconds(at.time_since_epoch()) + m_axis.ahead_s();
 }
 
 void SetPointTimes::heard(const capture::SampleBlock &block, TimePoint now)

@@ -1,5 +1,5 @@
-// SetPointTimes: when set-points left for a board, on the axis of its samples. It listens to a drive and its line, from outside:
-// what is wished, when bytes leave and come, what the drive tells.
+// SetPointTimes: when set-points left for a board, on the axis of its samples, and from when on a motor does not follow them.
+// It listens to a drive and its line, from outside: what is wished, when bytes leave and come, what the drive tells.
 //
 // The instant is that of the last bytes before the answer; the board had it between then and the answer, and nothing tells
 // more. The samples' axis is the board's own count, put once on the clock here; a packet comes some time after its last
@@ -38,21 +38,54 @@ struct SentSetPoint {
     double seconds = 0.0; ///< its bytes left, on the axis of the samples
     double within_s = 0.0; ///< it was there within so long after that
     double ahead_s = 0.0; ///< of the axis, before the clock here
+    bool sure = true; ///< the board answered; else nobody knows whether it has it
+    bool runs = true; ///< it goes there now; else the motor stands, and it waits for the next start
 };
+
+/// What was sent holds no more: a stop, a fault, a reset, a register written past it.
+struct SetPointsEnd {
+    WishId wish = 0; ///< 0: none told it
+    int motor = 0; ///< 0: of every motor
+    bool held =
+        false; ///< its ramp stays where it is; else nothing that was sent tells what it follows
+    double seconds = 0.0; ///< on the axis of the samples
+    double within_s = 0.0;
+};
+
+using SetPointNews = std::variant<SentSetPoint, SetPointsEnd>;
 
 class SetPointTimes {
 public:
     void onWish(const Wish &wish);
     void onSent(TimePoint now) { m_sent = now; }
-    void onReceived(TimePoint) { m_sentBefore = m_sent; }
-    /// @return  a set-point that this event tells the end of
-    std::optional<SentSetPoint> onEvent(const Event &event, TimePoint now);
+    void onReceived(TimePoint now)
+    {
+        m_sentBefore = m_sent;
+        m_received = now;
+    }
+    SetPointsEnd onStop(TimePoint now) const
+    {
+        return endAt(0, now);
+    } ///< of every motor, as it leaves
+    /// @return  what this event tells of set-points
+    std::optional<SetPointNews> onEvent(const Event &event, TimePoint now);
 
 private:
+    struct Motor {
+        MotorState state = MotorState::Unknown;
+        TimePoint drivenAt{}; ///< when it was last known to be
+    };
     void heard(const capture::SampleBlock &block, TimePoint now);
+    std::optional<SetPointNews> ended(const Ended &ended, TimePoint now);
+    std::optional<SetPointNews> status(const MotorStatus &status);
+    SetPointsEnd endAt(int motor, TimePoint at) const;
+    double onAxis(TimePoint at) const;
 
-    std::map<WishId, SentSetPoint> m_wished;
+    std::map<WishId, SetPointNews> m_wished;
+    std::map<int, Motor> m_motors;
+    std::shared_ptr<const catalog::Catalog> m_catalog;
     TimePoint m_sent{}, m_sentBefore{}; ///< bytes, and those before what came last
+    TimePoint m_received{};
     double m_bytesPerSecond = 0.0;
     capture::StreamLayout m_layout;
     SampleAxis m_axis;

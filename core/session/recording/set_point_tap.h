@@ -1,4 +1,5 @@
-// SetPointTap: tells when the set-points of a session left for the board, whoever asked for them: a person, or an experiment.
+// SetPointTap: tells when the set-points of a session left for the board, whoever asked for them: a person, or an experiment;
+// and from when on what was sent holds no more.
 #pragma once
 
 #include "drive/set_points/set_point_times.h"
@@ -13,11 +14,16 @@ class SetPointTap : public QObject, public SessionTap {
 public:
     void onEvent(const drive::Event &event, TimePoint now) override
     {
-        if (const auto sent = m_times.onEvent(event, now))
+        const auto news = m_times.onEvent(event, now);
+        if (!news)
+            return;
+        if (const auto *sent = std::get_if<drive::SentSetPoint>(&*news))
             Q_EMIT left(*sent);
+        else
+            Q_EMIT ended(std::get<drive::SetPointsEnd>(*news));
     }
     void onWish(const drive::Wish &wish, TimePoint) override { m_times.onWish(wish); }
-    void onStop(TimePoint) override { }
+    void onStop(TimePoint now) override { Q_EMIT ended(m_times.onStop(now)); }
     void onLink(record::LinkBytes::Direction direction, ByteView, TimePoint now) override
     {
         direction == record::LinkBytes::Direction::Sent ? m_times.onSent(now)
@@ -26,6 +32,7 @@ public:
 
 Q_SIGNALS:
     void left(const drive::SentSetPoint &sent); ///< connect it queued
+    void ended(const drive::SetPointsEnd &end); ///< likewise
 
 private:
     drive::SetPointTimes m_times; ///< of the session's thread

@@ -38,12 +38,26 @@ struct Bench {
         times.onEvent(block, TimePoint(trueTime() + crossing + late));
     }
     Duration trueTime() const { return fromSeconds(static_cast<double>(tick) / kHz); }
-    std::optional<SentSetPoint> ends(WishId id, TimePoint now, Outcome outcome = Outcome::Ok)
+    std::optional<SetPointNews> news(WishId id, TimePoint now, Outcome outcome = Outcome::Ok)
     {
         Ended ended;
         ended.id = id;
         ended.outcome = outcome;
         return times.onEvent(ended, now);
+    }
+    std::optional<SentSetPoint> ends(WishId id, TimePoint now, Outcome outcome = Outcome::Ok)
+    {
+        const auto told = news(id, now, outcome);
+        return told ? std::optional(std::get<SentSetPoint>(*told)) : std::nullopt;
+    }
+    std::optional<SetPointsEnd> status(MotorState state, Duration asked)
+    {
+        MotorStatus status;
+        status.state = state;
+        status.asked = TimePoint(asked);
+        status.at = status.asked + 5ms;
+        const auto told = times.onEvent(status, status.at);
+        return told ? std::optional(std::get<SetPointsEnd>(*told)) : std::nullopt;
     }
 };
 
@@ -114,6 +128,109 @@ private Q_SLOTS:
         bench.times.onReceived(TimePoint(1s + 100ms));
         const auto sent = bench.ends(1, TimePoint(2s), Outcome::Unknown);
         QVERIFY(sent && std::abs(sent->within_s - 1.0) < 1e-9);
+        QVERIFY(!sent->sure);
+    }
+
+    void aRampThatIsStoppedStaysFromThenOn()
+    {
+        Bench bench;
+        bench.times.onWish(wish(4, Command{MotorAction::StopRamp, 2}));
+        bench.times.onSent(TimePoint(1s));
+        bench.times.onReceived(TimePoint(1s + 2ms));
+        const auto told = bench.news(4, TimePoint(1s + 2ms));
+        const auto *end = told ? std::get_if<SetPointsEnd>(&*told) : nullptr;
+        QVERIFY(end && end->held);
+        QCOMPARE(end->motor, 2);
+        QCOMPARE(end->wish, WishId{4});
+        QVERIFY(std::abs(end->seconds - 1.0) < 1e-9);
+        QVERIFY(std::abs(end->within_s - 0.002) < 1e-9);
+        bench.times.onWish(wish(5, Command{MotorAction::StopRamp, 2}));
+        QVERIFY(!bench.news(5, TimePoint(2s), Outcome::Refused)); // it goes on
+        bench.times.onWish(wish(6, Command{MotorAction::StopRamp, 2}));
+        const auto lost = bench.news(6, TimePoint(3s), Outcome::Unknown);
+        QVERIFY(lost && !std::get<SetPointsEnd>(*lost).held);
+        bench.times.onWish(wish(7, Command{MotorAction::StopMotor, 1}));
+        const auto stopped = bench.news(7, TimePoint(4s));
+        QVERIFY(stopped && !std::get<SetPointsEnd>(*stopped).held);
+        const SetPointsEnd stop = bench.times.onStop(TimePoint(5s));
+        QCOMPARE(stop.motor, 0);
+        QCOMPARE(stop.seconds, 5.0);
+        QVERIFY(!stop.held);
+    }
+
+    /// Since the last reading at which it was: what was between them nobody knows.
+    void aMotorThatIsDrivenNoMoreFollowsNothing()
+    {
+        for (const MotorState over : {MotorState::Idle, MotorState::FaultNow}) {
+            Bench bench;
+            QVERIFY(!bench.status(MotorState::Idle, 0s)); // nothing was driven before
+            QVERIFY(!bench.status(MotorState::Starting, 900ms));
+            QVERIFY(!bench.status(MotorState::Running, 1s));
+            const auto end = bench.status(over, 1s + 100ms);
+            QVERIFY(end && !end->held);
+            QCOMPARE(end->motor, 1);
+            QVERIFY(std::abs(end->seconds - 1.0) < 1e-9);
+            QVERIFY(!bench.status(over, 2s)); // told once
+        }
+    }
+
+    void aMotorThatStandsRampsNothing()
+    {
+        Bench bench;
+        const auto runs = [&](WishId id) {
+            bench.times.onWish(wish(id, SpeedRamp{1, 100, 1s}));
+            return bench.ends(id, TimePoint(1s))->runs;
+        };
+        QVERIFY(runs(1)); // nobody knows: not said to stand
+        bench.status(MotorState::Idle, 1s);
+        QVERIFY(!runs(2));
+        bench.times.onWish(wish(3, Command{MotorAction::Start, 1}));
+        QVERIFY(runs(4)); // it may have begun
+        bench.status(MotorState::Starting, 2s);
+        QVERIFY(!runs(5));
+        bench.status(MotorState::Running, 3s);
+        QVERIFY(runs(6));
+    }
+
+    void aRegisterThatIsWrittenPastItEndsIt()
+    {
+        Bench bench;
+        std::vector<catalog::RegisterInfo> registers(2);
+        registers[0].id = 0x40;
+        registers[0].name = "SPEED_KP";
+        registers[0].effect = catalog::Effect::Kept;
+        registers[1].id = 0x80;
+        registers[1].name = "SPEED_RAMP";
+        registers[1].effect = catalog::Effect::Reference;
+        registers[0].perMotor = registers[1].perMotor = false;
+        Identified board;
+        board.catalog = std::make_shared<const catalog::Catalog>(
+            std::move(registers), 1, std::vector<catalog::Scales>{});
+        bench.times.onEvent(board, {});
+        bench.times.onWish(wish(1, Write{{{0x40, std::int64_t{3}}}, {}}));
+        QVERIFY(!bench.news(1, TimePoint(1s)));
+        for (const auto outcome : {Outcome::Ok, Outcome::Unknown, Outcome::Refused}) {
+            bench.times.onWish(
+                wish(2, Write{{{0x40, std::int64_t{3}}, {0x80, std::int64_t{3}}}, {}}));
+            const auto told = bench.news(2, TimePoint(1s), outcome); // a part of it is there
+            QVERIFY(told && !std::get<SetPointsEnd>(*told).held);
+        }
+        bench.times.onWish(wish(2, Write{{{0x80, std::int64_t{3}}}, {}}));
+        QVERIFY(!bench.news(2, TimePoint(1s), Outcome::NotSent));
+    }
+
+    void whatALinkTookAlongIsNotKnown()
+    {
+        Bench bench;
+        const auto told = [&](LinkState state, LinkReason reason) {
+            const auto news = bench.times.onEvent(LinkChanged{state, reason}, TimePoint(9s));
+            return news ? std::get<SetPointsEnd>(*news).seconds : -1.0;
+        };
+        bench.times.onReceived(TimePoint(7s));
+        QCOMPARE(told(LinkState::Suspect, LinkReason::None), -1.0);
+        QCOMPARE(told(LinkState::Lost, LinkReason::Silence), 7.0); // not heard since
+        QCOMPARE(told(LinkState::Connected, LinkReason::None), -1.0);
+        QCOMPARE(told(LinkState::Connected, LinkReason::BoardReset), 9.0);
     }
 
     /// A first packet that came 20 ms late puts the axis 20 ms behind; the ones after it tell.

@@ -107,6 +107,13 @@ public:
         m_process.waitForFinished(kProgramTime_ms);
     }
 
+    /// A word of its control; wants "--control" among its options.
+    void tell(const char *word)
+    {
+        m_process.write(QByteArray(word).append('\n'));
+        m_process.waitForBytesWritten(kProgramTime_ms);
+    }
+
     /// As if its cable were pulled.
     void vanish()
     {

@@ -462,6 +462,80 @@ private Q_SLOTS:
         QCOMPARE(no, 1);
     }
 
+    /// Single letters are keys of the scope: who believes to be there must not start a motor.
+    void yesHasItsKeyAndALetterAloneAnswersNothing()
+    {
+        QWidget parent;
+        parent.show();
+        int yes = 0, no = 0;
+        widgets::Confirmation question;
+        question.offer = QStringLiteral("Do not ask again");
+        for (const auto &[verb, key] :
+            {std::pair("Go on", Qt::Key_G), std::pair("Clear", Qt::Key_L)}) { // C is that of Cancel
+            question.yes = QLatin1String(verb);
+            QPointer<QDialog> dialog = widgets::askToConfirm(
+                &parent, question, [&](bool agreed) { ++(agreed ? yes : no); });
+            QVERIFY(QTest::qWaitForWindowExposed(dialog));
+            auto *button = dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"));
+            for (QWidget *at : dialog->findChildren<QWidget *>()) {
+                if (at->focusPolicy() & Qt::TabFocus)
+                    QTest::keyClick(at, key);
+                QVERIFY(!button->isDown()); // nor on its way to a click
+            }
+            QCOMPARE(no, 0);
+            QCOMPARE(button->shortcut(), QKeySequence(Qt::ALT | key));
+            button->click();
+            QTRY_VERIFY(!dialog);
+        }
+        QCOMPARE(yes, 2);
+    }
+
+    /// From the tick in the dialog to the next step, in the window that asks.
+    void whoTicksTheOfferIsNotAskedAboutTheWayBack()
+    {
+        facts::WindowRig rig;
+        widgets::Device &device = rig.workbench.device();
+        int asked = 0, ticked = 0;
+        connect(
+            &rig.workbench.motion(), &widgets::MotionGate::asked, this,
+            [&] {
+                ++asked;
+                if (auto *offer = rig.find<QCheckBox>("confirmationOffer")) {
+                    QTest::mouseClick(offer, Qt::LeftButton);
+                    ticked += offer->isChecked() ? 1 : 0;
+                }
+                QTest::mouseClick(rig.find<QPushButton>("motionConfirm"), Qt::LeftButton);
+            },
+            Qt::QueuedConnection);
+        QVERIFY(QTest::qWaitForWindowExposed(&rig.window));
+        QTest::mouseClick(rig.find<QPushButton>("connect"), Qt::LeftButton);
+        QTRY_VERIFY(device.answering() && device.identified());
+        QTRY_COMPARE(device.status(1).state, MotorState::Idle);
+        QTest::keyClick(rig.find<QCheckBox>("arm"), Qt::Key_Space);
+        QTRY_VERIFY(rig.find<QPushButton>("start")->isEnabled());
+        QTest::mouseClick(rig.find<QPushButton>("start"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(device.status(1).state, MotorState::Running, 15000);
+        const int starts = asked;
+        const auto goTo = [&](double rpm) {
+            auto *speed = rig.window.findChild<widgets::ControlPanel *>()->speed();
+            speed->setValue(rpm);
+            QTest::keyClick(speed, Qt::Key_Return);
+            const auto reference = *device.catalog()->resolve("SPEED_REF");
+            QTRY_VERIFY_WITH_TIMEOUT(
+                std::abs(rig.workbench.registers().shownValue(reference).value_or(0.0) - rpm)
+                    < 12.0,
+                15000);
+        };
+        goTo(3000.0);
+        QCOMPARE(asked, starts + 1);
+        QCOMPARE(ticked, 1);
+        goTo(1200.0);
+        goTo(3000.0);
+        QCOMPARE(asked, starts + 1);
+        QTest::keyClick(&rig.window, Qt::Key_Escape);
+        QTRY_COMPARE_WITH_TIMEOUT(device.status(1).state, MotorState::Idle, 5000);
+    }
+
     void anOfferIsTakenWithAYesAlone()
     {
         QWidget parent;

@@ -5,6 +5,7 @@
 #include "widgets/base/banner.h"
 #include "widgets/base/lamp.h"
 #include "widgets/control/motion_log_model.h"
+#include "widgets/control/stop_words.h"
 #include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
 #include "widgets/scope/cursor_actions.h"
@@ -137,6 +138,26 @@ private Q_SLOTS:
             QVERIFY(info.kind == capture::ChannelInfo::Kind::Polled
                 || (range.from <= span->from && range.to >= span->to));
         }
+    }
+
+    /// They were of the board that is gone.
+    void theWordsOfAStopGoWhenAFileIsOpened()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("stopped.pcapng"));
+        recordAfresh(path);
+        action("record")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        auto *words = m_rig->find<widgets::StopWords>("stopWords");
+        device().stop();
+        QTRY_VERIFY(words->isVisible() && words->rested());
+        disconnectFromBoard();
+        QVERIFY(words->isVisible()); // until something else is in their place
+        openRecording(path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QVERIFY(!words->isVisible());
+        QCOMPARE(words->text(), QString());
     }
 
     void whatTheRegistersHeldIsInTheFileAndCanBeCompared()
@@ -622,10 +643,23 @@ private:
         QCOMPARE(menu->actions().size(), qsizetype(capture().channels().size()));
         QAction *last = menu->actions().last();
         QVERIFY(last->text().contains(QStringLiteral("one by one")) && !last->isChecked());
-        last->trigger();
+        menu->popup(m_rig->window.pos()); // one looks for several of them: it stays open
+        const auto click = [menu](QAction *action) {
+            menu->setActiveAction(action); // and is scrolled to
+            QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+        };
+        click(last);
         QCOMPARE(scope()->channels().size(), shown + 1);
-        menu->actions().first()->trigger();
+        QVERIFY(last->isChecked() && menu->isVisible());
+        click(menu->actions().first());
         QCOMPARE(scope()->channels().size(), shown);
+        QVERIFY(menu->isVisible());
+        QTest::keyClick(menu, Qt::Key_Return);
+        QCOMPARE(scope()->channels().size(), shown + 1);
+        QTest::keyClick(menu, Qt::Key_Space);
+        QCOMPARE(scope()->channels().size(), shown);
+        QVERIFY(menu->isVisible());
+        menu->close();
     }
     void disconnectFromBoard()
     {

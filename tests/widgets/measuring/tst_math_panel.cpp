@@ -16,6 +16,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include <algorithm>
 #include <cmath>
 
 using widgets::MathChannels;
@@ -34,6 +35,7 @@ private Q_SLOTS:
     void aFormulaBecomesAChannelOfTheScope();
     void itGrowsWithTheSamplesAndGapsStayGaps();
     void whatIsWrongIsSaidWhereItIs();
+    void aSignalThatIsLackingIsRecordedWithOneClick();
     void aChangedFormulaIsComputedAnew();
     void oneMayUseTheOnesBeforeItButNotItself();
     void aHiddenOneIsComputedStill();
@@ -141,6 +143,8 @@ void TestMathPanel::whatIsWrongIsSaidWhereItIs()
     QVERIFY(refused());
     write(QStringLiteral("X"), QStringLiteral("2*NO_D*I_A+I_B"));
     QVERIFY2(verdict().endsWith(QStringLiteral("called NO_D.")), qPrintable(verdict()));
+    const auto *record = m_rig->find<QPushButton>("recordForMath");
+    QVERIFY(record->isVisible() && !record->isEnabled()); // no board has that
     QTest::keyClick(m_rig->find<QLineEdit>("mathFormula"), Qt::Key_Return);
     QCOMPARE(list()->model()->rowCount(), 0);
     write(QStringLiteral("X"), QStringLiteral("min(I_A, (I_B)"));
@@ -159,6 +163,28 @@ void TestMathPanel::whatIsWrongIsSaidWhereItIs()
     write(QStringLiteral("X"), QStringLiteral("I_A / I_B + 1"));
     QVERIFY2(verdict().contains(QStringLiteral("plain number")), qPrintable(verdict()));
     QVERIFY(!refused());
+}
+
+void TestMathPanel::aSignalThatIsLackingIsRecordedWithOneClick()
+{
+    auto *record = m_rig->find<QPushButton>("recordForMath");
+    write(QStringLiteral("X"), QStringLiteral("I_A * BUS_VOLTAGE"));
+    QVERIFY2(record->isEnabled(), qPrintable(verdict()));
+    QVERIFY(record->toolTip().contains(QStringLiteral("BUS_VOLTAGE")));
+    const auto &plan = m_rig->workbench.signalPlan();
+    QVERIFY(!plan.find(facts::kVoltage));
+    QTest::mouseClick(record, Qt::LeftButton);
+    QVERIFY(plan.find(facts::kVoltage));
+    drive::Reading volts = facts::reading(facts::kVoltage, std::int64_t{24});
+    volts.at = TimePoint(std::chrono::milliseconds(900));
+    const auto polled = [&plan](catalog::RegisterId id) {
+        const auto &all = plan.planned().polled;
+        return std::find(all.begin(), all.end(), id) != all.end();
+    };
+    QTRY_VERIFY(polled(facts::kVoltage));
+    facts::feed(m_rig->device(), {drive::RegistersRead{{volts}}});
+    QTRY_VERIFY2(m_rig->find<QWidget>("applyMath")->isEnabled(), qPrintable(verdict()));
+    QVERIFY(!record->isEnabled());
 }
 
 void TestMathPanel::aChangedFormulaIsComputedAnew()

@@ -17,6 +17,15 @@ drive::SentSetPoint speed(double seconds, double rpm, int ms = 0, double ahead =
     return sent;
 }
 
+drive::SetPointsEnd ends(double seconds, bool held, int motor = 0)
+{
+    drive::SetPointsEnd end;
+    end.seconds = seconds;
+    end.held = held;
+    end.motor = motor;
+    return end;
+}
+
 } // namespace
 
 class TestSetPointTrace : public QObject {
@@ -47,6 +56,113 @@ private Q_SLOTS:
         QCOMPARE(at(3.6), 500.0);
         QCOMPARE(at(4.6), 500.0);
         QCOMPARE(bench.capture.refused().backwards, 0U);
+    }
+
+    void aRampFromNobodyKnowsWhereIsAGap()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        trace.take(speed(1.0, 1500.0, 1000));
+        for (double now = 1.1; now < 5.0; now += 0.0167)
+            trace.advance(now);
+        QVERIFY(!at(bench, 1.0001) && !at(bench, 1.5) && !at(bench, 1.999));
+        QCOMPARE(at(bench, 2.001), std::optional(1500.0));
+        QCOMPARE(at(bench, 4.0), std::optional(1500.0));
+        trace.take(speed(6.0, 500.0, 1000)); // that of this one is known
+        trace.advance(8.0);
+        QVERIFY(std::abs(*at(bench, 6.5) - 1000.0) < 2.0);
+        QCOMPARE(bench.capture.refused().backwards, 0U);
+    }
+
+    void aRampThatIsStoppedStays()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        trace.take(speed(1.0, 0.0));
+        trace.take(speed(2.0, 1000.0, 1000));
+        trace.advance(2.7);
+        trace.finish(ends(2.5, true)); // known of only later
+        trace.advance(5.0);
+        QVERIFY(std::abs(*at(bench, 2.6) - 500.0) < 2.0);
+        QVERIFY(std::abs(*at(bench, 4.0) - 500.0) < 2.0);
+        trace.take(speed(6.0, 1500.0, 1000)); // and goes on from there
+        trace.advance(8.0);
+        QVERIFY(std::abs(*at(bench, 6.5) - 1000.0) < 2.0);
+        trace.take(speed(9.0, 0.0, 1000));
+        trace.finish(ends(9.5, false)); // whether it heard nobody knows
+        trace.advance(12.0);
+        QVERIFY(at(bench, 9.4) && !at(bench, 9.6) && !at(bench, 11.0));
+        SetPointTrace first(bench.capture, bench.view); // from where to where: neither is known
+        first.take(speed(21.0, 1500.0, 1000));
+        first.finish(ends(21.5, true));
+        first.advance(25.0);
+        QVERIFY(!at(bench, 21.4) && !at(bench, 21.6) && !at(bench, 23.0));
+    }
+
+    void aStopEndsIt()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        trace.take(speed(1.0, 500.0));
+        trace.finish(ends(2.0, false));
+        trace.take(speed(1.9, 900.0)); // its answer came behind the stop
+        trace.advance(4.0);
+        QCOMPARE(at(bench, 1.8), std::optional(500.0));
+        QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
+        trace.take(speed(5.0, 800.0, 1000)); // from where, nobody knows again
+        trace.advance(8.0);
+        QVERIFY(!at(bench, 5.5));
+        QCOMPARE(at(bench, 6.5), std::optional(800.0));
+        trace.finish(ends(9.0, false, 2)); // of another motor
+        trace.advance(11.0);
+        QCOMPARE(at(bench, 10.0), std::optional(800.0));
+    }
+
+    void whatWaitsForTheStartIsAStep()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        auto waits = speed(1.0, 500.0, 1000);
+        waits.runs = false;
+        trace.take(waits);
+        waits.seconds = 2.0;
+        waits.value = 1500.0;
+        trace.take(waits);
+        trace.finish(ends(3.0, true)); // nothing ramps
+        trace.take(speed(5.0, 0.0, 1000)); // it was started in between: it comes from somewhere
+        trace.advance(8.0);
+        QCOMPARE(at(bench, 1.1), std::optional(500.0));
+        QCOMPARE(at(bench, 2.1), std::optional(1500.0));
+        QCOMPARE(at(bench, 4.9), std::optional(1500.0));
+        QVERIFY(!at(bench, 5.5));
+        QCOMPARE(at(bench, 6.1), std::optional(0.0));
+    }
+
+    void whatMayNotHaveArrivedIsAGap()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        trace.take(speed(1.0, 500.0));
+        auto lost = speed(2.0, 900.0);
+        lost.sure = false;
+        trace.take(lost);
+        trace.advance(4.0);
+        QCOMPARE(at(bench, 1.9), std::optional(500.0));
+        QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
+    }
+
+    /// Who follows a current follows no speed.
+    void anotherKindOfSetPointEndsIt()
+    {
+        Bench bench({facts::signal(1, "rpm")});
+        SetPointTrace trace(bench.capture, bench.view);
+        trace.take(speed(1.0, 500.0));
+        auto current = speed(2.0, 1.5);
+        current.kind = drive::SentSetPoint::Kind::Current;
+        trace.take(current);
+        trace.advance(4.0);
+        QCOMPARE(at(bench, 1.9), std::optional(500.0));
+        QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
     }
 
     void aRampThatIsOvertakenGoesOnFromWhereItWas()
@@ -120,6 +236,10 @@ private Q_SLOTS:
     }
 
 private:
+    static std::optional<double> at(const Bench &bench, double seconds)
+    {
+        return bench.capture.valueAt(*bench.capture.find(*id(bench)), seconds);
+    }
     static std::optional<catalog::RegisterId> id(const Bench &bench)
     {
         for (const capture::ChannelInfo &info : bench.capture.channels())

@@ -13,7 +13,11 @@
 #include <QApplication>
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QGroupBox>
+#include <QHash>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -178,6 +182,62 @@ private Q_SLOTS:
         }
     }
 
+    void noLetterBelongsToAMenuAndAPageOrToTwoOfAPage_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << QString();
+        QTest::newRow("German") << QStringLiteral("de");
+    }
+    /// Else the key opens neither: it only goes from one to the other. With each tool open in its turn.
+    void noLetterBelongsToAMenuAndAPageOrToTwoOfAPage()
+    {
+        QFETCH(QString, language);
+        QTranslator translator;
+        if (!language.isEmpty()) {
+            QVERIFY(translator.load(QStringLiteral(":/i18n/rotorscope_") + language));
+            QCoreApplication::installTranslator(&translator);
+            cleanup();
+            init();
+        }
+        m_rig->window.resize(1600, 1000);
+        QStringList clashes;
+        const QHash<QString, QStringList> menus = lettersOfMenus();
+        clashesIn(menus, QStringLiteral("menu bar"), clashes);
+        int tools = 0, letters = 0;
+        QStringList docks;
+        for (const QAction *tool : m_rig->window.findChildren<QAction *>())
+            if (tool->objectName().endsWith(QStringLiteral("DockOpen")))
+                docks.append(tool->objectName().chopped(4));
+        for (QAction *tool : m_rig->window.findChildren<QAction *>()) {
+            if (!tool->objectName().endsWith(QStringLiteral("DockOpen")))
+                continue;
+            tool->trigger();
+            QCoreApplication::processEvents();
+            ++tools;
+            QHash<QString, QStringList> page;
+            for (const QWidget *widget : m_rig->window.findChildren<QWidget *>()) {
+                const QString dock = dockOf(widget);
+                const bool others =
+                    docks.contains(dock) && dock + QStringLiteral("Open") != tool->objectName();
+                const bool seen = widget->isVisible() && !others;
+                for (const QString &text : textsWithKeys(widget)) {
+                    const QString key = QKeySequence::mnemonic(text).toString();
+                    letters += key.isEmpty() ? 0 : 1;
+                    if (!key.isEmpty() && seen)
+                        page[key].append(text);
+                    // What comes later, by a choice or a board, is not to take a menu's either.
+                    if (menus.contains(key) && (seen || widget->window() == &m_rig->window))
+                        clashes.append(QStringLiteral("%1: %2 of %3 and of the menu %4")
+                                           .arg(dockOf(widget), key, text, menus[key].first()));
+                }
+            }
+            clashesIn(page, tool->objectName(), clashes);
+        }
+        QVERIFY(tools > 8 && letters > 30);
+        clashes.removeDuplicates();
+        QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
+    }
+
     void nothingIsCutAtTheSmallestSize_data()
     {
         QTest::addColumn<int>("theme");
@@ -228,6 +288,44 @@ private Q_SLOTS:
     }
 
 private:
+    QHash<QString, QStringList> lettersOfMenus() const
+    {
+        QHash<QString, QStringList> letters;
+        for (const QAction *entry : m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions())
+            letters[QKeySequence::mnemonic(entry->text()).toString()].append(entry->text());
+        return letters;
+    }
+    static QString dockOf(const QWidget *widget)
+    {
+        for (const QWidget *one = widget; one; one = one->parentWidget())
+            if (qobject_cast<const QDockWidget *>(one))
+                return one->objectName();
+        return QStringLiteral("the window");
+    }
+    static void clashesIn(
+        const QHash<QString, QStringList> &letters, const QString &where, QStringList &clashes)
+    {
+        for (auto one = letters.begin(); one != letters.end(); ++one)
+            if (one->size() > 1)
+                clashes.append(QStringLiteral("%1: %2 of %3")
+                                   .arg(where, one.key(), one->join(QStringLiteral(" and of "))));
+    }
+    /// Where an ampersand before a letter makes it a key.
+    static QStringList textsWithKeys(const QWidget *widget)
+    {
+        QStringList texts;
+        if (const auto *button = qobject_cast<const QAbstractButton *>(widget))
+            texts.append(button->text());
+        if (const auto *box = qobject_cast<const QGroupBox *>(widget))
+            texts.append(box->title());
+        if (const auto *label = qobject_cast<const QLabel *>(widget); label && label->buddy())
+            texts.append(label->text());
+        if (const auto *tabs = qobject_cast<const QTabBar *>(widget))
+            for (int i = 0; i < tabs->count(); ++i)
+                texts.append(tabs->tabText(i));
+        return texts;
+    }
+
     /// Parts of a control that take the focus for it.
     static bool isInside(const QWidget *widget)
     {

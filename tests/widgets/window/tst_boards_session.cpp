@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 using drive::MotorState;
@@ -25,8 +26,14 @@ class TestBoardsSession : public QObject {
 private Q_SLOTS:
     void everyBoardIsDrivenInTheSameWindow_data();
     void everyBoardIsDrivenInTheSameWindow();
+    void theSpeedIsBelowTheCurrentsWhicheverComesFirst();
+    void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data();
+    void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall();
+    void anotherBoardIsToldInThePicture();
 
 private:
+    void lookAtTheFirstPicture();
+    void disconnectNow();
     void connectByAuto(const QString &path, const QByteArray &protocol);
     void armTheMotor();
     void sendWithEveryExchange();
@@ -80,6 +87,7 @@ void TestBoardsSession::everyBoardIsDrivenInTheSameWindow()
     m_rig->window.resize(1280, 720);
     QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     for (const auto &step : {std::function<void()>([&] { connectByAuto(path, protocol); }),
+             std::function<void()>([&] { lookAtTheFirstPicture(); }),
              std::function<void()>([&] { armTheMotor(); }),
              std::function<void()>([&] { sendWithEveryExchange(); }),
              std::function<void()>([&] { startTheMotor(); }),
@@ -108,6 +116,32 @@ void TestBoardsSession::connectByAuto(const QString &path, const QByteArray &pro
     QVERIFY(!identity.evidence.empty() || protocol.contains("SPI")); // its port says it all
     QVERIFY(!device().armed());
     QTRY_COMPARE(state(), MotorState::Idle);
+}
+
+/// The speed of the sensor that closes the loop, at the full rate where the board streams, below the currents.
+void TestBoardsSession::lookAtTheFirstPicture()
+{
+    const auto &plan = m_rig->workbench.signalPlan();
+    const auto &told = device().identified()->identity.speedSignals;
+    const std::string name = told.empty() || told[0].empty() ? "SPEED_MEAS" : told[0];
+    const auto speed = idOf(name.c_str());
+    const auto *wanted = plan.find(speed);
+    QVERIFY2(wanted != nullptr, name.c_str());
+    const bool streams = device().capability(drive::Feature::Stream).available;
+    const auto &planned = plan.planned().signalList;
+    const auto its = std::find_if(
+        planned.begin(), planned.end(), [speed](const auto &one) { return one.id == speed; });
+    QVERIFY(its != planned.end());
+    QCOMPARE(its->route == widgets::Route::Fast, streams);
+    const auto plotOf = [&](catalog::RegisterId id) {
+        const auto channel = plan.channelOf(id);
+        return channel ? m_rig->window.scope()->plotOf(*channel) : -1;
+    };
+    for (const widgets::WantedSignal &signal : plan.wanted())
+        QTRY_VERIFY(plotOf(signal.id) >= 0);
+    for (const widgets::WantedSignal &signal : plan.wanted())
+        if (signal.id != speed)
+            QVERIFY(plotOf(signal.id) < plotOf(speed));
 }
 
 void TestBoardsSession::armTheMotor()
@@ -259,6 +293,120 @@ void TestBoardsSession::writeCsv()
     const QByteArray heading = file.readLine();
     QVERIFY2(heading.contains(speed.c_str()), heading.constData());
     QVERIFY(!file.readLine().isEmpty());
+}
+
+void TestBoardsSession::disconnectNow()
+{
+    m_rig->find<widgets::ConnectBar>("connectBar")->disconnectNow();
+    QTRY_VERIFY(!device().portOpen());
+}
+
+void TestBoardsSession::theSpeedIsBelowTheCurrentsWhicheverComesFirst()
+{
+    for (const bool speedFirst : {true, false}) {
+        m_rig = std::make_unique<facts::WindowRig>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        facts::connectBoard(device());
+        const auto read = [this] {
+            facts::feed(device(),
+                {drive::RegistersRead{{facts::reading(facts::kSpeed, std::int64_t{100})}}});
+        };
+        const auto stream = [this] {
+            facts::feed(device(),
+                {drive::StreamStarted{capture::StreamLayout{1, 1000.0, 0.0, 1,
+                     {{facts::kCurrentA, "I_A", "A", 0.002, 0.0},
+                         {facts::kCurrentB, "I_B", "A", 0.002, 0.0}},
+                     {}}},
+                    capture::SampleBlock{1, 0, 2, {1, 2, 3, 4}, {}, 0}});
+        };
+        speedFirst ? read() : stream();
+        QCoreApplication::processEvents();
+        speedFirst ? stream() : read();
+        const auto plotOf = [this](catalog::RegisterId id) {
+            const auto channel = m_rig->workbench.signalPlan().channelOf(id);
+            return channel ? m_rig->window.scope()->plotOf(*channel) : -1;
+        };
+        QTRY_COMPARE(plotOf(facts::kSpeed), 1);
+        QCOMPARE(plotOf(facts::kCurrentA), 0);
+        QCOMPARE(plotOf(facts::kCurrentB), 0);
+        device().portChanged(session::PortState::Closed, {});
+        m_rig.reset();
+    }
+}
+
+void TestBoardsSession::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data()
+{
+    QTest::addColumn<int>("silent_ms");
+    for (const int silent : {200, 1700, 3300})
+        QTest::addRow("%d ms", silent) << silent;
+}
+
+/// Reset by the port's lines, booting, held by a debugger: one click, and no word of a failure.
+void TestBoardsSession::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall()
+{
+    QFETCH(int, silent_ms);
+    m_rig = std::make_unique<facts::WindowRig>();
+    m_rig->boards.silentAtFirst = std::chrono::milliseconds(silent_ms);
+    QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    bool lost = false;
+    connect(&device(), &widgets::Device::linkStateChanged, this,
+        [&] { lost = lost || device().link().state == drive::LinkState::Lost; });
+    connectByAuto(QStringLiteral("sim"), QByteArray("MCP over ASPEP"));
+    QVERIFY(!lost);
+    m_rig.reset();
+}
+
+void TestBoardsSession::anotherBoardIsToldInThePicture()
+{
+    m_rig = std::make_unique<facts::WindowRig>();
+    QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    const auto told = [this] {
+        QStringList lines;
+        for (const widgets::ScopeEvent &event : m_rig->workbench.events().events())
+            if (event.text.startsWith(QStringLiteral("Another board: ")))
+                lines.append(event.text);
+        return lines;
+    };
+    for (int again = 0; again < 2; ++again) { // the same one, after its cable was out
+        connectByAuto(QStringLiteral("sim"), QByteArray("MCP over ASPEP"));
+        QTRY_VERIFY(m_rig->window.scope()->channels().size() >= 4);
+        disconnectNow();
+    }
+    QCOMPARE(told(), QStringList());
+    connectByAuto(QStringLiteral("sim:legacy"), QByteArray("MCP legacy"));
+    QCOMPARE(told().size(), 1);
+    const auto &identity = device().identified()->identity;
+    QVERIFY2(told().front().contains(QString::fromStdString(identity.firmware)),
+        qPrintable(told().front()));
+    disconnectNow();
+    // What is polled holds for seconds, and not for another board.
+    const auto board = [](const char *name) {
+        drive::Identified one = facts::identified();
+        one.identity.controlBoard = name;
+        return one;
+    };
+    const auto meet = [&](const char *name, double seconds) {
+        device().portChanged(session::PortState::Open, {});
+        facts::feed(device(),
+            {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None},
+                board(name)});
+        drive::Reading speed = facts::reading(facts::kSpeed, std::int64_t{100});
+        speed.at = TimePoint(fromSeconds(seconds));
+        facts::feed(device(), {drive::RegistersRead{{speed}}});
+        device().portChanged(session::PortState::Closed, {});
+    };
+    m_rig->workbench.signalPlan().clear();
+    const double begin = 1000.0;
+    meet("one", begin);
+    meet("one", begin + 1.0);
+    meet("other", begin + 2.0);
+    const auto &capture = m_rig->workbench.capture();
+    const auto channel = capture.find(facts::kSpeed, capture::ChannelInfo::Kind::Polled);
+    QVERIFY(channel);
+    QVERIFY(capture.valueAt(*channel, begin + 0.5).has_value());
+    QCOMPARE(capture.channel(*channel)->values()->runs().size(), std::size_t{2});
+    QVERIFY(told().back().endsWith(QStringLiteral("other")));
+    m_rig.reset();
 }
 
 QTEST_MAIN(TestBoardsSession)

@@ -36,7 +36,7 @@ using drive::StopWord;
 namespace {
 
 constexpr std::uint32_t kReference = 0x98, kTorque = 0x8D0, kPower = 0x5A8, kHeat = 0x5D0,
-                        kMode = 0x42;
+                        kMode = 0x42, kGain = 0x89;
 
 /// A board that tells all that the panels have a place for.
 drive::Identified boardWith(int motors)
@@ -57,6 +57,9 @@ drive::Identified boardWith(int motors)
     registers.push_back(add(kPower, "MOTOR_POWER", ValueType::F32, "W"));
     registers.push_back(add(kHeat, "HEATS_TEMP", ValueType::S16, "\u00b0C"));
     registers.push_back(add(kMode, "CONTROL_MODE", ValueType::U8, ""));
+    registers.push_back(add(kGain, "SPEED_KI", ValueType::S16, ""));
+    registers.back().access = Access::ReadWrite;
+    registers.back().effect = Effect::Kept;
     Scales scales;
     scales.ampsPerDigit = 0.002;
     board.catalog =
@@ -114,6 +117,7 @@ private Q_SLOTS:
             {"polled signals", &TestStillWindow::polledSignals},
             {"picture held", &TestStillWindow::pictureHeld},
             {"first steps", &TestStillWindow::firstSteps},
+            {"an edit, then the link lost", &TestStillWindow::editThenLinkLost},
         };
         for (const auto &[name, happening] : all) {
             QTest::addRow("%s", name) << happening << QSize(1280, 720) << false << QString();
@@ -570,6 +574,56 @@ private:
         tell({drive::LinkChanged{LinkState::Connected, LinkReason::None}, boardWith(1),
                  named(MotorState::Idle, "IDLE")},
             "back");
+    }
+
+    /// What was written could be undone until then, and that it cannot is said.
+    void editThenLinkLost()
+    {
+        device().disconnect(SIGNAL(wishMade(drive::Wish)));
+        connect(
+            &device(), &widgets::Device::wishMade, this,
+            [this](const drive::Wish &wish) { facts::feed(device(), answersTo(wish)); },
+            Qt::QueuedConnection);
+        auto &edits = m_rig->workbench.edits();
+        tell({drive::RegistersRead{{facts::reading(kGain, std::int64_t{100})}}}, "read");
+        device().armedChanged(true);
+        look(QStringLiteral("armed"));
+        m_rig->workbench.registers().setPending(kGain, std::int64_t{120});
+        look(QStringLiteral("typed"));
+        edits.apply();
+        QTRY_VERIFY2(edits.steps().count() == 1,
+            qPrintable(m_rig->find<QLabel>("editsTold")->text() + edits.applyHint()));
+        look(QStringLiteral("written"));
+        m_rig->workbench.registers().setPending(kGain, std::int64_t{130});
+        look(QStringLiteral("typed again"));
+        tell({drive::LinkChanged{LinkState::Lost, LinkReason::Silence}}, "lost");
+        QCOMPARE(edits.steps().count(), 0);
+        session::PortError pulled;
+        pulled.problem = session::PortProblem::Unplugged;
+        device().portChanged(session::PortState::Closed, pulled);
+        look(QStringLiteral("unplugged"));
+        device().portChanged(session::PortState::Open, {});
+        tell({drive::LinkChanged{LinkState::Connected, LinkReason::None}, boardWith(1),
+                 named(MotorState::Idle, "IDLE")},
+            "back");
+        edits.revert();
+        look(QStringLiteral("reverted"));
+    }
+    std::vector<drive::Event> answersTo(const drive::Wish &wish)
+    {
+        drive::Ended ended;
+        ended.id = wish.id;
+        drive::RegistersRead read;
+        if (const auto *asked = std::get_if<drive::Read>(&wish.what))
+            for (const catalog::RegisterId id : asked->registers)
+                read.readings.push_back(facts::reading(id, std::int64_t{100}));
+        if (const auto *write = std::get_if<drive::Write>(&wish.what))
+            for (const drive::RegisterWrite &one : write->writes) {
+                ended.writes.push_back(
+                    {one.id, drive::Outcome::Ok, {}, std::int64_t{100}, one.value, true});
+                read.readings.push_back(facts::reading(one.id, one.value));
+            }
+        return {read, ended};
     }
 
     void boardReset()

@@ -43,7 +43,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     , m_scope(scope)
     , m_markers(new MarkerFilter(this))
     , m_list(new QTreeView(this))
-    , m_onlyMarkers(new QCheckBox(tr("&Markers only"), this))
+    , m_onlyMarkers(new QCheckBox(tr("Markers on&ly"), this))
 {
     setObjectName(QStringLiteral("eventPanel"));
     m_list->setObjectName(QStringLiteral("eventList"));
@@ -66,7 +66,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
 
     auto *add = new QPushButton(tr("Set a mar&ker"), this);
     add->setObjectName(QStringLiteral("addMarker"));
-    auto *remove = new QPushButton(tr("&Delete markers"), this);
+    auto *remove = new QPushButton(tr("Delete m&arkers"), this);
     remove->setObjectName(QStringLiteral("deleteMarker"));
     auto *copyIt = new QPushButton(tr("&Copy"), this);
     copyIt->setObjectName(QStringLiteral("copyEvents"));

@@ -32,10 +32,13 @@ const Sort &sortOf(drive::SentSetPoint::Kind kind)
 
 } // namespace
 
-double SetPointTrace::Way::at(double seconds) const
+std::optional<double> SetPointTrace::Way::at(double seconds) const
 {
-    const double share = ramp_s > 0.0 ? std::clamp((seconds - begin_s) / ramp_s, 0.0, 1.0) : 1.0;
-    return from + (to - from) * share;
+    if (!to || !(seconds < begin_s + ramp_s - kLeast_s))
+        return to;
+    if (!from)
+        return std::nullopt;
+    return *from + (*to - *from) * std::clamp((seconds - begin_s) / ramp_s, 0.0, 1.0);
 }
 
 SetPointTrace::SetPointTrace(capture::Capture &capture, ScopeView &scope, QObject *parent)
@@ -49,18 +52,54 @@ SetPointTrace::SetPointTrace(capture::Capture &capture, ScopeView &scope, QObjec
 void SetPointTrace::take(const drive::SentSetPoint &sent)
 {
     m_ahead_s = sent.ahead_s;
+    // An answer may come behind the stop that overtook it.
+    for (const int motor : {0, sent.motor})
+        if (const auto over = m_ended.find(motor);
+            over != m_ended.end() && sent.seconds <= over->second)
+            return;
+    for (auto &[key, drawn] : m_drawn) // one thing at a time is followed
+        if (key.second == sent.motor && key.first != sent.kind)
+            stay(drawn, sent.seconds, {});
     const Key key{sent.kind, sent.motor};
     const double value = sent.value * sortOf(sent.kind).scale;
-    const double ramp_s = std::chrono::duration<double>(sent.ramp).count();
+    const double ramp_s = sent.runs ? std::chrono::duration<double>(sent.ramp).count() : 0.0;
     const auto known = m_drawn.find(key);
+    if (!sent.sure) {
+        if (known != m_drawn.end())
+            stay(known->second, sent.seconds, {});
+        return;
+    }
     if (known == m_drawn.end()) { // from where it comes is not known
-        m_drawn[key] = {0, sent.seconds, {value, value, sent.seconds, ramp_s}, {}};
+        m_drawn[key] = {0, sent.seconds, {{}, value, sent.seconds, ramp_s, sent.runs}, {}};
         return;
     }
     Drawn &drawn = known->second;
-    const double begin = std::max(sent.seconds, drawn.until_s);
-    const Way &last = drawn.next.empty() ? drawn.now : drawn.next.back();
-    drawn.next.push_back({last.at(begin), value, begin, ramp_s});
+    const Way &last = drawn.last();
+    const double begin = std::max({sent.seconds, drawn.until_s, last.begin_s});
+    drawn.next.push_back(
+        {last.runs ? last.at(begin) : std::nullopt, value, begin, ramp_s, sent.runs});
+}
+
+void SetPointTrace::finish(const drive::SetPointsEnd &end)
+{
+    if (!end.held)
+        m_ended[end.motor] = std::max(m_ended[end.motor], end.seconds);
+    for (auto &[key, drawn] : m_drawn) {
+        if (end.motor != 0 && end.motor != key.second)
+            continue;
+        if (!end.held)
+            stay(drawn, end.seconds, {});
+        else if (drawn.last().runs) // else there is no ramp
+            stay(drawn, end.seconds, drawn.last().at(end.seconds));
+    }
+}
+
+/// Of what was known of later is nothing left: it is told now, and holds.
+void SetPointTrace::stay(Drawn &drawn, double from_s, std::optional<double> value)
+{
+    const double begin = std::max(from_s, drawn.until_s);
+    std::erase_if(drawn.next, [begin](const Way &way) { return way.begin_s >= begin; });
+    drawn.next.push_back({value, value, begin, 0.0, true});
 }
 
 void SetPointTrace::advance(double now)
@@ -87,15 +126,22 @@ void SetPointTrace::draw(const Key &key, Drawn &drawn, double until_s)
             plotForUnit(m_scope, m_capture, QString::fromUtf8(sortOf(key.first).unit)));
 }
 
-/// One value each step up to there.
+/// One value each step up to there; none where none is known.
 void SetPointTrace::follow(Drawn &drawn, double until_s)
 {
     while (until_s - drawn.until_s > kLeast_s) {
         const double end = drawn.now.begin_s + drawn.now.ramp_s;
-        const double step = drawn.until_s < end ? kStep_s : kHeld_s;
-        const double next = std::min(drawn.until_s + step, until_s);
-        m_capture.appendImported(drawn.channel, capture::toNanos(drawn.until_s),
-            drawn.now.at(drawn.until_s), capture::toNanos(next));
+        const bool ramps = end - drawn.until_s > kLeast_s;
+        const double last = ramps ? std::min(end, until_s) : until_s;
+        const std::optional<double> value = drawn.now.at(drawn.until_s);
+        if (!value) {
+            m_capture.breakImported(drawn.channel);
+            drawn.until_s = last;
+            continue;
+        }
+        const double next = std::min(drawn.until_s + (ramps ? kStep_s : kHeld_s), last);
+        m_capture.appendImported(
+            drawn.channel, capture::toNanos(drawn.until_s), *value, capture::toNanos(next));
         drawn.until_s = next;
     }
 }
@@ -116,6 +162,7 @@ void SetPointTrace::end()
         if (m_capture.channel(drawn.channel))
             m_capture.breakImported(drawn.channel);
     m_drawn.clear();
+    m_ended.clear();
     m_ahead_s = 0.0;
 }
 

@@ -5,12 +5,23 @@
 #include "widgets/base/value_text.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace widgets {
 namespace {
 
 using Kind = capture::ChannelInfo::Kind;
+
+/// As far as boards tell themselves apart: two of one kind do not.
+bool isSame(const drive::Identity &one, const drive::Identity &other)
+{
+    const auto told = [](const drive::Identity &board) {
+        return std::tie(board.protocol, board.firmware, board.version, board.controlBoard,
+            board.powerBoards, board.motorNames, board.motors);
+    };
+    return told(one) == told(other);
+}
 
 Kind kindOf(Route route)
 {
@@ -177,6 +188,7 @@ void SignalPlan::adopt(capture::Capture file)
     Q_EMIT forgetting();
     m_capture.adopt(std::move(file));
     m_fromFile = true;
+    m_met.reset();
     Q_EMIT forgot();
     Q_EMIT changed();
     Q_EMIT renewed();
@@ -187,6 +199,8 @@ void SignalPlan::clear()
     Q_EMIT forgetting();
     m_fromFile = m_replaying;
     m_capture.clear();
+    if (!m_device.answering())
+        m_met.reset();
     Q_EMIT forgot();
     Q_EMIT changed();
     Q_EMIT renewed();
@@ -202,11 +216,28 @@ void SignalPlan::opened(const session::Endpoint &endpoint)
     Q_EMIT begunAnew();
 }
 
+/// No trace goes from one board's values to another's.
+void SignalPlan::meet()
+{
+    const auto &board = m_device.identified();
+    if (!board)
+        return;
+    const bool other = m_met && !isSame(*m_met, board->identity);
+    m_met = board->identity;
+    if (!other)
+        return;
+    for (const capture::ChannelInfo &info : m_capture.channels())
+        if (info.kind == Kind::Polled)
+            m_capture.endPolled(info.registerId);
+    Q_EMIT boardReplaced();
+}
+
 void SignalPlan::boardChanged()
 {
     const auto catalog = m_device.catalog();
     if (!catalog || m_replaying) // a recording streams what it streams
         return;
+    meet();
     std::erase_if(
         m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
     resolveNames(*catalog);

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <map>
+#include <optional>
 
 namespace widgets {
 
@@ -52,6 +53,7 @@ Q_SIGNALS:
     void forgetting(); ///< all samples are about to go
     void forgot(); ///< all samples that were there are gone
     void renewed(); ///< behind forgot() and changed(): what is recorded is another's
+    void boardReplaced(); ///< another one is there than the samples before are of
     void begunAnew(); ///< a connection has taken the place of a file, or a replay that of anything
     void failed(const QString &sentence); ///< the board did not take the stream
     /// What was wished for does not fit, and what is done instead; before it starts.
@@ -59,6 +61,7 @@ Q_SIGNALS:
 
 private:
     void opened(const session::Endpoint &endpoint);
+    void meet();
     void resolveNames(const catalog::Catalog &catalog);
     void replan(); ///< now
     void replanSoon();
@@ -71,6 +74,7 @@ private:
     std::vector<NamedSignal> m_names; ///< that wait for a board
     ChannelPlan m_plan;
     unsigned m_fastEvery = 1;
+    std::optional<drive::Identity> m_met; ///< the board that the samples are of
     std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last
     drive::WishId m_streamWish = 0; ///< the one that has not ended
     bool m_streamStale = false; ///< the plan changed while it was under way

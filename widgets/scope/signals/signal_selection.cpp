@@ -191,8 +191,10 @@ void SignalSelection::fillFileSignals(QMenu &menu)
         QAction *action = menu.addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
         action->setCheckable(true);
         action->setChecked(m_scope.plotOf(info.id) >= 0);
-        connect(action, &QAction::triggered, this,
-            [this, id = info.id](bool on) { showOfFile(id, on); });
+        connect(action, &QAction::triggered, this, [this, action, id = info.id](bool on) {
+            showOfFile(id, on);
+            action->setChecked(m_scope.plotOf(id) >= 0); // the menu is still there
+        });
     }
 }
 
