@@ -155,6 +155,14 @@
         <source>Steps of the speed; run them</source>
         <translation>Sprünge der Drehzahl; ausführen</translation>
     </message>
+    <message>
+        <source>Identify the motor; its frequency response</source>
+        <translation>Motor identifizieren; sein Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Tour from an unknown motor to proved gains</source>
+        <translation>Rundgang vom unbekannten Motor zu geprüften Verstärkungen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1777,6 +1785,10 @@
         <source>Keys that are not known were passed over.</source>
         <translation>Unbekannte Schlüssel wurden übergangen.</translation>
     </message>
+    <message>
+        <source>Dry friction</source>
+        <translation>Trockene Reibung</translation>
+    </message>
 </context>
 <context>
     <name>Opening</name>
@@ -1822,6 +1834,141 @@
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
         <translation>Sie ist größer als die %1 GB Platz dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
+    </message>
+</context>
+<context>
+    <name>PlanQuestion</name>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
+        <translation>
+            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jede %3 lang gehalten.</numerusform>
+            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jede %3 lang gehalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>For %1 its torque jumps and drives it or lets it coast, between %2 and %3; the current along the magnets jumps within ±%4.</source>
+        <translation>%1 lang springt sein Drehmoment, treibt ihn an oder lässt ihn auslaufen, zwischen %2 und %3; der Strom längs der Magnete springt innerhalb von ±%4.</translation>
+    </message>
+    <message>
+        <source>For %1 its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
+        <translation>%1 lang treibt ihn sein Drehmoment an oder lässt ihn auslaufen, zwischen %2 und %3; gebremst wird er nie.</translation>
+    </message>
+    <message>
+        <source>For %1 its speed jumps at random between %2 and %3.</source>
+        <translation>%1 lang springt seine Drehzahl zufällig zwischen %2 und %3.</translation>
+    </message>
+    <message>
+        <source>At rest: currents from %1 to %2 along the magnets.</source>
+        <translation>Im Stillstand: Ströme von %1 bis %2 längs der Magnete.</translation>
+    </message>
+    <message>
+        <source>In its start-up, whose stages are borrowed and do not turn: currents of %1 and %2; then it is stopped.</source>
+        <translation>Im Anlauf, dessen Stufen geliehen sind und nicht drehen: Ströme von %1 und %2; danach wird er gestoppt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): its current jumps from %1 to %2 and back.</source>
+        <translation>
+            <numerusform>%n-mal: sein Strom springt von %1 auf %2 und zurück.</numerusform>
+            <numerusform>%n-mal: sein Strom springt von %1 auf %2 und zurück.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <comment>of the current</comment>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>It rests.</source>
+        <translation>Er steht.</translation>
+    </message>
+    <message>
+        <source>It runs: from %1 to %2 in %3.</source>
+        <translation>Er läuft: von %1 auf %2 in %3.</translation>
+    </message>
+    <message>
+        <source>It rests: start, then to %1 in %2.</source>
+        <translation>Er steht: Start, dann auf %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Then back to %1 in %2.</source>
+        <translation>Danach zurück auf %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Then the motor is stopped, and its old set-point comes back.</source>
+        <translation>Danach wird der Motor gestoppt und bekommt seinen alten Sollwert zurück.</translation>
+    </message>
+    <message>
+        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation>Sofort gestoppt wird unter %1 oder über %2, jenseits von %3 Iq, und wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>While it starts, only %1 and the current bound it.</source>
+        <translation>Während des Starts begrenzen ihn nur %1 und der Strom.</translation>
+    </message>
+    <message>
+        <source>It runs: from %1, and back there after each of these.</source>
+        <translation>Er läuft: von %1, und nach jedem von diesen dorthin zurück.</translation>
+    </message>
+    <message>
+        <source>It rests: it is started for each of these, and stopped behind it.</source>
+        <translation>Er steht: für jedes von diesen wird er gestartet und danach gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1. %2 Stopped below %3, above %4, beyond %5.</source>
+        <comment>number, what is done, caps</comment>
+        <translation>%1. %2 Gestoppt unter %3, über %4, jenseits von %5.</translation>
+    </message>
+    <message>
+        <source>Also stopped where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation>Gestoppt wird auch, wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Inductances and flux</source>
+        <translation>Induktivitäten und Fluss</translation>
+    </message>
+    <message>
+        <source>Inertia and friction</source>
+        <translation>Trägheit und Reibung</translation>
+    </message>
+    <message>
+        <source>Response of the current</source>
+        <translation>Frequenzgang des Stroms</translation>
+    </message>
+    <message>
+        <source>Response of the speed</source>
+        <translation>Frequenzgang der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>Steps of the current</source>
+        <translation>Sprünge des Stroms</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>This will move motor %1 by itself. Go on?</source>
+        <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
+    </message>
+    <message>
+        <source>The like within these caps is not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation>Nach Gleichem innerhalb dieser Grenzen wird nicht wieder gefragt, bis die Freigabe endet. Esc stoppt jederzeit jeden Motor.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
     </message>
 </context>
 <context>
@@ -2090,65 +2237,6 @@
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
         <translation>Firmware gibt es in anderer Form aus, als sie es annimmt.</translation>
-    </message>
-</context>
-<context>
-    <name>StepQuestion</name>
-    <message>
-        <source>rpm</source>
-        <translation>rpm</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Sprünge</translation>
-    </message>
-    <message>
-        <source>This will move motor %1 by itself. Go on?</source>
-        <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
-    </message>
-    <message>
-        <source>It runs: from %1 to %2 in %3.</source>
-        <translation>Er läuft: von %1 auf %2 in %3.</translation>
-    </message>
-    <message>
-        <source>It rests: start, then to %1 in %2.</source>
-        <translation>Er steht: Start, dann auf %1 in %2.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
-        <translation>
-            <numerusform>Einmal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
-            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Then back to %1 in %2.</source>
-        <translation>Danach zurück auf %1 in %2.</translation>
-    </message>
-    <message>
-        <source>Then the motor is stopped, and its old set-point comes back.</source>
-        <translation>Danach wird der Motor gestoppt und bekommt seinen alten Sollwert zurück.</translation>
-    </message>
-    <message>
-        <source>no bound</source>
-        <comment>of the current</comment>
-        <translation>keine Grenze</translation>
-    </message>
-    <message>
-        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
-        <translation>Sofort gestoppt wird unter %1 oder über %2, jenseits von %3 Iq, und wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
-    </message>
-    <message>
-        <source>While it starts, only %1 and the current bound it.</source>
-        <translation>Während des Starts begrenzen ihn nur %1 und der Strom.</translation>
-    </message>
-    <message>
-        <source>Series within these caps are not asked about again until disarmed. Esc stops every motor at any time.</source>
-        <translation>Nach Reihen innerhalb dieser Grenzen wird bis zum Aufheben der Freigabe nicht mehr gefragt. Esc stoppt jederzeit jeden Motor.</translation>
-    </message>
-    <message>
-        <source>Run steps</source>
-        <translation>Springen</translation>
     </message>
 </context>
 <context>
@@ -2491,6 +2579,39 @@
         <source>Motor %1: %2</source>
         <comment>number, state</comment>
         <translation>Motor %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BodePlot</name>
+    <message>
+        <source>No response yet.</source>
+        <translation>Noch kein Frequenzgang.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: bewegen. F: alles.</translation>
+    </message>
+    <message>
+        <source>dB of %1</source>
+        <comment>a unit</comment>
+        <translation>dB von %1</translation>
+    </message>
+    <message>
+        <source>Coh.</source>
+        <comment>coherence, short</comment>
+        <translation>Koh.</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
     </message>
 </context>
 <context>
@@ -3179,6 +3300,76 @@
     </message>
 </context>
 <context>
+    <name>widgets::ExperimentBar</name>
+    <message>
+        <source>Done; the motor is as it was.</source>
+        <translation>Fertig; der Motor ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Done; afterwards: %1.</source>
+        <translation>Fertig; danach: %1.</translation>
+    </message>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation>Nicht ausgeführt: %1.</translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation>Mit einem Stopp beendet: %1.</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation>Unterbrochen: %1.</translation>
+    </message>
+    <message>
+        <source>Not begun: the gains were not written in time.</source>
+        <translation>Nicht begonnen: Die Verstärkungen wurden nicht rechtzeitig geschrieben.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops every motor and disarms, as Esc does.</source>
+        <translation>Stoppt jeden Motor und hebt die Freigabe auf, wie Esc.</translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation>Fortschritt des Versuchs</translation>
+    </message>
+    <message>
+        <source>%1 is measured at rest: stop the motor first.</source>
+        <comment>Resistance</comment>
+        <translation>%1: wird im Stillstand gemessen, den Motor zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>What was measured is being evaluated.</source>
+        <translation>Das Gemessene wird ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Not continued: %1</source>
+        <translation>Nicht fortgesetzt: %1</translation>
+    </message>
+    <message>
+        <source>What comes next is not agreed to any more.</source>
+        <translation>Dem Folgenden ist nicht mehr zugestimmt.</translation>
+    </message>
+    <message>
+        <source>Not begun: %1</source>
+        <translation>Nicht begonnen: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 s of about %3 s</source>
+        <comment>what is measured, times</comment>
+        <translation>%1: %2 s von etwa %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>text of a button, why it is greyed</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Experiments</name>
     <message>
         <source>An experiment is running.</source>
@@ -3815,6 +4006,52 @@
     </message>
 </context>
 <context>
+    <name>widgets::Identification</name>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::IdentifyPage</name>
+    <message>
+        <source>What was measured of the motor</source>
+        <translation>Was am Motor gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Measures resistance and dead time at rest, then inductances and flux while it turns; then the motor is as it was.</source>
+        <translation>Misst Widerstand und Totzeit im Stillstand, dann Induktivitäten und Fluss im Lauf; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
+        <translation>Misst Trägheit und Reibung, während der Motor angetrieben wird und ausläuft; danach ist er wie zuvor.</translation>
+    </message>
+    <message>
+        <source>&amp;Use in motor file</source>
+        <translation>In Motordatei &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Puts the measured figures into the description beside the board&apos;s, in Motor and drive; nothing is written to the board.</source>
+        <translation>Übernimmt die gemessenen Werte in die Beschreibung neben der des Boards, in „Motor und Antrieb“; auf das Board wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Take &amp;back</source>
+        <translation>&amp;Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes them out of it again.</source>
+        <translation>Nimmt sie dort wieder heraus.</translation>
+    </message>
+    <message>
+        <source>E&amp;lectrical</source>
+        <translation>E&amp;lektrisch</translation>
+    </message>
+    <message>
+        <source>Mecha&amp;nical</source>
+        <translation>Mecha&amp;nisch</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Jog</name>
     <message>
         <source>Jog</source>
@@ -3975,6 +4212,94 @@
     <message>
         <source>Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.</source>
         <translation>Pfeiltasten oder Rad: 5 % je Raste, sofort geschrieben. Rückgängig nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopRows</name>
+    <message>
+        <source>Loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>Crossover</source>
+        <translation>Durchtritt</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Ms</source>
+        <translation>Ms</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopTuning</name>
+    <message>
+        <source>Kp %1, Ki %2</source>
+        <comment>digits</comment>
+        <translation>Kp %1, Ki %2</translation>
+    </message>
+    <message>
+        <source>The gains are being read.</source>
+        <translation>Die Verstärkungen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation>Zuerst den Frequenzgang der Drehzahl messen.</translation>
+    </message>
+    <message>
+        <source>An experiment is running.</source>
+        <translation>Ein Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>The board holds these gains.</source>
+        <translation>Das Board hat diese Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>gains of the speed loop, %1</source>
+        <translation>Verstärkungen des Drehzahlreglers, %1</translation>
+    </message>
+    <message>
+        <source>No gains were written from here.</source>
+        <translation>Von hier wurden keine Verstärkungen geschrieben.</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>zurück zu %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>a value</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The loop keeps what was predicted: Ms %1, at most %2 promised.</source>
+        <translation>Der Regelkreis hält, was vorhergesagt war: Ms %1, zugesagt höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation>Schlechter als vorhergesagt: Ms %1, zugesagt höchstens %2. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
     </message>
 </context>
 <context>
@@ -4683,6 +5008,102 @@
     </message>
 </context>
 <context>
+    <name>widgets::MotorFindings</name>
+    <message>
+        <source>of a phase with its switches, as warm as it is now</source>
+        <translation>eines Strangs mit seinen Schaltern, so warm wie jetzt</translation>
+    </message>
+    <message>
+        <source>what the bridge loses; a motor file does not hold it</source>
+        <translation>was die Brücke verliert; steht in keiner Motordatei</translation>
+    </message>
+    <message>
+        <source>viscous and dry friction and a fan</source>
+        <translation>viskose und trockene Reibung und ein Lüfter</translation>
+    </message>
+    <message>
+        <source>viscous and dry friction</source>
+        <translation>viskose und trockene Reibung</translation>
+    </message>
+    <message>
+        <source>Model: %1; it leaves %2 % of the torque.</source>
+        <translation>Modell: %1; es lässt %2 % des Drehmoments offen.</translation>
+    </message>
+    <message>
+        <source>a motor file does not hold it</source>
+        <translation>steht in keiner Motordatei</translation>
+    </message>
+    <message>
+        <source>none seen; at most %1</source>
+        <translation>keiner zu sehen; höchstens %1</translation>
+    </message>
+    <message>
+        <source>Resistance Rs</source>
+        <translation>Widerstand Rs</translation>
+    </message>
+    <message>
+        <source>Dead time</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>Inductance Ld</source>
+        <translation>Induktivität Ld</translation>
+    </message>
+    <message>
+        <source>Inductance Lq</source>
+        <translation>Induktivität Lq</translation>
+    </message>
+    <message>
+        <source>Flux of the magnets</source>
+        <translation>Fluss der Magnete</translation>
+    </message>
+    <message>
+        <source>Inertia J</source>
+        <translation>Trägheit J</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Viskose Reibung</translation>
+    </message>
+    <message>
+        <source>Dry friction</source>
+        <translation>Trockene Reibung</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Lüfter</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest value</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>With 95 %</source>
+        <translation>Mit 95 %</translation>
+    </message>
+    <message>
+        <source>On the board</source>
+        <translation>Auf dem Board</translation>
+    </message>
+    <message>
+        <source>In the motor file</source>
+        <translation>In der Motordatei</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Anmerkungen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::MotorForm</name>
     <message>
         <source>Reading the motor&apos;s values</source>
@@ -4715,10 +5136,6 @@
     <message>
         <source>S&amp;ave…</source>
         <translation>S&amp;peichern …</translation>
-    </message>
-    <message>
-        <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
-        <translation>Schreibt in eine Datei, was das Board von seinem Motor sagt; auch der Simulator nimmt sie.</translation>
     </message>
     <message>
         <source>Motor and drive</source>
@@ -4804,6 +5221,22 @@
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke back</source>
+        <translation>Z&amp;urücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes the measured figures out of the description again that came into it last.</source>
+        <translation>Nimmt die zuletzt übernommenen gemessenen Werte wieder aus der Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Writes what the board says of its motor to a file, which the simulator takes, too; where measured figures are in use, the description that has them.</source>
+        <translation>Schreibt in eine Datei, was das Board von seinem Motor sagt; auch der Simulator liest sie. Sind gemessene Werte übernommen, wird die Beschreibung mit ihnen geschrieben.</translation>
+    </message>
+    <message>
+        <source>The description beside the board holds measured figures; Save writes them to a file.</source>
+        <translation>Die Beschreibung neben dem Board hat gemessene Werte; Speichern schreibt sie in eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -6090,6 +6523,158 @@
     <message>
         <source>Goes to another place in the recording. Back, it begins anew behind what the scope has already.</source>
         <translation>Geht zu einer anderen Stelle der Aufzeichnung. Zurück beginnt sie von vorn, hinter dem, was das Oszilloskop schon hat.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ResponsePage</name>
+    <message>
+        <source>stiff</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>The longer, the narrower the error bars</source>
+        <translation>Je länger, desto schmaler die Fehlerbalken</translation>
+    </message>
+    <message>
+        <source>speed loop, open</source>
+        <translation>Drehzahlkreis, offen</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>current loop, open</source>
+        <translation>Stromkreis, offen</translation>
+    </message>
+    <message>
+        <source>current loop, closed</source>
+        <translation>Stromkreis, geschlossen</translation>
+    </message>
+    <message>
+        <source>What if &amp;Kp</source>
+        <translation>Was wäre mit &amp;Kp</translation>
+    </message>
+    <message>
+        <source>Moves the predicted loop; nothing is written until Apply</source>
+        <translation>Bewegt den vorhergesagten Regelkreis; geschrieben wird erst mit „Anwenden“</translation>
+    </message>
+    <message>
+        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <translation>Drei Vorschläge aus dem gemessenen Motor: ruhig, mittel, schnell</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>A&amp;nwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation>&amp;Zurück zu den alten</translation>
+    </message>
+    <message>
+        <source>Loops: measured, thought of, proposed, proved</source>
+        <translation>Regelkreise: gemessen, gedacht, vorgeschlagen, geprüft</translation>
+    </message>
+    <message>
+        <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
+        <translation>Misst, wie Motor und Drehzahlregelung jeder Frequenz folgen; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>&amp;Current</source>
+        <translation>&amp;Strom</translation>
+    </message>
+    <message>
+        <source>Measures how the current follows its reference; then the motor is as it was.</source>
+        <translation>Misst, wie der Strom seinem Sollwert folgt; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>P&amp;rove</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Measures the response and steps of 200 rpm with the gains that were applied, and compares.</source>
+        <translation>Misst Frequenzgang und Sprünge von 200 rpm mit den angewendeten Verstärkungen und vergleicht.</translation>
+    </message>
+    <message>
+        <source>Apply gains first: they are what is proved.</source>
+        <translation>Zuerst Verstärkungen anwenden: Sie werden geprüft.</translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>With the gains that the board held then</source>
+        <translation>Mit den Verstärkungen, die das Board da hatte</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>was wäre wenn</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields, by the measured motor; its step is that of a fitted one</source>
+        <translation>Mit den Verstärkungen in den Feldern, am gemessenen Motor; der Sprung ist der eines angepassten</translation>
+    </message>
+    <message>
+        <source>Ms at most %1, phase margin at least %2°, at the worst end of each error bar</source>
+        <translation>Ms höchstens %1, Phasenreserve mindestens %2°, am schlechteren Ende jedes Fehlerbalkens</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>geprüft</translation>
+    </message>
+    <message>
+        <source>current loop</source>
+        <translation>Stromkreis</translation>
+    </message>
+    <message>
+        <source>As measured, at the current that flowed</source>
+        <translation>Wie gemessen, bei dem Strom, der floss</translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation>Zuerst den Frequenzgang der Drehzahl messen.</translation>
+    </message>
+    <message>
+        <source>Writes the gains in the fields as one step, which can be undone, and reads them back</source>
+        <translation>Schreibt die Verstärkungen in den Feldern als einen Schritt, der rückgängig zu machen ist, und liest sie zurück</translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation>Schreibt die Verstärkungen von vor dem ersten Anwenden, als einen Schritt</translation>
+    </message>
+    <message>
+        <source>Pr&amp;opose</source>
+        <translation>&amp;Vorschlagen</translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation>B&amp;ild</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <comment>a gain</comment>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>D&amp;rehzahl</translation>
     </message>
 </context>
 <context>
@@ -7839,26 +8424,6 @@ mN·m</translation>
 <context>
     <name>widgets::StepPage</name>
     <message>
-        <source>Done; the motor is as it was.</source>
-        <translation>Fertig; der Motor ist wie zuvor.</translation>
-    </message>
-    <message>
-        <source>Done; afterwards: %1.</source>
-        <translation>Fertig; danach: %1.</translation>
-    </message>
-    <message>
-        <source>Not carried out: %1.</source>
-        <translation>Nicht ausgeführt: %1.</translation>
-    </message>
-    <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation>Mit einem Stopp beendet: %1.</translation>
-    </message>
-    <message>
-        <source>Interrupted: %1.</source>
-        <translation>Unterbrochen: %1.</translation>
-    </message>
-    <message>
         <source>Steps in the picture</source>
         <translation>Sprünge im Bild</translation>
     </message>
@@ -7883,28 +8448,8 @@ mN·m</translation>
         <translation>Nimmt die gewählten Reihen aus Tabelle und Bild (Entf)</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stops every motor and disarms, as Esc does.</source>
-        <translation>Stoppt jeden Motor und hebt die Freigabe auf, wie Esc.</translation>
-    </message>
-    <message>
-        <source>Progress of the series</source>
-        <translation>Fortschritt der Reihe</translation>
-    </message>
-    <message>
-        <source>Not begun: the gain was not written in time.</source>
-        <translation>Nicht begonnen: Die Verstärkung wurde nicht rechtzeitig geschrieben.</translation>
-    </message>
-    <message>
         <source>The gains are being read.</source>
         <translation>Die Verstärkungen werden gelesen.</translation>
-    </message>
-    <message>
-        <source>Not begun: %1</source>
-        <translation>Nicht begonnen: %1</translation>
     </message>
     <message>
         <source>On the way to the first speed…</source>
@@ -8168,6 +8713,172 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Step</source>
         <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Identifizieren</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourPage</name>
+    <message>
+        <source>Stations of the tour</source>
+        <translation>Stationen des Rundgangs</translation>
+    </message>
+    <message>
+        <source>How near to instability the proposed gains go: Ms at most 1.4, 1.7, 2.0</source>
+        <translation>Wie nahe die Vorschläge an die Instabilität gehen: Ms höchstens 1,4, 1,7, 2,0</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>Of each response; the longer, the narrower its error bars</source>
+        <translation>Jedes Frequenzgangs; je länger, desto schmaler seine Fehlerbalken</translation>
+    </message>
+    <message>
+        <source>&amp;Goal</source>
+        <translation>Z&amp;iel</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>Measures windings, mechanics and the response of the speed, one after the other, and proposes gains; nothing is written.</source>
+        <translation>Misst Wicklungen, Mechanik und den Frequenzgang der Drehzahl, nacheinander, und schlägt Verstärkungen vor; geschrieben wird nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and prove</source>
+        <translation>A&amp;nwenden und prüfen</translation>
+    </message>
+    <message>
+        <source>Writes the proposed gains as one step, which can be undone, reads them back, and measures the response and steps with them.</source>
+        <translation>Schreibt die vorgeschlagenen Verstärkungen als einen Schritt, der rückgängig zu machen ist, liest sie zurück und misst Frequenzgang und Sprünge mit ihnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation>&amp;Zurück zu den alten</translation>
+    </message>
+    <message>
+        <source>The board sees its rotor and is armed.</source>
+        <translation>Das Board sieht seinen Läufer und ist freigegeben.</translation>
+    </message>
+    <message>
+        <source>The board observes its rotor without a sensor, and is armed.</source>
+        <translation>Das Board beobachtet seinen Läufer ohne Sensor und ist freigegeben.</translation>
+    </message>
+    <message>
+        <source>It takes the response of the tour.</source>
+        <translation>Dazu braucht es den Frequenzgang des Rundgangs.</translation>
+    </message>
+    <message>
+        <source>Crossover %1 Hz, Ms %2</source>
+        <translation>Durchtritt %1 Hz, Ms %2</translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation>Schreibt die Verstärkungen von vor dem ersten Anwenden, als einen Schritt</translation>
+    </message>
+    <message>
+        <source>No gains keep the distance of this goal.</source>
+        <translation>Keine Verstärkungen halten den Abstand dieses Ziels.</translation>
+    </message>
+    <message>
+        <source>Kp %1, Ki %2: crossover %3 Hz, phase margin %4°, Ms %5 predicted</source>
+        <translation>Kp %1, Ki %2: Durchtritt %3 Hz, Phasenreserve %4°, Ms %5 vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1; the board holds them.</source>
+        <translation>%1; das Board hat sie.</translation>
+    </message>
+    <message>
+        <source>%1; not written yet.</source>
+        <translation>%1; noch nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt the tour</source>
+        <translation>&amp;Rundgang beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourSteps</name>
+    <message>
+        <source>1. Check</source>
+        <translation>1. Prüfung</translation>
+    </message>
+    <message>
+        <source>2. Rs, L, flux</source>
+        <translation>2. Rs, L, Fluss</translation>
+    </message>
+    <message>
+        <source>3. Inertia, friction</source>
+        <translation>3. Trägheit, Reibung</translation>
+    </message>
+    <message>
+        <source>4. Response</source>
+        <translation>4. Frequenzgang</translation>
+    </message>
+    <message>
+        <source>5. Gains</source>
+        <translation>5. Verstärkungen</translation>
+    </message>
+    <message>
+        <source>6. Proof</source>
+        <translation>6. Beweis</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>▶ runs</source>
+        <translation>▶ läuft</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ fertig</translation>
+    </message>
+    <message>
+        <source>? not conclusive</source>
+        <translation>? nicht schlüssig</translation>
+    </message>
+    <message>
+        <source>– not possible here</source>
+        <translation>– hier nicht möglich</translation>
+    </message>
+    <message>
+        <source>✖ ended</source>
+        <translation>✖ beendet</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was dabei herauskam</translation>
     </message>
 </context>
 <context>
