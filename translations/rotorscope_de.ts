@@ -152,6 +152,14 @@
         <translation>Sprünge der Drehzahl; ausführen</translation>
     </message>
     <message>
+        <source>Identify the motor; its frequency response</source>
+        <translation>Motor identifizieren; sein Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Tour from an unknown motor to proved gains</source>
+        <translation>Rundgang vom unbekannten Motor zu geprüften Verstärkungen</translation>
+    </message>
+    <message>
         <source>Notes; motion log; run book</source>
         <translation>Notizen; Bewegungsprotokoll; Versuchsbuch</translation>
     </message>
@@ -1777,6 +1785,10 @@
         <source>Keys that are not known were passed over.</source>
         <translation>Unbekannte Schlüssel wurden übergangen.</translation>
     </message>
+    <message>
+        <source>Dry friction</source>
+        <translation>Trockene Reibung</translation>
+    </message>
 </context>
 <context>
     <name>Opening</name>
@@ -1822,6 +1834,141 @@
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
         <translation>Sie ist größer als die %1 GB Platz dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
+    </message>
+</context>
+<context>
+    <name>PlanQuestion</name>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
+        <translation>
+            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jede %3 lang gehalten.</numerusform>
+            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jede %3 lang gehalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>For %1 its torque jumps and drives it or lets it coast, between %2 and %3; the current along the magnets jumps within ±%4.</source>
+        <translation>%1 lang springt sein Drehmoment, treibt ihn an oder lässt ihn auslaufen, zwischen %2 und %3; der Strom längs der Magnete springt innerhalb von ±%4.</translation>
+    </message>
+    <message>
+        <source>For %1 its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
+        <translation>%1 lang treibt ihn sein Drehmoment an oder lässt ihn auslaufen, zwischen %2 und %3; gebremst wird er nie.</translation>
+    </message>
+    <message>
+        <source>For %1 its speed jumps at random between %2 and %3.</source>
+        <translation>%1 lang springt seine Drehzahl zufällig zwischen %2 und %3.</translation>
+    </message>
+    <message>
+        <source>At rest: currents from %1 to %2 along the magnets.</source>
+        <translation>Im Stillstand: Ströme von %1 bis %2 längs der Magnete.</translation>
+    </message>
+    <message>
+        <source>In its start-up, whose stages are borrowed and do not turn: currents of %1 and %2; then it is stopped.</source>
+        <translation>Im Anlauf, dessen Stufen geliehen sind und nicht drehen: Ströme von %1 und %2; danach wird er gestoppt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): its current jumps from %1 to %2 and back.</source>
+        <translation>
+            <numerusform>%n-mal: sein Strom springt von %1 auf %2 und zurück.</numerusform>
+            <numerusform>%n-mal: sein Strom springt von %1 auf %2 und zurück.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <comment>of the current</comment>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>It rests.</source>
+        <translation>Er steht.</translation>
+    </message>
+    <message>
+        <source>It runs: from %1 to %2 in %3.</source>
+        <translation>Er läuft: von %1 auf %2 in %3.</translation>
+    </message>
+    <message>
+        <source>It rests: start, then to %1 in %2.</source>
+        <translation>Er steht: Start, dann auf %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Then back to %1 in %2.</source>
+        <translation>Danach zurück auf %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Then the motor is stopped, and its old set-point comes back.</source>
+        <translation>Danach wird der Motor gestoppt und bekommt seinen alten Sollwert zurück.</translation>
+    </message>
+    <message>
+        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation>Sofort gestoppt wird unter %1 oder über %2, jenseits von %3 Iq, und wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>While it starts, only %1 and the current bound it.</source>
+        <translation>Während des Starts begrenzen ihn nur %1 und der Strom.</translation>
+    </message>
+    <message>
+        <source>It runs: from %1, and back there after each of these.</source>
+        <translation>Er läuft: von %1, und nach jedem von diesen dorthin zurück.</translation>
+    </message>
+    <message>
+        <source>It rests: it is started for each of these, and stopped behind it.</source>
+        <translation>Er steht: für jedes von diesen wird er gestartet und danach gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1. %2 Stopped below %3, above %4, beyond %5.</source>
+        <comment>number, what is done, caps</comment>
+        <translation>%1. %2 Gestoppt unter %3, über %4, jenseits von %5.</translation>
+    </message>
+    <message>
+        <source>Also stopped where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation>Gestoppt wird auch, wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Inductances and flux</source>
+        <translation>Induktivitäten und Fluss</translation>
+    </message>
+    <message>
+        <source>Inertia and friction</source>
+        <translation>Trägheit und Reibung</translation>
+    </message>
+    <message>
+        <source>Response of the current</source>
+        <translation>Frequenzgang des Stroms</translation>
+    </message>
+    <message>
+        <source>Response of the speed</source>
+        <translation>Frequenzgang der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>Steps of the current</source>
+        <translation>Sprünge des Stroms</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>This will move motor %1 by itself. Go on?</source>
+        <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
+    </message>
+    <message>
+        <source>The like within these caps is not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation>Nach Gleichem innerhalb dieser Grenzen wird nicht wieder gefragt, bis die Freigabe endet. Esc stoppt jederzeit jeden Motor.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
     </message>
 </context>
 <context>
@@ -2165,65 +2312,6 @@
     </message>
 </context>
 <context>
-    <name>StepQuestion</name>
-    <message>
-        <source>rpm</source>
-        <translation>rpm</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Sprünge</translation>
-    </message>
-    <message>
-        <source>This will move motor %1 by itself. Go on?</source>
-        <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
-    </message>
-    <message>
-        <source>It runs: from %1 to %2 in %3.</source>
-        <translation>Er läuft: von %1 auf %2 in %3.</translation>
-    </message>
-    <message>
-        <source>It rests: start, then to %1 in %2.</source>
-        <translation>Er steht: Start, dann auf %1 in %2.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
-        <translation>
-            <numerusform>Einmal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
-            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Then back to %1 in %2.</source>
-        <translation>Danach zurück auf %1 in %2.</translation>
-    </message>
-    <message>
-        <source>Then the motor is stopped, and its old set-point comes back.</source>
-        <translation>Danach wird der Motor gestoppt und bekommt seinen alten Sollwert zurück.</translation>
-    </message>
-    <message>
-        <source>no bound</source>
-        <comment>of the current</comment>
-        <translation>keine Grenze</translation>
-    </message>
-    <message>
-        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
-        <translation>Sofort gestoppt wird unter %1 oder über %2, jenseits von %3 Iq, und wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
-    </message>
-    <message>
-        <source>While it starts, only %1 and the current bound it.</source>
-        <translation>Während des Starts begrenzen ihn nur %1 und der Strom.</translation>
-    </message>
-    <message>
-        <source>Series within these caps are not asked about again until disarmed. Esc stops every motor at any time.</source>
-        <translation>Nach Reihen innerhalb dieser Grenzen wird bis zum Aufheben der Freigabe nicht mehr gefragt. Esc stoppt jederzeit jeden Motor.</translation>
-    </message>
-    <message>
-        <source>Run steps</source>
-        <translation>Springen</translation>
-    </message>
-</context>
-<context>
     <name>Ticks</name>
     <message>
         <source>%1/div</source>
@@ -2563,6 +2651,39 @@
         <source>Motor %1: %2</source>
         <comment>number, state</comment>
         <translation>Motor %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BodePlot</name>
+    <message>
+        <source>No response yet.</source>
+        <translation>Noch kein Frequenzgang.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: bewegen. F: alles.</translation>
+    </message>
+    <message>
+        <source>dB of %1</source>
+        <comment>a unit</comment>
+        <translation>dB von %1</translation>
+    </message>
+    <message>
+        <source>Coh.</source>
+        <comment>coherence, short</comment>
+        <translation>Koh.</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
     </message>
 </context>
 <context>
@@ -3147,10 +3268,6 @@
 <context>
     <name>widgets::EventPanel</name>
     <message>
-        <source>Markers on&amp;ly</source>
-        <translation>N&amp;ur Markierungen</translation>
-    </message>
-    <message>
         <source>Events and markers</source>
         <translation>Ereignisse und Markierungen</translation>
     </message>
@@ -3159,16 +3276,20 @@
         <translation>Enter zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
     </message>
     <message>
-        <source>Delete m&amp;arkers</source>
-        <translation>Markierungen &amp;löschen</translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <source>Set a mar&amp;ker</source>
-        <translation>Markierung set&amp;zen</translation>
+        <translation>Mar&amp;kierung setzen</translation>
+    </message>
+    <message>
+        <source>Markers on&amp;ly</source>
+        <translation>N&amp;ur Markierungen</translation>
+    </message>
+    <message>
+        <source>Delete m&amp;arkers</source>
+        <translation>Markierungen &amp;löschen</translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3374,76 @@
         <source>Another board: %1</source>
         <comment>its names</comment>
         <translation>Anderes Board: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ExperimentBar</name>
+    <message>
+        <source>Done; the motor is as it was.</source>
+        <translation>Fertig; der Motor ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Done; afterwards: %1.</source>
+        <translation>Fertig; danach: %1.</translation>
+    </message>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation>Nicht ausgeführt: %1.</translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation>Mit einem Stopp beendet: %1.</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation>Unterbrochen: %1.</translation>
+    </message>
+    <message>
+        <source>Not begun: the gains were not written in time.</source>
+        <translation>Nicht begonnen: Die Verstärkungen wurden nicht rechtzeitig geschrieben.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops every motor and disarms, as Esc does.</source>
+        <translation>Stoppt jeden Motor und hebt die Freigabe auf, wie Esc.</translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation>Fortschritt des Versuchs</translation>
+    </message>
+    <message>
+        <source>%1 is measured at rest: stop the motor first.</source>
+        <comment>Resistance</comment>
+        <translation>%1: wird im Stillstand gemessen, den Motor zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>What was measured is being evaluated.</source>
+        <translation>Das Gemessene wird ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Not continued: %1</source>
+        <translation>Nicht fortgesetzt: %1</translation>
+    </message>
+    <message>
+        <source>What comes next is not agreed to any more.</source>
+        <translation>Dem Folgenden ist nicht mehr zugestimmt.</translation>
+    </message>
+    <message>
+        <source>Not begun: %1</source>
+        <translation>Nicht begonnen: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 s of about %3 s</source>
+        <comment>what is measured, times</comment>
+        <translation>%1: %2 s von etwa %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>text of a button, why it is greyed</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3892,6 +4083,52 @@
     </message>
 </context>
 <context>
+    <name>widgets::Identification</name>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::IdentifyPage</name>
+    <message>
+        <source>What was measured of the motor</source>
+        <translation>Was am Motor gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Measures resistance and dead time at rest, then inductances and flux while it turns; then the motor is as it was.</source>
+        <translation>Misst Widerstand und Totzeit im Stillstand, dann Induktivitäten und Fluss im Lauf; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
+        <translation>Misst Trägheit und Reibung, während der Motor angetrieben wird und ausläuft; danach ist er wie zuvor.</translation>
+    </message>
+    <message>
+        <source>&amp;Use in motor file</source>
+        <translation>In Motordatei &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Puts the measured figures into the description beside the board&apos;s, in Motor and drive; nothing is written to the board.</source>
+        <translation>Übernimmt die gemessenen Werte in die Beschreibung neben der des Boards, in „Motor und Antrieb“; auf das Board wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Take &amp;back</source>
+        <translation>&amp;Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes them out of it again.</source>
+        <translation>Nimmt sie dort wieder heraus.</translation>
+    </message>
+    <message>
+        <source>E&amp;lectrical</source>
+        <translation>E&amp;lektrisch</translation>
+    </message>
+    <message>
+        <source>Mecha&amp;nical</source>
+        <translation>Mecha&amp;nisch</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Jog</name>
     <message>
         <source>Jog</source>
@@ -4052,6 +4289,94 @@
     <message>
         <source>Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.</source>
         <translation>Pfeiltasten oder Rad: 5 % je Raste, sofort geschrieben. Rückgängig nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopRows</name>
+    <message>
+        <source>Loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>Crossover</source>
+        <translation>Durchtritt</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Ms</source>
+        <translation>Ms</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopTuning</name>
+    <message>
+        <source>Kp %1, Ki %2</source>
+        <comment>digits</comment>
+        <translation>Kp %1, Ki %2</translation>
+    </message>
+    <message>
+        <source>The gains are being read.</source>
+        <translation>Die Verstärkungen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation>Zuerst den Frequenzgang der Drehzahl messen.</translation>
+    </message>
+    <message>
+        <source>An experiment is running.</source>
+        <translation>Ein Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>The board holds these gains.</source>
+        <translation>Das Board hat diese Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>gains of the speed loop, %1</source>
+        <translation>Verstärkungen des Drehzahlreglers, %1</translation>
+    </message>
+    <message>
+        <source>No gains were written from here.</source>
+        <translation>Von hier wurden keine Verstärkungen geschrieben.</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>zurück zu %1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>a value</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The loop keeps what was predicted: Ms %1, at most %2 promised.</source>
+        <translation>Der Regelkreis hält, was vorhergesagt war: Ms %1, zugesagt höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation>Schlechter als vorhergesagt: Ms %1, zugesagt höchstens %2. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
     </message>
 </context>
 <context>
@@ -4366,7 +4691,7 @@
     <name>widgets::MathPanel</name>
     <message>
         <source>&amp;Remove</source>
-        <translation>Ent&amp;fernen</translation>
+        <translation>&amp;Entfernen</translation>
     </message>
     <message>
         <source>Math channels</source>
@@ -4377,24 +4702,8 @@
         <translation>Buchstaben A bis Z, Ziffern und _; andere Formeln benutzen den Kanal unter diesem Namen.</translation>
     </message>
     <message>
-        <source>Ne&amp;w</source>
-        <translation>&amp;Neu</translation>
-    </message>
-    <message>
-        <source>Read&amp;y formulas</source>
-        <translation>Fer&amp;tige Formeln</translation>
-    </message>
-    <message>
         <source>&amp;Insert</source>
         <translation>E&amp;infügen</translation>
-    </message>
-    <message>
-        <source>&amp;Name</source>
-        <translation>Nam&amp;e</translation>
-    </message>
-    <message>
-        <source>F&amp;ormula</source>
-        <translation>Forme&amp;l</translation>
     </message>
     <message>
         <source>There is no signal in it.</source>
@@ -4409,12 +4718,8 @@
         <translation>So heißt schon ein Signal oder eine Funktion.</translation>
     </message>
     <message>
-        <source>&amp;Change</source>
-        <translation>Ände&amp;rn</translation>
-    </message>
-    <message>
         <source>&amp;Add</source>
-        <translation>Hin&amp;zufügen</translation>
+        <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
         <source>There is no room for more than %1.</source>
@@ -4434,6 +4739,22 @@
         <translation>Aufzeichnen</translation>
     </message>
     <message>
+        <source>Ne&amp;w</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Read&amp;y formulas</source>
+        <translation>Fer&amp;tige Formeln</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>Nam&amp;e</translation>
+    </message>
+    <message>
+        <source>F&amp;ormula</source>
+        <translation>Forme&amp;l</translation>
+    </message>
+    <message>
         <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
         <translation>Wo einer Formel ein Signal des Boards fehlt, das nicht im Oszilloskop ist, holt es dies dorthin.</translation>
     </message>
@@ -4441,6 +4762,10 @@
         <source>The board has %1: puts it on the scope.</source>
         <comment>a signal</comment>
         <translation>Das Board hat %1: holt es ins Oszilloskop.</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Ände&amp;rn</translation>
     </message>
 </context>
 <context>
@@ -4486,15 +4811,23 @@
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>Hin&amp;zufügen</translation>
-    </message>
-    <message>
-        <source>Rem&amp;ove</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Clear statistics</source>
         <translation>&amp;Statistik leeren</translation>
+    </message>
+    <message>
+        <source>A&amp;gainst</source>
+        <translation>&amp;Gegen</translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation>&amp;In</translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove</source>
+        <translation>&amp;Entfernen</translation>
     </message>
     <message>
         <source>Co&amp;py</source>
@@ -4507,14 +4840,6 @@
     <message>
         <source>Meas&amp;ure</source>
         <translation>Mess&amp;ung</translation>
-    </message>
-    <message>
-        <source>A&amp;gainst</source>
-        <translation>Gege&amp;n</translation>
-    </message>
-    <message>
-        <source>&amp;In</source>
-        <translation>&amp;In</translation>
     </message>
 </context>
 <context>
@@ -4774,6 +5099,102 @@
     </message>
 </context>
 <context>
+    <name>widgets::MotorFindings</name>
+    <message>
+        <source>of a phase with its switches, as warm as it is now</source>
+        <translation>eines Strangs mit seinen Schaltern, so warm wie jetzt</translation>
+    </message>
+    <message>
+        <source>what the bridge loses; a motor file does not hold it</source>
+        <translation>was die Brücke verliert; steht in keiner Motordatei</translation>
+    </message>
+    <message>
+        <source>viscous and dry friction and a fan</source>
+        <translation>viskose und trockene Reibung und ein Lüfter</translation>
+    </message>
+    <message>
+        <source>viscous and dry friction</source>
+        <translation>viskose und trockene Reibung</translation>
+    </message>
+    <message>
+        <source>Model: %1; it leaves %2 % of the torque.</source>
+        <translation>Modell: %1; es lässt %2 % des Drehmoments offen.</translation>
+    </message>
+    <message>
+        <source>a motor file does not hold it</source>
+        <translation>steht in keiner Motordatei</translation>
+    </message>
+    <message>
+        <source>none seen; at most %1</source>
+        <translation>keiner zu sehen; höchstens %1</translation>
+    </message>
+    <message>
+        <source>Resistance Rs</source>
+        <translation>Widerstand Rs</translation>
+    </message>
+    <message>
+        <source>Dead time</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>Inductance Ld</source>
+        <translation>Induktivität Ld</translation>
+    </message>
+    <message>
+        <source>Inductance Lq</source>
+        <translation>Induktivität Lq</translation>
+    </message>
+    <message>
+        <source>Flux of the magnets</source>
+        <translation>Fluss der Magnete</translation>
+    </message>
+    <message>
+        <source>Inertia J</source>
+        <translation>Trägheit J</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Viskose Reibung</translation>
+    </message>
+    <message>
+        <source>Dry friction</source>
+        <translation>Trockene Reibung</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Lüfter</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest value</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>With 95 %</source>
+        <translation>Mit 95 %</translation>
+    </message>
+    <message>
+        <source>On the board</source>
+        <translation>Auf dem Board</translation>
+    </message>
+    <message>
+        <source>In the motor file</source>
+        <translation>In der Motordatei</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Anmerkungen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::MotorForm</name>
     <message>
         <source>Reading the motor&apos;s values</source>
@@ -4805,11 +5226,7 @@
     </message>
     <message>
         <source>S&amp;ave…</source>
-        <translation>Sp&amp;eichern …</translation>
-    </message>
-    <message>
-        <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
-        <translation>Schreibt in eine Datei, was das Board von seinem Motor sagt; auch der Simulator nimmt sie.</translation>
+        <translation>S&amp;peichern …</translation>
     </message>
     <message>
         <source>Motor and drive</source>
@@ -4895,6 +5312,22 @@
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke back</source>
+        <translation>Z&amp;urücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes the measured figures out of the description again that came into it last.</source>
+        <translation>Nimmt die zuletzt übernommenen gemessenen Werte wieder aus der Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Writes what the board says of its motor to a file, which the simulator takes, too; where measured figures are in use, the description that has them.</source>
+        <translation>Schreibt in eine Datei, was das Board von seinem Motor sagt; auch der Simulator liest sie. Sind gemessene Werte übernommen, wird die Beschreibung mit ihnen geschrieben.</translation>
+    </message>
+    <message>
+        <source>The description beside the board holds measured figures; Save writes them to a file.</source>
+        <translation>Die Beschreibung neben dem Board hat gemessene Werte; Speichern schreibt sie in eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -5673,10 +6106,6 @@
         <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
     </message>
     <message>
-        <source>Sho&amp;w</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>aus</translation>
     </message>
@@ -5693,16 +6122,12 @@
         <translation>Als &amp;Referenz A behalten</translation>
     </message>
     <message>
-        <source>Drop &amp;A</source>
-        <translation>A &amp;verwerfen</translation>
-    </message>
-    <message>
         <source>Keep as reference &amp;B</source>
-        <translation>Als Re&amp;ferenz B behalten</translation>
+        <translation>Als Referenz &amp;B behalten</translation>
     </message>
     <message>
         <source>Dr&amp;op B</source>
-        <translation>B verwerfe&amp;n</translation>
+        <translation>B ver&amp;werfen</translation>
     </message>
     <message>
         <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
@@ -5710,7 +6135,7 @@
     </message>
     <message>
         <source>C&amp;lear</source>
-        <translation>L&amp;eeren</translation>
+        <translation>Leere&amp;n</translation>
     </message>
     <message>
         <source>Clear the persistence</source>
@@ -5719,6 +6144,14 @@
     <message>
         <source>Takes the earlier records out of the picture; those to come stay again</source>
         <translation>Nimmt die früheren Aufnahmen aus dem Bild; die nächsten bleiben wieder stehen</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Drop &amp;A</source>
+        <translation>A &amp;verwerfen</translation>
     </message>
 </context>
 <context>
@@ -6184,6 +6617,158 @@
     </message>
 </context>
 <context>
+    <name>widgets::ResponsePage</name>
+    <message>
+        <source>stiff</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>The longer, the narrower the error bars</source>
+        <translation>Je länger, desto schmaler die Fehlerbalken</translation>
+    </message>
+    <message>
+        <source>speed loop, open</source>
+        <translation>Drehzahlkreis, offen</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>current loop, open</source>
+        <translation>Stromkreis, offen</translation>
+    </message>
+    <message>
+        <source>current loop, closed</source>
+        <translation>Stromkreis, geschlossen</translation>
+    </message>
+    <message>
+        <source>What if &amp;Kp</source>
+        <translation>Was wäre mit &amp;Kp</translation>
+    </message>
+    <message>
+        <source>Moves the predicted loop; nothing is written until Apply</source>
+        <translation>Bewegt den vorhergesagten Regelkreis; geschrieben wird erst mit „Anwenden“</translation>
+    </message>
+    <message>
+        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <translation>Drei Vorschläge aus dem gemessenen Motor: ruhig, mittel, schnell</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>A&amp;nwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation>&amp;Zurück zu den alten</translation>
+    </message>
+    <message>
+        <source>Loops: measured, thought of, proposed, proved</source>
+        <translation>Regelkreise: gemessen, gedacht, vorgeschlagen, geprüft</translation>
+    </message>
+    <message>
+        <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
+        <translation>Misst, wie Motor und Drehzahlregelung jeder Frequenz folgen; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>&amp;Current</source>
+        <translation>&amp;Strom</translation>
+    </message>
+    <message>
+        <source>Measures how the current follows its reference; then the motor is as it was.</source>
+        <translation>Misst, wie der Strom seinem Sollwert folgt; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>P&amp;rove</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Measures the response and steps of 200 rpm with the gains that were applied, and compares.</source>
+        <translation>Misst Frequenzgang und Sprünge von 200 rpm mit den angewendeten Verstärkungen und vergleicht.</translation>
+    </message>
+    <message>
+        <source>Apply gains first: they are what is proved.</source>
+        <translation>Zuerst Verstärkungen anwenden: Sie werden geprüft.</translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>With the gains that the board held then</source>
+        <translation>Mit den Verstärkungen, die das Board da hatte</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>was wäre wenn</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields, by the measured motor; its step is that of a fitted one</source>
+        <translation>Mit den Verstärkungen in den Feldern, am gemessenen Motor; der Sprung ist der eines angepassten</translation>
+    </message>
+    <message>
+        <source>Ms at most %1, phase margin at least %2°, at the worst end of each error bar</source>
+        <translation>Ms höchstens %1, Phasenreserve mindestens %2°, am schlechteren Ende jedes Fehlerbalkens</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>geprüft</translation>
+    </message>
+    <message>
+        <source>current loop</source>
+        <translation>Stromkreis</translation>
+    </message>
+    <message>
+        <source>As measured, at the current that flowed</source>
+        <translation>Wie gemessen, bei dem Strom, der floss</translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation>Zuerst den Frequenzgang der Drehzahl messen.</translation>
+    </message>
+    <message>
+        <source>Writes the gains in the fields as one step, which can be undone, and reads them back</source>
+        <translation>Schreibt die Verstärkungen in den Feldern als einen Schritt, der rückgängig zu machen ist, und liest sie zurück</translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation>Schreibt die Verstärkungen von vor dem ersten Anwenden, als einen Schritt</translation>
+    </message>
+    <message>
+        <source>Pr&amp;opose</source>
+        <translation>&amp;Vorschlagen</translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation>B&amp;ild</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <comment>a gain</comment>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>D&amp;rehzahl</translation>
+    </message>
+</context>
+<context>
     <name>widgets::RevUpChart</name>
     <message>
         <source>Picture of the rev-up: speed and current over time</source>
@@ -6621,56 +7206,16 @@ mN·m</translation>
         <translation>Das Häkchen gibt einem Lauf seinen Stern, F2 seine Notiz.</translation>
     </message>
     <message>
-        <source>Run %1 is kept.</source>
-        <comment>number</comment>
-        <translation>Lauf %1 ist aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>Keep experiments in a folder</source>
-        <translation>Versuche in einem Ordner aufbewahren</translation>
-    </message>
-    <message>
-        <source>Experiments are not kept: choose a folder for them.</source>
-        <translation>Versuche werden nicht aufbewahrt: bitte einen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>Every experiment is kept in %1</source>
-        <comment>folder</comment>
-        <translation>Jeder Versuch wird aufbewahrt in %1</translation>
-    </message>
-    <message>
-        <source>Reading the run book</source>
-        <translation>Versuchsbuch wird gelesen</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <comment>folder, reason</comment>
-        <translation>%1 kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>The note of run %1 is not kept: %2.</source>
-        <comment>number, reason</comment>
-        <translation>Die Notiz von Lauf %1 ist nicht aufbewahrt: %2.</translation>
-    </message>
-    <message>
-        <source>Shows which registers differ between both runs</source>
-        <translation>Zeigt, welche Register sich zwischen beiden Läufen unterscheiden</translation>
-    </message>
-    <message>
-        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
-        <translation>Zeigt, was das Board anders hält als nach diesem Lauf; Wiederherstellen schreibt es</translation>
-    </message>
-    <message>
-        <source>Lays one or two runs behind what the scope shows, as references</source>
-        <translation>Legt einen oder zwei Läufe als Referenzen hinter das Bild des Oszilloskops</translation>
-    </message>
-    <message>
-        <source>Opens the recording of the run, in place of what is shown</source>
-        <translation>Öffnet die Aufzeichnung des Laufs anstelle dessen, was gezeigt wird</translation>
-    </message>
-    <message>
         <source>Folder…</source>
         <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>Aufzeichnung aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <translation>Bewahrt jeden Abschnitt einer Aufzeichnung zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
     </message>
     <message>
         <source>As reference</source>
@@ -6681,20 +7226,13 @@ mN·m</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Compare registers</source>
-        <translation>Register vergleichen</translation>
+        <source>Run %1 is kept.</source>
+        <comment>number</comment>
+        <translation>Lauf %1 ist aufbewahrt.</translation>
     </message>
     <message>
-        <source>Back to this run…</source>
-        <translation>Zurück zu diesem Lauf…</translation>
-    </message>
-    <message>
-        <source>Add a recording…</source>
-        <translation>Aufzeichnung aufnehmen…</translation>
-    </message>
-    <message>
-        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
-        <translation>Bewahrt jeden Abschnitt einer Aufzeichnung zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
+        <source>Keep experiments in a folder</source>
+        <translation>Versuche in einem Ordner aufbewahren</translation>
     </message>
     <message>
         <source>Add a recording to the run book</source>
@@ -6726,6 +7264,53 @@ mN·m</translation>
             <numerusform>%n Abschnitt fehlt, weil er kurz ist.</numerusform>
             <numerusform>%n Abschnitte fehlen, weil sie kurz sind.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Experiments are not kept: choose a folder for them.</source>
+        <translation>Versuche werden nicht aufbewahrt: bitte einen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Every experiment is kept in %1</source>
+        <comment>folder</comment>
+        <translation>Jeder Versuch wird aufbewahrt in %1</translation>
+    </message>
+    <message>
+        <source>Reading the run book</source>
+        <translation>Versuchsbuch wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>folder, reason</comment>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The note of run %1 is not kept: %2.</source>
+        <comment>number, reason</comment>
+        <translation>Die Notiz von Lauf %1 ist nicht aufbewahrt: %2.</translation>
+    </message>
+    <message>
+        <source>Compare registers</source>
+        <translation>Register vergleichen</translation>
+    </message>
+    <message>
+        <source>Back to this run…</source>
+        <translation>Zurück zu diesem Lauf…</translation>
+    </message>
+    <message>
+        <source>Shows which registers differ between both runs</source>
+        <translation>Zeigt, welche Register sich zwischen beiden Läufen unterscheiden</translation>
+    </message>
+    <message>
+        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
+        <translation>Zeigt, was das Board anders hält als nach diesem Lauf; Wiederherstellen schreibt es</translation>
+    </message>
+    <message>
+        <source>Lays one or two runs behind what the scope shows, as references</source>
+        <translation>Legt einen oder zwei Läufe als Referenzen hinter das Bild des Oszilloskops</translation>
+    </message>
+    <message>
+        <source>Opens the recording of the run, in place of what is shown</source>
+        <translation>Öffnet die Aufzeichnung des Laufs anstelle dessen, was gezeigt wird</translation>
     </message>
 </context>
 <context>
@@ -7566,22 +8151,18 @@ mN·m</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Read the b&amp;oard</source>
-        <translation>Board &amp;lesen</translation>
-    </message>
-    <message>
         <source>Reads every register of the board again</source>
         <translation>Liest jedes Register des Boards noch einmal</translation>
     </message>
     <message>
         <source>&amp;A</source>
         <comment>the first of two snapshots</comment>
-        <translation>A</translation>
+        <translation>&amp;A</translation>
     </message>
     <message>
         <source>&amp;B</source>
         <comment>the second of two snapshots</comment>
-        <translation>B</translation>
+        <translation>&amp;B</translation>
     </message>
     <message>
         <source>Filter by name or group</source>
@@ -7590,10 +8171,6 @@ mN·m</translation>
     <message>
         <source>Filter the differences</source>
         <translation>Unterschiede filtern</translation>
-    </message>
-    <message>
-        <source>Meas&amp;ured values, too</source>
-        <translation>Auch M&amp;esswerte</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -7616,7 +8193,7 @@ mN·m</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
-        <translation>W&amp;iederherstellen</translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Writes what is checked and shown to the board and reads it back</source>
@@ -7666,16 +8243,24 @@ mN·m</translation>
         <translation>%1 bei %2 s</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>&amp;Sichern…</translation>
-    </message>
-    <message>
         <source>Save a snapshot</source>
         <translation>Schnappschuss sichern</translation>
     </message>
     <message>
         <source>It is not known whether these were written:</source>
         <translation>Es ist nicht bekannt, ob diese geschrieben wurden:</translation>
+    </message>
+    <message>
+        <source>Read the b&amp;oard</source>
+        <translation>Board &amp;lesen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>&amp;Sichern…</translation>
+    </message>
+    <message>
+        <source>Meas&amp;ured values, too</source>
+        <translation>Auch M&amp;esswerte</translation>
     </message>
 </context>
 <context>
@@ -7752,10 +8337,6 @@ mN·m</translation>
         <translation>Dezibel</translation>
     </message>
     <message>
-        <source>T&amp;race</source>
-        <translation>&amp;Kurve</translation>
-    </message>
-    <message>
         <source>&amp;In</source>
         <translation>&amp;In</translation>
     </message>
@@ -7768,24 +8349,12 @@ mN·m</translation>
         <translation>&amp;Länge</translation>
     </message>
     <message>
-        <source>Avera&amp;ge</source>
-        <translation>Mi&amp;ttelung</translation>
-    </message>
-    <message>
-        <source>A&amp;xis</source>
-        <translation>A&amp;chse</translation>
-    </message>
-    <message>
-        <source>S&amp;cale</source>
-        <translation>&amp;Skala</translation>
-    </message>
-    <message>
         <source>Forgets what was averaged</source>
         <translation>Vergisst, was gemittelt wurde</translation>
     </message>
     <message>
         <source>C&amp;opy</source>
-        <translation>Ko&amp;pieren</translation>
+        <translation>K&amp;opieren</translation>
     </message>
     <message>
         <source>The table of peaks</source>
@@ -7836,10 +8405,6 @@ mN·m</translation>
         <translation>Der Mittelwert so vieler Spektren nacheinander, aus Abtastwerten, die sich nicht überlappen</translation>
     </message>
     <message>
-        <source>Rest&amp;art</source>
-        <translation>&amp;Neu starten</translation>
-    </message>
-    <message>
         <source>orders: largest peak</source>
         <translation>Ordnungen: höchste Spitze</translation>
     </message>
@@ -7847,6 +8412,26 @@ mN·m</translation>
         <source>orders: %1</source>
         <comment>name of a speed</comment>
         <translation>Ordnungen: %1</translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>Avera&amp;ge</source>
+        <translation>Mi&amp;ttelung</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>A&amp;chse</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>&amp;Skala</translation>
+    </message>
+    <message>
+        <source>Rest&amp;art</source>
+        <translation>&amp;Neu starten</translation>
     </message>
 </context>
 <context>
@@ -8061,7 +8646,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Fr&amp;om</source>
-        <translation>Vo&amp;n</translation>
+        <translation>V&amp;on</translation>
     </message>
     <message>
         <source>to</source>
@@ -8107,26 +8692,6 @@ mN·m</translation>
 <context>
     <name>widgets::StepPage</name>
     <message>
-        <source>Done; the motor is as it was.</source>
-        <translation>Fertig; der Motor ist wie zuvor.</translation>
-    </message>
-    <message>
-        <source>Done; afterwards: %1.</source>
-        <translation>Fertig; danach: %1.</translation>
-    </message>
-    <message>
-        <source>Not carried out: %1.</source>
-        <translation>Nicht ausgeführt: %1.</translation>
-    </message>
-    <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation>Mit einem Stopp beendet: %1.</translation>
-    </message>
-    <message>
-        <source>Interrupted: %1.</source>
-        <translation>Unterbrochen: %1.</translation>
-    </message>
-    <message>
         <source>Steps in the picture</source>
         <translation>Sprünge im Bild</translation>
     </message>
@@ -8151,28 +8716,8 @@ mN·m</translation>
         <translation>Nimmt die gewählten Reihen aus Tabelle und Bild (Entf)</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stops every motor and disarms, as Esc does.</source>
-        <translation>Stoppt jeden Motor und hebt die Freigabe auf, wie Esc.</translation>
-    </message>
-    <message>
-        <source>Progress of the series</source>
-        <translation>Fortschritt der Reihe</translation>
-    </message>
-    <message>
-        <source>Not begun: the gain was not written in time.</source>
-        <translation>Nicht begonnen: Die Verstärkung wurde nicht rechtzeitig geschrieben.</translation>
-    </message>
-    <message>
         <source>The gains are being read.</source>
         <translation>Die Verstärkungen werden gelesen.</translation>
-    </message>
-    <message>
-        <source>Not begun: %1</source>
-        <translation>Nicht begonnen: %1</translation>
     </message>
     <message>
         <source>On the way to the first speed…</source>
@@ -8438,8 +8983,174 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>Sprung</translation>
     </message>
     <message>
+        <source>Identify</source>
+        <translation>Identifizieren</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
         <source>Run book</source>
         <translation>Versuchsbuch</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourPage</name>
+    <message>
+        <source>Stations of the tour</source>
+        <translation>Stationen des Rundgangs</translation>
+    </message>
+    <message>
+        <source>How near to instability the proposed gains go: Ms at most 1.4, 1.7, 2.0</source>
+        <translation>Wie nahe die Vorschläge an die Instabilität gehen: Ms höchstens 1,4, 1,7, 2,0</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>Of each response; the longer, the narrower its error bars</source>
+        <translation>Jedes Frequenzgangs; je länger, desto schmaler seine Fehlerbalken</translation>
+    </message>
+    <message>
+        <source>&amp;Goal</source>
+        <translation>Z&amp;iel</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>Measures windings, mechanics and the response of the speed, one after the other, and proposes gains; nothing is written.</source>
+        <translation>Misst Wicklungen, Mechanik und den Frequenzgang der Drehzahl, nacheinander, und schlägt Verstärkungen vor; geschrieben wird nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply and prove</source>
+        <translation>A&amp;nwenden und prüfen</translation>
+    </message>
+    <message>
+        <source>Writes the proposed gains as one step, which can be undone, reads them back, and measures the response and steps with them.</source>
+        <translation>Schreibt die vorgeschlagenen Verstärkungen als einen Schritt, der rückgängig zu machen ist, liest sie zurück und misst Frequenzgang und Sprünge mit ihnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation>&amp;Zurück zu den alten</translation>
+    </message>
+    <message>
+        <source>The board sees its rotor and is armed.</source>
+        <translation>Das Board sieht seinen Läufer und ist freigegeben.</translation>
+    </message>
+    <message>
+        <source>The board observes its rotor without a sensor, and is armed.</source>
+        <translation>Das Board beobachtet seinen Läufer ohne Sensor und ist freigegeben.</translation>
+    </message>
+    <message>
+        <source>It takes the response of the tour.</source>
+        <translation>Dazu braucht es den Frequenzgang des Rundgangs.</translation>
+    </message>
+    <message>
+        <source>Crossover %1 Hz, Ms %2</source>
+        <translation>Durchtritt %1 Hz, Ms %2</translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation>Schreibt die Verstärkungen von vor dem ersten Anwenden, als einen Schritt</translation>
+    </message>
+    <message>
+        <source>No gains keep the distance of this goal.</source>
+        <translation>Keine Verstärkungen halten den Abstand dieses Ziels.</translation>
+    </message>
+    <message>
+        <source>Kp %1, Ki %2: crossover %3 Hz, phase margin %4°, Ms %5 predicted</source>
+        <translation>Kp %1, Ki %2: Durchtritt %3 Hz, Phasenreserve %4°, Ms %5 vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1; the board holds them.</source>
+        <translation>%1; das Board hat sie.</translation>
+    </message>
+    <message>
+        <source>%1; not written yet.</source>
+        <translation>%1; noch nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt the tour</source>
+        <translation>&amp;Rundgang beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourSteps</name>
+    <message>
+        <source>1. Check</source>
+        <translation>1. Prüfung</translation>
+    </message>
+    <message>
+        <source>2. Rs, L, flux</source>
+        <translation>2. Rs, L, Fluss</translation>
+    </message>
+    <message>
+        <source>3. Inertia, friction</source>
+        <translation>3. Trägheit, Reibung</translation>
+    </message>
+    <message>
+        <source>4. Response</source>
+        <translation>4. Frequenzgang</translation>
+    </message>
+    <message>
+        <source>5. Gains</source>
+        <translation>5. Verstärkungen</translation>
+    </message>
+    <message>
+        <source>6. Proof</source>
+        <translation>6. Beweis</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>▶ runs</source>
+        <translation>▶ läuft</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ fertig</translation>
+    </message>
+    <message>
+        <source>? not conclusive</source>
+        <translation>? nicht schlüssig</translation>
+    </message>
+    <message>
+        <source>– not possible here</source>
+        <translation>– hier nicht möglich</translation>
+    </message>
+    <message>
+        <source>✖ ended</source>
+        <translation>✖ beendet</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was dabei herauskam</translation>
     </message>
 </context>
 <context>
@@ -8648,10 +9359,6 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>nur das Neueste</translation>
     </message>
     <message>
-        <source>Dra&amp;w</source>
-        <translation>&amp;Zeichnen</translation>
-    </message>
-    <message>
         <source>&amp;X</source>
         <translation>&amp;X</translation>
     </message>
@@ -8662,10 +9369,6 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>&amp;In</source>
         <translation>&amp;In</translation>
-    </message>
-    <message>
-        <source>T&amp;rail</source>
-        <translation>S&amp;pur</translation>
     </message>
     <message>
         <source>Record I_A and I_B, or the currents α and β, to see this.</source>
@@ -8732,6 +9435,14 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>The bus voltage is not known, so its limits are not drawn.</source>
         <translation>Die Zwischenkreisspannung ist nicht bekannt, darum fehlen ihre Grenzen.</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>&amp;Zeichnen</translation>
+    </message>
+    <message>
+        <source>T&amp;rail</source>
+        <translation>S&amp;pur</translation>
     </message>
 </context>
 <context>

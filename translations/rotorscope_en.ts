@@ -152,6 +152,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Identify the motor; its frequency response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour from an unknown motor to proved gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Notes; motion log; run book</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1777,6 +1785,10 @@
         <source>Keys that are not known were passed over.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Dry friction</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Opening</name>
@@ -1821,6 +1833,141 @@
     </message>
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlanQuestion</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
+        <translation>
+            <numerusform>%n time: at once to %1, and at once back to %2, each held for %3.</numerusform>
+            <numerusform>%n times: at once to %1, and at once back to %2, each held for %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>For %1 its torque jumps and drives it or lets it coast, between %2 and %3; the current along the magnets jumps within ±%4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 its speed jumps at random between %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At rest: currents from %1 to %2 along the magnets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In its start-up, whose stages are borrowed and do not turn: currents of %1 and %2; then it is stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): its current jumps from %1 to %2 and back.</source>
+        <translation>
+            <numerusform>%n time: its current jumps from %1 to %2 and back.</numerusform>
+            <numerusform>%n times: its current jumps from %1 to %2 and back.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <comment>of the current</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rests.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It runs: from %1 to %2 in %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rests: start, then to %1 in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then back to %1 in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then the motor is stopped, and its old set-point comes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it starts, only %1 and the current bound it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It runs: from %1, and back there after each of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rests: it is started for each of these, and stopped behind it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. %2 Stopped below %3, above %4, beyond %5.</source>
+        <comment>number, what is done, caps</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also stopped where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inductances and flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inertia and friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response of the current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resistance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of the current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This will move motor %1 by itself. Go on?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The like within these caps is not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2165,65 +2312,6 @@
     </message>
 </context>
 <context>
-    <name>StepQuestion</name>
-    <message>
-        <source>rpm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This will move motor %1 by itself. Go on?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It runs: from %1 to %2 in %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It rests: start, then to %1 in %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
-        <translation>
-            <numerusform>Once: at once to %1, and at once back to %2, each held for %3.</numerusform>
-            <numerusform>%n times: at once to %1, and at once back to %2, each held for %3.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Then back to %1 in %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Then the motor is stopped, and its old set-point comes back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no bound</source>
-        <comment>of the current</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>While it starts, only %1 and the current bound it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Series within these caps are not asked about again until disarmed. Esc stops every motor at any time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Ticks</name>
     <message>
         <source>%1/div</source>
@@ -2562,6 +2650,39 @@
     <message>
         <source>Motor %1: %2</source>
         <comment>number, state</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BodePlot</name>
+    <message>
+        <source>No response yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dB of %1</source>
+        <comment>a unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coh.</source>
+        <comment>coherence, short</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hz</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3255,6 +3376,76 @@
     </message>
 </context>
 <context>
+    <name>widgets::ExperimentBar</name>
+    <message>
+        <source>Done; the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done; afterwards: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not begun: the gains were not written in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops every motor and disarms, as Esc does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is measured at rest: stop the motor first.</source>
+        <comment>Resistance</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is being evaluated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not continued: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What comes next is not agreed to any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not begun: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 s of about %3 s</source>
+        <comment>what is measured, times</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>text of a button, why it is greyed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Experiments</name>
     <message>
         <source>An experiment is running.</source>
@@ -3891,6 +4082,52 @@
     </message>
 </context>
 <context>
+    <name>widgets::Identification</name>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::IdentifyPage</name>
+    <message>
+        <source>What was measured of the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures resistance and dead time at rest, then inductances and flux while it turns; then the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use in motor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the measured figures into the description beside the board&apos;s, in Motor and drive; nothing is written to the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes them out of it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;lectrical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mecha&amp;nical</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Jog</name>
     <message>
         <source>Jog</source>
@@ -4050,6 +4287,94 @@
     <name>widgets::LiveGain</name>
     <message>
         <source>Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopRows</name>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crossover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LoopTuning</name>
+    <message>
+        <source>Kp %1, Ki %2</source>
+        <comment>digits</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gains are being read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An experiment is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board holds these gains.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gains of the speed loop, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gains were written from here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <comment>a value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The loop keeps what was predicted: Ms %1, at most %2 promised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4408,6 +4733,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Record it</source>
+        <comment>a signal</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ne&amp;w</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4424,21 +4754,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Change</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record it</source>
-        <comment>a signal</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Where a formula needs a signal of the board that is not on the scope, this puts it there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The board has %1: puts it on the scope.</source>
         <comment>a signal</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4773,6 +5098,102 @@
     </message>
 </context>
 <context>
+    <name>widgets::MotorFindings</name>
+    <message>
+        <source>of a phase with its switches, as warm as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the bridge loses; a motor file does not hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>viscous and dry friction and a fan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>viscous and dry friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model: %1; it leaves %2 % of the torque.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a motor file does not hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none seen; at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resistance Rs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inductance Ld</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inductance Lq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux of the magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inertia J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the motor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::MotorForm</name>
     <message>
         <source>Reading the motor&apos;s values</source>
@@ -4804,10 +5225,6 @@
     </message>
     <message>
         <source>S&amp;ave…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4893,6 +5310,22 @@
     <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the measured figures out of the description again that came into it last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes what the board says of its motor to a file, which the simulator takes, too; where measured figures are in use, the description that has them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The description beside the board holds measured figures; Save writes them to a file.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6183,6 +6616,158 @@
     </message>
 </context>
 <context>
+    <name>widgets::ResponsePage</name>
+    <message>
+        <source>stiff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The longer, the narrower the error bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed loop, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current loop, open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current loop, closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What if &amp;Kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the predicted loop; nothing is written until Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loops: measured, thought of, proposed, proved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures how the current follows its reference; then the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;rove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures the response and steps of 200 rpm with the gains that were applied, and compares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply gains first: they are what is proved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the gains that the board held then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the gains in the fields, by the measured motor; its step is that of a fitted one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ms at most %1, phase margin at least %2°, at the worst end of each error bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As measured, at the current that flowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the response of the speed first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the gains in the fields as one step, which can be undone, and reads them back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pr&amp;opose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <comment>a gain</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::RevUpChart</name>
     <message>
         <source>Picture of the rev-up: speed and current over time</source>
@@ -6614,55 +7199,15 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run %1 is kept.</source>
-        <comment>number</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep experiments in a folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Experiments are not kept: choose a folder for them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Every experiment is kept in %1</source>
-        <comment>folder</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading the run book</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <comment>folder, reason</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The note of run %1 is not kept: %2.</source>
-        <comment>number, reason</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows which registers differ between both runs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lays one or two runs behind what the scope shows, as references</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Opens the recording of the run, in place of what is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6674,19 +7219,12 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare registers</source>
+        <source>Run %1 is kept.</source>
+        <comment>number</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Back to this run…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a recording…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <source>Keep experiments in a folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6719,6 +7257,53 @@ mN·m</source>
             <numerusform></numerusform>
             <numerusform></numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Experiments are not kept: choose a folder for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every experiment is kept in %1</source>
+        <comment>folder</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the run book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>folder, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The note of run %1 is not kept: %2.</source>
+        <comment>number, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to this run…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows which registers differ between both runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lays one or two runs behind what the scope shows, as references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the recording of the run, in place of what is shown</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8100,26 +8685,6 @@ mN·m</source>
 <context>
     <name>widgets::StepPage</name>
     <message>
-        <source>Done; the motor is as it was.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Done; afterwards: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not carried out: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Interrupted: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Steps in the picture</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8144,27 +8709,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops every motor and disarms, as Esc does.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Progress of the series</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not begun: the gain was not written in time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The gains are being read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not begun: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8430,7 +8975,173 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Identify</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Run book</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourPage</name>
+    <message>
+        <source>Stations of the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How near to instability the proposed gains go: Ms at most 1.4, 1.7, 2.0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of each response; the longer, the narrower its error bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Goal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures windings, mechanics and the response of the speed, one after the other, and proposes gains; nothing is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Apply and prove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the proposed gains as one step, which can be undone, reads them back, and measures the response and steps with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board sees its rotor and is armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board observes its rotor without a sensor, and is armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes the response of the tour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crossover %1 Hz, Ms %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the first Apply, as one step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gains keep the distance of this goal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kp %1, Ki %2: crossover %3 Hz, phase margin %4°, Ms %5 predicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; the board holds them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; not written yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TourSteps</name>
+    <message>
+        <source>1. Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2. Rs, L, flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3. Inertia, friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4. Response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5. Gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>6. Proof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▶ runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not conclusive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– not possible here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✖ ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What came of it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

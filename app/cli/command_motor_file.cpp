@@ -41,6 +41,8 @@ QString nameOf(MotorQuantity quantity)
         return QStringLiteral("bus_voltage");
     case MotorQuantity::Inertia:
         return QStringLiteral("inertia");
+    case MotorQuantity::DryFriction:
+        return QStringLiteral("dry_friction");
     case MotorQuantity::ViscousFriction:
         break;
     }

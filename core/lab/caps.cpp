@@ -44,4 +44,19 @@ bool covers(const Caps &agreed, const Caps &wanted)
     return amps && wanted.leastRpm >= agreed.leastRpm && wanted.mostRpm <= agreed.mostRpm;
 }
 
+Agreement agreementTo(const Experiment &experiment, double before_rpm)
+{
+    const auto *spin = std::get_if<SpinPlan>(&experiment.plan);
+    const auto *step = std::get_if<CurrentStepPlan>(&experiment.plan);
+    const bool flux =
+        (spin != nullptr && spin->fluxAmps != 0.0) || (step != nullptr && step->flux != 0);
+    return {experiment.plan.index(), flux, capsOf(experiment, before_rpm)};
+}
+
+bool covers(const Agreement &agreed, const Agreement &wanted)
+{
+    return agreed.kind == wanted.kind && agreed.flux == wanted.flux
+        && covers(agreed.caps, wanted.caps);
+}
+
 } // namespace lab

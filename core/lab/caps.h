@@ -17,4 +17,13 @@ double allowedRpm(const Experiment &experiment);
 /// Whoever agreed to the one has agreed to the other.
 bool covers(const Caps &agreed, const Caps &wanted);
 
+/// What a person agrees to: what is done, and within which bounds.
+struct Agreement {
+    std::size_t kind = 0; ///< of the plan
+    bool flux = false; ///< with currents along the magnets
+    Caps caps;
+};
+Agreement agreementTo(const Experiment &experiment, double before_rpm);
+bool covers(const Agreement &agreed, const Agreement &wanted);
+
 } // namespace lab

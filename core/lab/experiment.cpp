@@ -1,5 +1,6 @@
 #include "lab/experiment.h"
 
+#include "base/overloaded.h"
 #include "drive/motion_limits.h"
 
 #include <algorithm>
@@ -67,6 +68,17 @@ std::unique_ptr<Course> courseOf(const Experiment &experiment)
 {
     return std::visit(
         [&](const auto &plan) { return courseOf(plan, experiment.subject); }, experiment.plan);
+}
+
+record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator)
+{
+    const Subject &subject = experiment.subject;
+    return std::visit(
+        Overloaded{
+            [&](const StepPlan &plan) { return entryOf(plan, subject, regulator.proportional); },
+            [&](const ResponsePlan &plan) { return entryOf(plan, subject, regulator); },
+            [&](const auto &plan) { return entryOf(plan, subject); }},
+        experiment.plan);
 }
 
 record::Happening entryOfEnd(bool complete, const std::string &reason)

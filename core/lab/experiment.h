@@ -26,6 +26,8 @@ Conditions conditionsOf(const Experiment &experiment);
 milliseconds lengthOf(const Experiment &experiment);
 std::unique_ptr<Course> courseOf(const Experiment &experiment);
 
+/// The plan as an entry of its recording. @param regulator  that closes the speed loop; its gains are 0 if not known
+record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator);
 /// How it ended, as an entry of its recording.
 record::Happening entryOfEnd(bool complete, const std::string &reason);
 inline constexpr const char *kEndEntry = "experiment ended";

@@ -19,6 +19,7 @@ constexpr std::array kQuantities{
     MotorQuantityInfo{MotorQuantity::BusVoltage, &MotorSheet::bus_v, "V"},
     MotorQuantityInfo{MotorQuantity::Inertia, &MotorSheet::inertia_kgm2, "kg m\u00b2"},
     MotorQuantityInfo{MotorQuantity::ViscousFriction, &MotorSheet::viscous_nms, "N m s"},
+    MotorQuantityInfo{MotorQuantity::DryFriction, &MotorSheet::coulomb_nm, "N m"},
 };
 
 } // namespace

@@ -23,6 +23,7 @@ struct MotorSheet {
     std::optional<double> bus_v; ///< nominal
     std::optional<double> inertia_kgm2;
     std::optional<double> viscous_nms; ///< friction torque per rad/s
+    std::optional<double> coulomb_nm; ///< friction torque at any speed
 
     /// What motorConstants() and checkMotor() take; 0 for what is not there.
     MotorParameters parameters() const;
@@ -39,6 +40,7 @@ enum class MotorQuantity : std::uint8_t {
     BusVoltage,
     Inertia,
     ViscousFriction,
+    DryFriction,
 };
 
 struct MotorQuantityInfo {

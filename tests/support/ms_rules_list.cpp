@@ -79,8 +79,10 @@ std::vector<MsRules::Pending>::iterator MsRules::pendingFor(const Sent &sent)
         if ((!fresh && !begun)
             || (one.voided && m_packetBegan >= *one.voided && m_now >= one.voidedAt + m_line.grace))
             return false;
+        // Some are done in torque control, and some borrow registers.
         if (series)
-            return sent.kind == Kind::SetPoint
+            return sent.kind == Kind::SetPoint || sent.kind == Kind::Mode
+                || sent.kind == Kind::Write
                 || (sent.kind == Kind::Start && !one.used.contains(Kind::Start));
         if (act.kind == Act::Kind::Restore)
             return sent.kind == Kind::Write;

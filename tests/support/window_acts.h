@@ -13,6 +13,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace support {
@@ -94,6 +96,27 @@ private:
             || (before.first == QEvent::KeyPress && event.type() == QEvent::ShortcutOverride);
     }
 
+    /// What moves a motor by itself, and what ends that with a Stop.
+    struct LabRun {
+        const char *name;
+        int inARow; ///< experiments that it begins, one after the other
+    };
+    static constexpr std::array kLabRuns{LabRun{"stepRun", 1}, LabRun{"electricalRun", 2},
+        LabRun{"mechanicalRun", 1}, LabRun{"speedResponseRun", 1}, LabRun{"currentResponseRun", 1},
+        LabRun{"proveRun", 2}, LabRun{"tourRun", 4}, LabRun{"tourProveRun", 2}};
+    static constexpr std::array kLabCancels{
+        "stepCancel", "identifyCancel", "responseCancel", "tourCancel"};
+    static bool cancelsInLab(const QString &name)
+    {
+        return std::any_of(kLabCancels.begin(), kLabCancels.end(),
+            [&](const char *one) { return name == QLatin1String(one); });
+    }
+    void begin(int experiments)
+    {
+        for (int i = 0; i < experiments; ++i)
+            m_sink.act(Kind::Series);
+    }
+
     void input(Kind kind)
     {
         noteArming();
@@ -111,7 +134,7 @@ private:
         input(m_restores ? Kind::Restore : inputOn(widget));
         answer(widget);
         const bool stops = name == QLatin1String("stop") || name == QLatin1String("stopMotors")
-            || name == QLatin1String("faultHelpStop") || name == QLatin1String("stepCancel")
+            || name == QLatin1String("faultHelpStop") || cancelsInLab(name)
             || name.endsWith(QLatin1String("DockStop"));
         if (stops && widget.isEnabled())
             m_sink.act(Kind::Stop);
@@ -123,7 +146,7 @@ private:
         input(inputOn(widget));
         answer(widget);
         if (which == Qt::Key_T && modifiers == (Qt::ControlModifier | Qt::ShiftModifier))
-            m_sink.act(Kind::Series);
+            begin(m_inARow = 1);
     }
     /// A yes; the one to a jog moves nothing.
     void answer(const QWidget &widget)
@@ -133,10 +156,13 @@ private:
             return;
         if (button->objectName() == QLatin1String("motionConfirm"))
             m_sink.act(button->text() == QLatin1String("Jog") ? Kind::AgreeToHold : Kind::Confirm);
-        if (button->objectName() == QLatin1String("stepConfirm"))
+        if (button->objectName() == QLatin1String("experimentConfirm")) {
             m_sink.act(Kind::AgreeToSeries);
-        if (button->objectName() == QLatin1String("stepRun"))
-            m_sink.act(Kind::Series);
+            begin(m_inARow - 1);
+        }
+        for (const LabRun &run : kLabRuns)
+            if (button->objectName() == QLatin1String(run.name))
+                begin(m_inARow = run.inARow);
         for (const char *words : {"all the same", "eave running", "without"})
             if (button->text().contains(QLatin1String(words)))
                 m_sink.act(Kind::Leave);
@@ -166,6 +192,7 @@ private:
     bool m_armed = false;
     quint64 m_pressedAt = 0;
     std::pair<QEvent::Type, int> m_key{QEvent::None, 0};
+    int m_inARow = 1; ///< experiments of the button that was pressed last
     bool m_restores = false; ///< what a file holds is being written
 };
 

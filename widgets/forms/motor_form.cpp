@@ -39,10 +39,12 @@ QLabel *makeText(const char *name, QWidget *parent)
 
 } // namespace
 
-MotorForm::MotorForm(Device &device, RegisterModel &registers, FilePrompt &files, QWidget *parent)
+MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription &description,
+    FilePrompt &files, QWidget *parent)
     : Form(parent)
     , m_device(device)
     , m_registers(registers)
+    , m_description(description)
     , m_files(files)
 {
     setObjectName(QStringLiteral("motorForm"));
@@ -76,7 +78,9 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, FilePrompt &files
         }
         showBoard();
     });
+    connect(&description, &MotorDescription::changed, this, &MotorForm::showDescription);
     boardChanged();
+    showDescription();
 }
 
 QPushButton *MotorForm::makeButton(const QString &text, const char *name, const QString &help)
@@ -96,15 +100,19 @@ QWidget *MotorForm::makeLeft()
         tr("Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST's "
            "profiler."));
     m_close = makeButton(tr("&Close file"), "motorClose", tr("Ends the comparison with the file."));
+    m_back = makeButton(tr("Ta&ke back"), "motorBack",
+        tr("Takes the measured figures out of the description again that came into it last."));
     m_save = makeButton(tr("S&ave\u2026"), "motorSave",
-        tr("Writes what the board says of its motor to a file, which the simulator takes, too."));
+        tr("Writes what the board says of its motor to a file, which the simulator takes, too; "
+           "where measured figures are in use, the description that has them."));
     connect(m_again, &QPushButton::clicked, this, &MotorForm::readAgain);
     connect(m_open, &QPushButton::clicked, this, &MotorForm::openFile);
     connect(m_close, &QPushButton::clicked, this, &MotorForm::closeFile);
     connect(m_save, &QPushButton::clicked, this, &MotorForm::saveFile);
+    connect(m_back, &QPushButton::clicked, &m_description, &MotorDescription::takeBack);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(kGrid);
-    for (QPushButton *button : {m_again, m_open, m_close, m_save})
+    for (QPushButton *button : {m_again, m_open, m_close, m_back, m_save})
         buttons->addWidget(button);
     buttons->addStretch(1);
 
@@ -260,8 +268,9 @@ void MotorForm::expandGroups()
 void MotorForm::enableButtons()
 {
     m_again->setEnabled(m_device.answering() && !m_ids.empty() && m_reading == 0);
-    m_save->setEnabled(m_facts.has_value());
+    m_save->setEnabled(m_facts.has_value() || m_description.holdsMeasured());
     m_close->setEnabled(m_model.hasFile());
+    m_back->setEnabled(m_description.holdsMeasured());
 }
 
 void MotorForm::say(const QString &sentence, bool bad)
@@ -294,7 +303,7 @@ void MotorForm::take(const QString &path)
         return;
     }
     const motor::MotorSheet sheet = file->sheet();
-    m_model.showFile(sheet);
+    m_description.open(sheet);
     if (!sheet.name.empty() && sheet.inertia_kgm2.value_or(0.0) > 0.0)
         Q_EMIT inertiaFound(deviceText(sheet.name), *sheet.inertia_kgm2);
     QString sentence = file->origin == session::MotorFile::Origin::St
@@ -314,24 +323,36 @@ void MotorForm::take(const QString &path)
 
 void MotorForm::closeFile()
 {
-    m_model.showFile(std::nullopt);
+    m_description.close();
     say({});
+}
+
+void MotorForm::showDescription()
+{
+    m_model.showFile(m_description.sheet());
+    if (m_description.holdsMeasured())
+        say(tr("The description beside the board holds measured figures; Save writes them to a "
+               "file."));
+    else if (!m_model.hasFile())
+        say({});
     enableButtons();
 }
 
 void MotorForm::saveFile()
 {
-    if (!m_facts)
+    std::optional<motor::MotorSheet> sheet;
+    if (m_description.holdsMeasured())
+        sheet = m_description.sheet();
+    else if (m_facts)
+        sheet = drive::sheetOf(*m_facts);
+    if (!sheet)
         return;
     m_files.askSave(this,
         {tr("Save the motor"), m_folder.isEmpty() ? QDir::homePath() : m_folder,
             QStringLiteral("motor.json"), tr("Motor files (*.json)"), QStringLiteral("json")},
-        [this](const QString &path) {
-            if (!m_facts)
-                return;
+        [this, sheet = *sheet](const QString &path) {
             m_folder = QFileInfo(path).path();
-            const QString problem =
-                session::writeWholeFile(path, session::motorJson(drive::sheetOf(*m_facts)));
+            const QString problem = session::writeWholeFile(path, session::motorJson(sheet));
             const QString name = deviceText(QFileInfo(path).fileName());
             say(problem.isEmpty() ? tr("Saved as %1.").arg(name)
                                   : tr("%1 was not saved: %2", "file, reason").arg(name, problem));

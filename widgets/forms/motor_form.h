@@ -4,6 +4,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
+#include "widgets/base/motor_description.h"
 #include "widgets/forms/motor_model.h"
 #include "widgets/registers/register_model.h"
 
@@ -20,9 +21,9 @@ class SteadyLabel;
 class MotorForm : public Form {
     Q_OBJECT
 public:
-    /// All three outlive it.
-    MotorForm(
-        Device &device, RegisterModel &registers, FilePrompt &files, QWidget *parent = nullptr);
+    /// All outlive it.
+    MotorForm(Device &device, RegisterModel &registers, MotorDescription &description,
+        FilePrompt &files, QWidget *parent = nullptr);
 
     MotorModel &model() { return m_model; }
     void focusFirst() override;
@@ -46,6 +47,7 @@ private:
     QPushButton *makeButton(const QString &text, const char *name, const QString &help);
     void boardChanged();
     void showBoard();
+    void showDescription();
     void showWarnings();
     void take(const QString &path);
     void say(const QString &sentence, bool bad = false);
@@ -55,12 +57,14 @@ private:
 
     Device &m_device;
     RegisterModel &m_registers;
+    MotorDescription &m_description;
     FilePrompt &m_files;
     MotorModel m_model;
     QTreeView *m_tree = nullptr;
     SteadyLabel *m_reason = nullptr;
     QLabel *m_told = nullptr, *m_warnings = nullptr;
-    QPushButton *m_again = nullptr, *m_open = nullptr, *m_save = nullptr, *m_close = nullptr;
+    QPushButton *m_again = nullptr, *m_open = nullptr, *m_save = nullptr, *m_close = nullptr,
+                *m_back = nullptr;
     MotorConverter *m_converter = nullptr;
     std::vector<catalog::RegisterId> m_ids; ///< what the board is asked for
     std::optional<drive::MotorFacts> m_facts; ///< once something has come

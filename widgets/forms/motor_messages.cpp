@@ -157,6 +157,8 @@ QString motorQuantityText(motor::MotorQuantity quantity)
         return Motor::tr("Inertia");
     case MotorQuantity::ViscousFriction:
         return Motor::tr("Viscous friction");
+    case MotorQuantity::DryFriction:
+        return Motor::tr("Dry friction");
     }
     return {};
 }

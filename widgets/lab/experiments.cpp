@@ -66,37 +66,50 @@ QString Experiments::obstacle() const
 
 bool Experiments::agreed(const lab::Experiment &experiment, double before_rpm) const
 {
-    const lab::Caps wanted = lab::capsOf(experiment, before_rpm);
+    const lab::Agreement wanted = lab::agreementTo(experiment, before_rpm);
     return std::any_of(m_agreed.begin(), m_agreed.end(),
-        [&](const lab::Caps &caps) { return lab::covers(caps, wanted); });
+        [&](const lab::Agreement &agreed) { return lab::covers(agreed, wanted); });
 }
 
 void Experiments::agree(const lab::Experiment &experiment, double before_rpm)
 {
     if (m_device.armed())
-        m_agreed.push_back(lab::capsOf(experiment, before_rpm));
+        m_agreed.push_back(lab::agreementTo(experiment, before_rpm));
 }
 
-void Experiments::begin(const lab::Experiment &experiment, const record::Happening &plan)
+void Experiments::begin(std::vector<Part> parts, double before_rpm)
 {
-    if (running())
+    if (running() || parts.empty())
         return;
-    m_record = std::make_unique<Record>();
+    m_record = std::make_shared<Record>();
     m_record->startSeconds = m_tap->startSeconds();
     m_restorer = std::make_unique<record::Restorer>(m_record->capture);
+    m_parts = std::move(parts);
+    m_part = 0;
+    m_before_rpm = before_rpm;
+    m_said.clear();
     const TimePoint now = m_clock();
     Q_EMIT began();
     if (const auto made = m_device.madeAt(); made && now - *made > drive::kWishExpiresAfter)
         return end({lab::End::Refused, drive::kTooLate, now});
     m_tap->switchOn(++m_number, session::RecordingTap::Content::Samples);
-    note(now, plan);
-    Q_EMIT wished(experiment);
+    beginPart(now);
+}
+
+void Experiments::beginPart(TimePoint now)
+{
+    note(now, m_parts[m_part].plan);
+    Q_EMIT wished(m_parts[m_part].experiment);
 }
 
 void Experiments::note(TimePoint at, const record::Happening &what)
 {
     const capture::Nanos nanos = at.time_since_epoch().count();
     m_record->happenings.emplace_back(nanos, what);
+    auto told = std::make_shared<session::Told>();
+    told->at = nanos;
+    told->entries.emplace_back(what);
+    m_record->told.push_back(std::move(told));
     Q_EMIT noted(nanos, what);
 }
 
@@ -119,12 +132,24 @@ void Experiments::end(const lab::Outcome &outcome)
 {
     if (!running())
         return;
-    m_tap->switchOff();
-    m_record->outcome = outcome;
     note(outcome.at, lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
-    const std::unique_ptr<Record> record = std::move(m_record);
+    lab::Outcome all = outcome;
+    all.reason = m_said.empty() || outcome.reason.empty() ? m_said + outcome.reason
+                                                          : m_said + "; " + outcome.reason;
+    if (all.end == lab::End::Complete && m_part + 1 < m_parts.size()) {
+        m_said = all.reason;
+        ++m_part;
+        if (agreed(m_parts[m_part].experiment, m_before_rpm))
+            return beginPart(m_clock());
+        all.end = lab::End::Interrupted;
+        all.reason = "what comes next is not agreed to any more";
+    }
+    m_tap->switchOff();
+    m_record->outcome = all;
     m_restorer.reset();
-    Q_EMIT ended(*record);
+    m_parts.clear();
+    const RecordPtr record = std::move(m_record);
+    Q_EMIT ended(record);
 }
 
 } // namespace widgets

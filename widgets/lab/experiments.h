@@ -2,8 +2,8 @@
 // recording of it would hold, entry by entry, and knows to which caps a person has agreed since the drive was armed. What
 // the entries mean is evaluated from them alone, as from a file.
 //
-// One at a time: begin(), progressed() as it goes on, then ended() once. A Stop, or a command of anybody else, ends it;
-// that needs nothing of this class.
+// One at a time, or several in a row, each from where the motor was before: begin(), progressed() as it goes on, then ended()
+// once. A Stop, or a command of anybody else, ends all of it; that needs nothing of this class.
 #pragma once
 
 #include "lab/caps.h"
@@ -29,9 +29,14 @@ public:
         Record &operator=(const Record &) = delete;
         lab::Outcome outcome;
         capture::Capture capture;
-        lab::Happenings happenings; ///< the plan first, the end last
-        std::vector<session::ToldPtr> told; ///< all between, as a recording of it would hold it
+        lab::Happenings happenings; ///< of each its plan first, its end last
+        std::vector<session::ToldPtr> told; ///< all of it, as a recording of it would hold it
         qint64 startSeconds = 0; ///< UTC of the session's 0 s
+    };
+    using RecordPtr = std::shared_ptr<const Record>;
+    struct Part {
+        lab::Experiment experiment;
+        record::Happening plan; ///< the same as an entry of its recording
     };
 
     /// @param tap  of the session, and of nothing else; @param clock  the session's
@@ -42,14 +47,15 @@ public:
     Result<lab::Subject, QString> subject() const;
     /// Why none can begin now; one sentence, empty if one can.
     QString obstacle() const;
-    /// Whether a person has agreed to its caps. @param before_rpm  as capsOf() has it
+    /// Whether a person has agreed to such a one within its caps. @param before_rpm  as capsOf() has it
     bool agreed(const lab::Experiment &experiment, double before_rpm) const;
     void agree(const lab::Experiment &experiment, double before_rpm);
 
-    /// To be called only for what was agreed to. Nothing while one is running.
-    /// @param plan  the same as an entry of its recording
-    void begin(const lab::Experiment &experiment, const record::Happening &plan);
+    /// To be called only for what was agreed to; one after the other, as long as each comes to its end and is agreed to.
+    /// Nothing while one is running.
+    void begin(std::vector<Part> parts, double before_rpm);
     bool running() const { return m_record != nullptr; }
+    std::size_t part() const { return m_part; } ///< the one that is running, from 0
     const lab::Happenings &happenings() const { return m_record->happenings; } ///< while running()
 
 public Q_SLOTS:
@@ -61,18 +67,23 @@ Q_SIGNALS:
     void noted(qint64 at, const record::Happening &what); ///< the plan and the end, for a recording
     void began();
     void progressed();
-    void ended(const widgets::Experiments::Record &record);
+    void ended(const widgets::Experiments::RecordPtr &record);
     void agreementEnded();
 
 private:
+    void beginPart(TimePoint now);
     void note(TimePoint at, const record::Happening &what);
     void forgetAgreement();
 
     Device &m_device;
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Clock m_clock;
-    std::vector<lab::Caps> m_agreed; ///< of the motor that is shown, since it was armed
-    std::unique_ptr<Record> m_record; ///< of the one that is running
+    std::vector<lab::Agreement> m_agreed; ///< for the motor that is shown, since it was armed
+    std::vector<Part> m_parts;
+    std::size_t m_part = 0;
+    double m_before_rpm = 0.0;
+    std::string m_said; ///< of those that are over
+    std::shared_ptr<Record> m_record; ///< of what is running
     std::unique_ptr<record::Restorer> m_restorer;
     unsigned m_number = 0;
 };

@@ -31,21 +31,21 @@ void RunKeeper::setFolder(const QString &folder)
     Q_EMIT folderChanged();
 }
 
-void RunKeeper::ended(const Experiments::Record &record)
+void RunKeeper::ended(const Experiments::RecordPtr &record)
 {
-    if (m_folder.isEmpty() || record.told.empty())
+    constexpr std::size_t kPlanAndEnd = 2;
+    if (m_folder.isEmpty() || record->told.size() <= kPlanAndEnd)
         return; // one of which nothing was recorded never began
     m_reader.cancel();
     auto run = std::make_shared<session::EndedRun>();
     const session::Endpoint &endpoint = m_device.endpoint();
     const bool simulated = endpoint.kind == session::Endpoint::Kind::Simulator;
-    run->begin = {record.startSeconds,
+    run->begin = {record->startSeconds,
         QStringLiteral("Rotorscope %1").arg(QCoreApplication::applicationVersion()).toStdString(),
         simulated ? "simulated board" : endpoint.path.toStdString()};
-    run->told = record.told;
-    run->plan = record.happenings.front();
-    run->end = record.happenings.back();
-    run->outcome = record.outcome;
+    run->told = record->told;
+    run->plan = record->happenings.front().second;
+    run->outcome = record->outcome;
     run->motor = m_device.motor();
     run->at = QDateTime::currentSecsSinceEpoch();
     if (const auto board = m_device.identified()) {

@@ -25,7 +25,7 @@ Q_SIGNALS:
     void failed(const QString &sentence);
 
 private:
-    void ended(const Experiments::Record &record);
+    void ended(const Experiments::RecordPtr &record);
     void write(std::optional<snapshots::Snapshot> registers);
 
     Device &m_device;

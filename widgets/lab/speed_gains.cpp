@@ -1,7 +1,6 @@
 #include "widgets/lab/speed_gains.h"
 
 #include "drive/gain_plant.h"
-#include "lab/step_plan.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
@@ -10,17 +9,15 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include <algorithm>
-
 namespace widgets {
 
 using motor::GainId;
 
 SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edits, QWidget *parent)
     : QWidget(parent)
-    , m_device(device)
     , m_model(model)
     , m_edits(edits)
+    , m_facts(device, model)
     , m_kpText(new QLabel(this))
     , m_kiText(new QLabel(this))
 {
@@ -64,33 +61,21 @@ std::vector<catalog::RegisterId> SpeedGains::watchedRegisters() const
         for (const auto id : {gain->id(), gain->divisor()})
             if (id)
                 ids.push_back(*id);
-    for (const catalog::RegisterId id : m_factRegisters)
-        if (m_model.pollable(id))
-            ids.push_back(id);
+    ids.insert(ids.end(), m_facts.watched().begin(), m_facts.watched().end());
     return ids;
 }
 
-/// What a board says of itself does not change: it is asked for until it is known.
 bool SpeedGains::refresh()
 {
-    const bool news = std::any_of(m_factRegisters.begin(), m_factRegisters.end(),
-        [this](catalog::RegisterId id) { return m_model.known(id) || !m_model.pollable(id); });
+    const bool news = m_facts.refresh();
     if (news)
-        takeFacts();
+        updateTexts();
     return news;
 }
 
 void SpeedGains::takeFacts()
 {
-    m_facts = {};
-    m_factRegisters.clear();
-    if (const auto catalog = m_model.catalog()) {
-        m_facts = drive::motorFacts(*catalog, m_device.motor(),
-            [this](catalog::RegisterId id) { return m_model.known(id); });
-        for (const catalog::RegisterId id : drive::motorRegisters(*catalog, m_device.motor()))
-            if (!m_model.known(id) && m_model.pollable(id))
-                m_factRegisters.push_back(id);
-    }
+    m_facts.begin();
     updateTexts();
 }
 
@@ -101,7 +86,7 @@ bool SpeedGains::known() const
     const auto told = [](const LiveGain &gain) {
         return gain.digits() && (!gain.divisor() || gain.exponent());
     };
-    return told(*m_kp) && told(*m_ki) && m_factRegisters.empty();
+    return told(*m_kp) && told(*m_ki) && m_facts.known();
 }
 
 bool SpeedGains::settled() const { return m_kp->settled() && m_ki->settled(); }
@@ -122,7 +107,7 @@ QString SpeedGains::textOf(std::optional<double> value, GainId id) const
 {
     if (!value)
         return {};
-    if (const auto physical = motor::physicalGain(id, *value, drive::gainPlant(m_facts)))
+    if (const auto physical = motor::physicalGain(id, *value, drive::gainPlant(m_facts.facts())))
         return gainWithUnit(*physical, gainUnit(id));
     return tr("%1 digits", "a gain whose unit is not known").arg(significantText(*value));
 }

@@ -1,9 +1,8 @@
 // SpeedGains: the two gains of the speed loop as fields that move the board's own, and what their digits come to.
 #pragma once
 
-#include "drive/motor_view.h"
-#include "lab/subject.h"
 #include "motor/gain_plan.h"
+#include "widgets/lab/board_facts.h"
 #include "widgets/registers/register_edits.h"
 
 #include <QWidget>
@@ -47,11 +46,9 @@ private:
     void updateTexts();
     QString textOf(std::optional<double> value, motor::GainId id) const;
 
-    Device &m_device;
     RegisterModel &m_model;
     RegisterEdits &m_edits;
-    drive::MotorFacts m_facts;
-    std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
+    BoardFacts m_facts;
     LiveGain *m_kp, *m_ki;
     QLabel *m_kpText, *m_kiText;
 };

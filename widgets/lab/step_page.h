@@ -6,28 +6,20 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/lab/experiments.h"
+#include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/speed_gains.h"
-#include "widgets/lab/step_question.h"
 #include "widgets/registers/register_edits.h"
 
-#include <QPointer>
-#include <QTimer>
-
 class QComboBox;
-class QDialog;
-class QProgressBar;
 class QPushButton;
 class QTreeView;
 
 namespace widgets {
 
-class MotionGate;
-class MotorButton;
-class SteadyLabel;
 class StepFields;
 class StepOverlay;
 class StepRuns;
+struct StepResult;
 
 class StepPage : public Form {
     Q_OBJECT
@@ -37,53 +29,36 @@ public:
         Device &device;
         RegisterModel &registers;
         RegisterEdits &edits;
-        const MotionGate &motion; ///< knows where a start goes to
-        Experiments &experiments;
+        ExperimentBar::Parts lab;
     };
     explicit StepPage(const Parts &parts, QWidget *parent = nullptr);
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
-    QWidget *footer() const override { return m_footer; }
+    QWidget *footer() const override { return m_bar; }
     double heightShare() const override { return 0.56; }
     void focusFirst() override;
 
 protected:
     void changeEvent(QEvent *event) override;
-    void showEvent(QShowEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QWidget *makeSide();
     void makeTable();
-    QWidget *makeFooter();
+    void makeBar();
     void connectParts();
 
     void boardChanged();
-    QString hint() const;
-    std::optional<lab::Experiment> experiment() const;
-    MotorBefore before() const;
-    void run();
-    void runNow();
-    void begin(const lab::Experiment &experiment);
-    void progressed();
-    void ended(const Experiments::Record &record);
-    void addResult(const Experiments::Record &record);
-    void tell(const QString &sentence);
-    void updateAll();
+    Result<ExperimentBar::Run, QString> wanted();
+    ExperimentBar::Evaluate evaluation(const lab::Subject &subject);
+    QStringList addResult(StepResult result, const SpeedGains::Values &begunWith, bool complete);
+    void enableButtons();
     void showResults();
     void takeAsReference();
     void removeChosen();
 
     Parts m_parts;
-    QPointer<QDialog> m_question;
-    QTimer m_patience; ///< with a gain that is being written before a run
-    bool m_own = false; ///< the experiment that runs is this page's
-    bool m_runHadFocus = false;
-    int m_steps = 0; ///< of the one that runs, up and down
-    std::string m_bus; ///< name of its register
-    SpeedGains::Values m_begunWith;
-    QString m_told; ///< how the last one ended
 
     StepFields *m_fields;
     SpeedGains *m_gains;
@@ -92,10 +67,7 @@ private:
     StepRuns *m_runs;
     QTreeView *m_table;
     QPushButton *m_reference = nullptr, *m_remove = nullptr;
-    MotorButton *m_run = nullptr, *m_cancel = nullptr;
-    QProgressBar *m_progress = nullptr;
-    SteadyLabel *m_sentence = nullptr;
-    QWidget *m_footer;
+    ExperimentBar *m_bar;
 };
 
 } // namespace widgets

@@ -8,8 +8,11 @@
 #include "widgets/forms/motor_form.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
+#include "widgets/lab/identify_page.h"
+#include "widgets/lab/response_page.h"
 #include "widgets/lab/run_book_panel.h"
 #include "widgets/lab/step_page.h"
+#include "widgets/lab/tour_page.h"
 #include "widgets/measuring/math_panel.h"
 #include "widgets/measuring/math_traces.h"
 #include "widgets/measuring/measure_panel.h"
@@ -36,6 +39,9 @@ Tools::Tools(const Parts &parts, const Settings &settings)
     : m_parts(parts)
     , m_device(parts.workbench.device())
     , m_settings(settings)
+    , m_identification(m_device, parts.workbench.experiments())
+    , m_tuning(m_device, parts.workbench.registers(), parts.workbench.edits(),
+          parts.workbench.experiments())
     , m_docks(parts.window, parts.workbench)
 {
     addScopeTools();
@@ -266,13 +272,11 @@ void Tools::addForms()
         m_ramps->setPresets(m_settings.ramps);
         return m_ramps;
     });
-    m_docks.add(tr("Step"), "stepDock", "step", Qt::CTRL | Qt::Key_T, [this, &workbench] {
-        return new StepPage({m_device, workbench.registers(), workbench.edits(), workbench.motion(),
-            workbench.experiments()});
-    });
+    addLab();
     m_docks.add(
         tr("Motor and drive"), "motorDock", "motor", Qt::CTRL | Qt::Key_4, [this, &workbench] {
-            auto *motor = new MotorForm(m_device, workbench.registers(), m_parts.files);
+            auto *motor =
+                new MotorForm(m_device, workbench.registers(), m_description, m_parts.files);
             connect(
                 motor, &MotorForm::inertiaFound, this, [this](const QString &name, double inertia) {
                     if (!m_settings.inertias.contains(name)) // what was typed is better known
@@ -290,6 +294,28 @@ void Tools::addForms()
             });
             return log;
         });
+}
+
+/// What moves the motor by itself.
+void Tools::addLab()
+{
+    Workbench &workbench = m_parts.workbench;
+    const ExperimentBar::Parts lab{m_device, workbench.motion(), workbench.experiments()};
+    m_docks.add(tr("Step"), "stepDock", "step", Qt::CTRL | Qt::Key_T, [this, &workbench, lab] {
+        return new StepPage({m_device, workbench.registers(), workbench.edits(), lab});
+    });
+    m_docks.add(
+        tr("Identify"), "identifyDock", "identify", Qt::CTRL | Qt::Key_I, [this, &workbench, lab] {
+            return new IdentifyPage(
+                {m_device, workbench.registers(), m_description, m_identification, lab});
+        });
+    m_docks.add(
+        tr("Response"), "responseDock", "response", Qt::CTRL | Qt::SHIFT | Qt::Key_F, [this, lab] {
+            return new ResponsePage({m_tuning, lab});
+        });
+    m_docks.add(tr("Tour"), "tourDock", "tour", Qt::CTRL | Qt::SHIFT | Qt::Key_G, [this, lab] {
+        return new TourPage({m_identification, m_tuning, lab});
+    });
 }
 
 /// Experiments are kept whether or not the book is open.

@@ -3,6 +3,9 @@
 
 #include "widgets/base/banner.h"
 #include "widgets/base/inertias.h"
+#include "widgets/base/motor_description.h"
+#include "widgets/lab/identification.h"
+#include "widgets/lab/loop_tuning.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/tool_docks.h"
@@ -59,6 +62,7 @@ private:
     void addScopeTools();
     void addSnapshots();
     void addForms();
+    void addLab();
     void addRunBook();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
@@ -70,6 +74,9 @@ private:
     Parts m_parts;
     Device &m_device;
     Settings m_settings; ///< those that forms are made with
+    MotorDescription m_description; ///< of a file, and what was measured
+    Identification m_identification; ///< for all pages of the lab, as the next one
+    LoopTuning m_tuning;
     ToolDocks m_docks;
     EventPanel *m_events = nullptr; ///< like all of them, when it is made
     MathPanel *m_math = nullptr;

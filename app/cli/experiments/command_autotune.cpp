@@ -1,11 +1,10 @@
 // autotune: measures the response of the speed, proposes gains from it, and with --apply writes them and proves them by a fresh
 // response and a step. The motor is afterwards as it was, but for its gains.
-#include "drive/values.h"
 #include "experiments/experiment_run.h"
 #include "experiments/plan_entry.h"
 #include "experiments/reports.h"
+#include "lab/evaluation/speed_loop.h"
 #include "lab/evaluation/step_series.h"
-#include "lab/evaluation/tuning.h"
 #include "session/files/json_text.h"
 
 #include <algorithm>
@@ -18,27 +17,14 @@ namespace {
 
 constexpr double kMilli = 1e3;
 
-/// What the gains are in now, and how many digits make an ampere of it.
-struct Loop {
-    int proportional = 0, integral = 0;
-    lab::GainDigits digits;
-};
-
-Outcome<Loop> readLoop(Desk &desk, const lab::Subject &subject)
+Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
 {
-    const lab::Registers &registers = subject.registers;
-    const std::vector<drive::RegisterId> ids{
-        registers.gain, registers.gainExponent, registers.integral, registers.integralExponent};
-    if (std::find(ids.begin(), ids.end(), 0U) != ids.end())
+    const auto loop = readSpeedLoop(desk, subject);
+    if (!loop)
+        return tl::make_unexpected(loop.error());
+    if (!*loop)
         return failure(kRefused, QStringLiteral("This board has no gains of a speed loop."));
-    const auto read = desk.talk.read(ids);
-    if (!read)
-        return tl::make_unexpected(read.error());
-    const auto number = [&](std::size_t at) {
-        return drive::asNumber((*read)[at].value).value_or(0.0);
-    };
-    return Loop{static_cast<int>(number(0)), static_cast<int>(number(2)),
-        {lab::jumpPerRpm(subject, 1.0, number(1)), lab::jumpPerRpm(subject, 1.0, number(3))}};
+    return **loop;
 }
 
 Outcome<lab::SpeedResponse> respond(Desk &desk, const lab::Subject &subject)
@@ -60,17 +46,10 @@ Outcome<lab::SpeedResponse> respond(Desk &desk, const lab::Subject &subject)
     return *found;
 }
 
-/// Small, so that no limit of the current is in it.
 Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
 {
-    constexpr int kStep_rpm = 200, kRepeats = 5;
-    const int from = lab::responsePlanFor(subject, desk.arguments.limits).rpm;
     ExperimentRun run(desk);
-    const auto path = run.record(subject,
-        {lab::StepPlan{.fromRpm = from,
-            .toRpm = from + kStep_rpm,
-            .repeat = kRepeats,
-            .caps = desk.arguments.limits}});
+    const auto path = run.record(subject, {lab::proofStepsFor(subject, desk.arguments.limits)});
     if (!path)
         return tl::make_unexpected(path.error());
     const auto recording = openRecording(*path);
@@ -85,9 +64,8 @@ Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
 
 Outcome<bool> writeGains(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)
 {
-    const drive::Write write{{{subject.registers.gain, std::int64_t{gains.proportional}},
-                                 {subject.registers.integral, std::int64_t{gains.integral}}},
-        drive::Reach::Parameters};
+    const drive::Write write{
+        lab::gainWrites(subject, gains.proportional, gains.integral), drive::Reach::Parameters};
     const Conversation::Asked asked = desk.talk.askToTheEnd(write);
     if (asked.broken)
         return tl::make_unexpected(*asked.broken);
@@ -104,7 +82,7 @@ struct Proof {
 };
 
 struct Tuned {
-    Loop before;
+    lab::SpeedLoop before;
     std::vector<lab::GainCandidate> candidates;
     lab::GainCandidate chosen;
     std::optional<Proof> proof; ///< if they were written
@@ -191,12 +169,11 @@ void print(const Tuned &tuned, Output &out)
 /// Whether the loop keeps what was promised, and else the way back.
 Outcome<int> verdict(const Tuned &tuned)
 {
-    constexpr double kTolerated = 1.1;
     if (!tuned.proof)
         return kDone;
     const double promised = lab::distanceOf(tuned.chosen.goal).ms;
     const auto &ms = tuned.proof->response.ms;
-    if (ms && ms->value <= kTolerated * promised)
+    if (lab::keepsPromise(tuned.proof->response, promised))
         return kDone;
     return failure(kRefused,
         QStringLiteral(

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "commands.h"
+#include "lab/evaluation/speed_loop.h"
 #include "lab/experiment.h"
 
 namespace cli {
 
 Outcome<record::Happening> entryOf(Desk &desk, const lab::Experiment &experiment);
 
-/// What closes the speed loop; its gains are 0 where the board does not tell them.
-Outcome<lab::SpeedRegulator> regulatorOf(Desk &desk, const lab::Subject &subject);
+/// What closes the speed loop; empty where the board does not tell its gains.
+Outcome<std::optional<lab::SpeedLoop>> readSpeedLoop(Desk &desk, const lab::Subject &subject);
 
 } // namespace cli

@@ -144,7 +144,12 @@ double rangeAlongD(const std::vector<TurningSlices> &slices)
 std::string addResting(Electrics &found, const RecordedRest &rest, const capture::Capture &capture,
     Happenings::const_iterator at, Happenings::const_iterator end)
 {
-    const Nanos from = at->first;
+    // What was recorded before may go on until the board records what this needs, ahead of the first command.
+    const auto commands = [](const auto &happening) {
+        return happening.second.name == "current reference" || happening.second.name == "command";
+    };
+    at = std::find_if(at, end, commands);
+    const Nanos from = at == end ? std::numeric_limits<Nanos>::max() : at->first;
     while (at != end && at->second.name != kEndEntry)
         ++at;
     const Nanos to = at == end ? std::numeric_limits<Nanos>::max() : at->first;

@@ -25,7 +25,6 @@ constexpr double kBand =
 constexpr std::size_t kMostBins = 4;
 constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
 constexpr double kObserved_hz = 10.0; ///< beyond it an observed speed says little of the shaft's
-constexpr double kLeastCoherence = 0.5;
 constexpr int kLeastSegments = 4;
 constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
 enum Signal : std::size_t { Speed, Current, Reference, Sensed, kSignals };
@@ -281,7 +280,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
         ResponsePoint point;
         point.hz = lowest + static_cast<double>(width - 1) / 2.0 * fine.binHz;
         point.coherence = std::min(spectra.coherence(Speed, bin), spectra.coherence(Current, bin));
-        if (point.hz < kLowest_hz || point.hz > kHighest_hz || point.coherence < kLeastCoherence)
+        if (point.hz < kLowest_hz || point.hz > kHighest_hz
+            || point.coherence < kLeastMarginCoherence)
             continue;
         const auto cross = [&](Signal signal) { return spectra.cross[signal][bin]; };
         point.plant = cross(Speed) / cross(Current) * sinc(point.hz * kSample_s)
@@ -300,7 +300,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
     if (!edges.reason.empty())
         found.notes.push_back("the run ended early: " + edges.reason);
     if (knownGains)
-        addMargins(found, kLeastCoherence);
+        addMargins(found, kLeastMarginCoherence);
     return found;
 }
 

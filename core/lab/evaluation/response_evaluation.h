@@ -42,6 +42,8 @@ struct SpeedResponse : FrequencyResponse {
         0.0; ///< rms of the current's reference that does not follow the set-point
 };
 
+/// From which on points count for the margins of a speed loop.
+inline constexpr double kLeastMarginCoherence = 0.5;
 /// Crossover, phase margin and Ms by the loop of those points that are coherent enough.
 void addMargins(FrequencyResponse &found, double leastCoherence);
 /// Of a gain by one of two signals, relative, squared: standard error. Of its phase in rad, too.

@@ -45,11 +45,24 @@ Segment pieceOf(const Segment &segment, std::size_t from, std::size_t to)
     return piece;
 }
 
+/// Shortens a stretch to where the channel has samples: others may have been recorded before it, or behind it.
+void shorten(const capture::Channel &channel, capture::Nanos &from, capture::Nanos &to)
+{
+    const scope::SampleRange range(channel, from, to);
+    if (range.empty())
+        return;
+    from = std::max(from, channel.timeOf(range.begin()));
+    to = std::min(to, channel.timeOf(range.end() - 1) + 1);
+}
+
 } // namespace
 
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to)
 {
+    shorten(angle, from, to);
+    for (const capture::Channel *channel : others)
+        shorten(*channel, from, to);
     const scope::SampleRange turns(angle, from, to);
     std::vector<std::vector<double>> all;
     for (const capture::Channel *channel : others) {

@@ -126,7 +126,7 @@ SpeedRegulator regulatorOf(
 }
 
 /// A small step: no current limit, no dry friction.
-void predictStep(GainCandidate &candidate, const Model &model, const SpeedRegulator &regulator)
+void predictStep(LoopForecast &candidate, const Model &model, const SpeedRegulator &regulator)
 {
     constexpr double kPart_s = 1e-4, kLength_s = 2.0, kLow = 0.1, kHigh = 0.9;
     const auto each = static_cast<int>(std::max(1L, std::lround(regulator.period_s / kPart_s)));
@@ -171,6 +171,47 @@ int greatestIntegral(const std::vector<Known> &band, const GainDigits &digits, i
     return least;
 }
 
+/// What a measured response says of its motor.
+struct Measured {
+    SpeedRegulator now;
+    std::vector<Known> points, band;
+};
+
+Result<Measured, std::string> measuredMotor(const SpeedResponse &measured, const GainDigits &digits)
+{
+    const SpeedRegulator &now = measured.regulator;
+    if (!(now.proportional > 0.0) || !(digits.proportional > 0.0) || !(digits.integral > 0.0))
+        return fail(std::string("the board does not tell its gains, so its loop is not known"));
+    constexpr double kLeast_s = 1e-5, kMost_s = 0.1;
+    if (!(now.period_s >= kLeast_s && now.period_s <= kMost_s))
+        return fail(std::string("no speed loop has the period that the board tells"));
+    constexpr double kLeastCoherence = 0.8;
+    constexpr std::size_t kLeastPoints = 5;
+    Measured motor{now, {}, {}};
+    for (const ResponsePoint &point : measured.points)
+        if (point.coherence >= kLeastCoherence)
+            motor.points.push_back(
+                {point.hz, point.loop / regulatorAt(now, point.hz), point.relative});
+    if (motor.points.size() < kLeastPoints)
+        return fail(std::string("too few frequencies of the response are clear enough"));
+    constexpr double kUsual_hz = 15.0;
+    motor.band = wholeBand(motor.points, fitted(motor.points, kUsual_hz));
+    return motor;
+}
+
+LoopForecast forecastOf(
+    const Measured &motor, const GainDigits &digits, int proportional, int integral)
+{
+    const SpeedRegulator regulator =
+        regulatorOf(digits, proportional, integral, motor.now.period_s);
+    const Margins margins = marginsOf(motor.band, regulator);
+    LoopForecast forecast{proportional, integral, margins.crossover_hz, margins.phaseMargin_deg,
+        margins.ms, 0.0, 0.0};
+    if (margins.crossover_hz > 0.0)
+        predictStep(forecast, fitted(motor.points, margins.crossover_hz), regulator);
+    return forecast;
+}
+
 } // namespace
 
 const char *nameOf(Goal goal)
@@ -188,25 +229,11 @@ Distance distanceOf(Goal goal)
 Result<std::vector<GainCandidate>, std::string> proposeGains(
     const SpeedResponse &measured, const GainDigits &digits, double nominalAmps)
 {
-    const SpeedRegulator &now = measured.regulator;
-    if (!(now.proportional > 0.0) || !(digits.proportional > 0.0) || !(digits.integral > 0.0))
-        return fail(std::string("the board does not tell its gains, so its loop is not known"));
-    constexpr double kLeast_s = 1e-5, kMost_s = 0.1;
-    if (!(now.period_s >= kLeast_s && now.period_s <= kMost_s))
-        return fail(std::string("no speed loop has the period that the board tells"));
-    constexpr double kLeastCoherence = 0.8;
-    constexpr std::size_t kLeastPoints = 5;
-    std::vector<Known> points;
-    for (const ResponsePoint &point : measured.points)
-        if (point.coherence >= kLeastCoherence)
-            points.push_back({point.hz, point.loop / regulatorAt(now, point.hz), point.relative});
-    if (points.size() < kLeastPoints)
-        return fail(std::string("too few frequencies of the response are clear enough"));
-    constexpr double kUsual_hz = 15.0;
-    const Model model = fitted(points, kUsual_hz);
-    const std::vector<Known> band = wholeBand(points, model);
+    const auto motor = measuredMotor(measured, digits);
+    if (!motor)
+        return fail(motor.error());
     constexpr double kRange = 16.0, kStep = 1.06, kNoise = 0.05;
-    const double nowDigits = now.proportional / digits.proportional;
+    const double nowDigits = motor->now.proportional / digits.proportional;
     double most = std::min<double>(digits.most, nowDigits * kRange);
     if (nominalAmps > 0.0 && measured.referenceNoise_a > 0.0)
         most = std::min(most,
@@ -214,30 +241,50 @@ Result<std::vector<GainCandidate>, std::string> proposeGains(
                 nowDigits / kRange, nowDigits * kNoise * nominalAmps / measured.referenceNoise_a));
     std::vector<GainCandidate> all;
     for (const Goal goal : kGoals) {
-        GainCandidate best{.goal = goal};
+        int best = 0, withBest = 0;
         for (double at = std::max(1.0, nowDigits / kRange); at <= most; at *= kStep) {
             const int proportional = static_cast<int>(std::lround(at));
-            const int integral =
-                greatestIntegral(band, digits, proportional, now.period_s, distanceOf(goal));
-            if (integral > best.integral) {
-                best.proportional = proportional;
-                best.integral = integral;
+            const int integral = greatestIntegral(
+                motor->band, digits, proportional, motor->now.period_s, distanceOf(goal));
+            if (integral > best) {
+                best = integral;
+                withBest = proportional;
             }
         }
-        if (best.integral == 0)
-            continue;
-        const SpeedRegulator regulator =
-            regulatorOf(digits, best.proportional, best.integral, now.period_s);
-        const Margins margins = marginsOf(band, regulator);
-        best.crossover_hz = margins.crossover_hz;
-        best.phaseMargin_deg = margins.phaseMargin_deg;
-        best.ms = margins.ms;
-        predictStep(best, fitted(points, best.crossover_hz), regulator);
-        all.push_back(best);
+        if (best > 0)
+            all.push_back({forecastOf(*motor, digits, withBest, best), goal});
     }
     if (all.empty())
         return fail(std::string("no gains keep the distance from instability that is asked for"));
     return all;
+}
+
+Result<Forecaster, std::string> forecasterOf(
+    const SpeedResponse &measured, const GainDigits &digits)
+{
+    const auto motor = measuredMotor(measured, digits);
+    if (!motor)
+        return fail(motor.error());
+    return Forecaster([motor = *motor, digits](int proportional, int integral) {
+        return forecastOf(motor, digits, proportional, integral);
+    });
+}
+
+SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regulator)
+{
+    for (ResponsePoint &point : measured.points)
+        point.loop *= regulatorAt(regulator, point.hz) / regulatorAt(measured.regulator, point.hz);
+    measured.regulator = regulator;
+    measured.crossover_hz = measured.phaseMargin_deg = measured.ms = std::nullopt;
+    measured.notes.clear();
+    addMargins(measured, kLeastMarginCoherence);
+    return measured;
+}
+
+bool keepsPromise(const FrequencyResponse &proof, double promisedMs)
+{
+    constexpr double kTolerated = 1.1;
+    return proof.ms && proof.ms->value <= kTolerated * promisedMs;
 }
 
 } // namespace lab

@@ -9,6 +9,7 @@
 #include "lab/evaluation/response_evaluation.h"
 
 #include <array>
+#include <functional>
 
 namespace lab {
 
@@ -27,11 +28,14 @@ struct GainDigits {
     int most = 32767;
 };
 
-struct GainCandidate {
-    Goal goal = Goal::Medium;
+/// What a loop with these gains does.
+struct LoopForecast {
     int proportional = 0, integral = 0; ///< digits
     double crossover_hz = 0.0, phaseMargin_deg = 0.0, ms = 0.0; ///< as measured points tell them
     double rise_s = 0.0, overshoot_pct = 0.0; ///< of a small step
+};
+struct GainCandidate : LoopForecast {
+    Goal goal = Goal::Medium;
 };
 
 /// One for each goal that can be kept, in the order of kGoals.
@@ -39,5 +43,16 @@ struct GainCandidate {
 /// @return  or why nothing can be proposed, in a sentence without a full stop
 Result<std::vector<GainCandidate>, std::string> proposeGains(
     const SpeedResponse &measured, const GainDigits &digits, double nominalAmps);
+
+/// The same for gains of somebody's own, by proportional and integral digits; each call takes some milliseconds.
+using Forecaster = std::function<LoopForecast(int, int)>;
+Result<Forecaster, std::string> forecasterOf(
+    const SpeedResponse &measured, const GainDigits &digits);
+
+/// The response as it would be with another regulator around the same motor, with its margins and their intervals.
+SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regulator);
+
+/// Whether a loop that was measured keeps what was promised of it, by its Ms.
+bool keepsPromise(const FrequencyResponse &proof, double promisedMs);
 
 } // namespace lab

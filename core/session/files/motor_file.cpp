@@ -40,6 +40,7 @@ constexpr std::array kPlaces{
     Place{&MotorSheet::flux_wb, "motor", "flux_wb"},
     Place{&MotorSheet::inertia_kgm2, "motor", "inertia_kgm2"},
     Place{&MotorSheet::viscous_nms, "motor", "viscous_nms"},
+    Place{&MotorSheet::coulomb_nm, "motor", "coulomb_nm"},
     Place{&MotorSheet::nominalCurrent_a, "motor", "nominal_a"},
     Place{&MotorSheet::maxSpeed_rpm, "motor", "maxSpeed_rpm"},
     Place{&MotorSheet::bus_v, "inverter", "supply_v"},

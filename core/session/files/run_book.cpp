@@ -27,8 +27,8 @@ Run runOf(const EndedRun &ended)
     run.board = ended.board;
     run.motor = ended.motor;
     run.motorName = ended.motorName;
-    run.experiment = text(ended.plan.second.name);
-    for (const auto &[name, value] : ended.plan.second.fields)
+    run.experiment = text(ended.plan.name);
+    for (const auto &[name, value] : ended.plan.fields)
         run.plan.append({text(name), text(value)});
     std::sort(run.plan.begin(), run.plan.end()); // as they are read back
     run.end = QString::fromLatin1(kEnds.at(static_cast<std::size_t>(ended.outcome.end)));
@@ -43,16 +43,14 @@ Result<Run, QString> keepRun(const QString &folder, const EndedRun &ended)
     RunWriter writer(folder, runOf(ended));
     if (const QString why = writer.begin(ended.begin); !why.isEmpty())
         return fail(why);
-    bool good = writer.add(ended.plan.first, ended.plan.second);
+    bool good = true;
     for (const ToldPtr &told : ended.told)
         for (const record::Entry &entry : told->entries)
             good = good && writer.add(told->at, entry);
-    if (good && ended.registers)
-        good = writer.add(ended.end.first,
+    if (good && ended.registers && !ended.told.empty())
+        (void)writer.add(ended.told.back()->at,
             record::RegisterSnapshot{
                 "behind the run", snapshotJson(*ended.registers).toStdString()});
-    if (good)
-        (void)writer.add(ended.end.first, ended.end.second);
     return writer.end(ended.registers); // which says why, if it is over
 }
 

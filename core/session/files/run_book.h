@@ -18,8 +18,8 @@ namespace session {
 /// What is to be kept of an experiment that has ended.
 struct EndedRun {
     record::Begin begin;
-    std::vector<ToldPtr> told; ///< between the plan and the end
-    std::pair<record::Nanos, record::Happening> plan, end;
+    std::vector<ToldPtr> told; ///< all of it, plans and ends too
+    record::Happening plan; ///< the first
     lab::Outcome outcome;
     QString board, motorName;
     int motor = 1;

@@ -57,6 +57,21 @@ std::vector<catalog::Value> held(LabBench &bench)
 class TestElectrical : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// As in the window, whose scope shows the current until the experiment records it.
+    void samplesOfBeforeAreNoPartOfIt()
+    {
+        LabBench bench;
+        const Registers &registers = bench.experiment.subject.registers;
+        QVERIFY(bench.pair.runUntilEnded(
+            bench.pair.submit(drive::Stream{{registers.current, registers.speed}, 1, {}, 1})));
+        bench.pair.runUntil([] { return false; }, 100ms);
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        QVERIFY(bench.run().end == End::Complete);
+        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(found->rs_ohm);
+    }
+
     void allPresetsAreMeasured_data()
     {
         QTest::addColumn<QString>("motor");

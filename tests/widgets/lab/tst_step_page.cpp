@@ -108,20 +108,20 @@ struct Bench {
     }
     void answer(const char *name)
     {
-        auto *dialog = find<QDialog>("stepQuestion");
+        auto *dialog = find<QDialog>("experimentQuestion");
         QVERIFY(dialog);
         QTest::mouseClick(dialog->findChild<QPushButton *>(QLatin1String(name)), Qt::LeftButton);
         QTRY_VERIFY(!asks());
         QApplication::setActiveWindow(&rig.window); // which a window manager does
     }
-    bool asks() const { return find<QDialog>("stepQuestion") != nullptr; }
+    bool asks() const { return find<QDialog>("experimentQuestion") != nullptr; }
     bool running() { return rig.workbench.experiments().running(); }
     bool runToItsEnd()
     {
         const int before = rows().rowCount();
         press("stepRun");
         if (asks())
-            answer("stepConfirm");
+            answer("experimentConfirm");
         return QTest::qWaitFor([&] { return rows().rowCount() > before; }, kSeriesMs);
     }
     std::int64_t held(const char *name)
@@ -183,7 +183,7 @@ private Q_SLOTS:
         bench.plan(1000, 1500, 3);
         bench.press("stepRun");
         QVERIFY(bench.asks());
-        auto *dialog = bench.find<QMessageBox>("stepQuestion");
+        auto *dialog = bench.find<QMessageBox>("experimentQuestion");
         const QString words = dialog->informativeText();
         for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250"})
             QVERIFY2(words.contains(QLatin1String(word)), qPrintable(words));
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
         bench.press("stepRun"); // and Esc takes the question away
         QVERIFY(bench.asks());
-        QTest::keyClick(bench.find("stepQuestion"), Qt::Key_Escape);
+        QTest::keyClick(bench.find("experimentQuestion"), Qt::Key_Escape);
         QTRY_VERIFY(!bench.asks());
         QVERIFY(!bench.device().armed());
         QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
@@ -376,7 +376,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.run()->isEnabled());
         bench.press("stepRun");
         QVERIFY(bench.asks());
-        bench.answer("stepConfirm");
+        bench.answer("experimentConfirm");
         QTRY_VERIFY_WITH_TIMEOUT(!bench.running() && bench.rows().rowCount() == 2, kSeriesMs);
         QTest::mouseClick(bench.find<QCheckBox>("arm"), Qt::LeftButton, {},
             QPoint(8, bench.find<QCheckBox>("arm")->height() / 2));
@@ -402,7 +402,7 @@ private Q_SLOTS:
         QVERIFY(bench.arm());
         bench.plan(1000, 1500, 20);
         bench.press("stepRun");
-        bench.answer("stepConfirm");
+        bench.answer("experimentConfirm");
         QTRY_VERIFY_WITH_TIMEOUT(bench.said().startsWith(QLatin1String("Step 2 of 40")), kSeriesMs);
         if (byKey)
             QTest::keyClick(&bench.rig.window, Qt::Key_Escape);

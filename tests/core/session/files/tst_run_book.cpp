@@ -22,12 +22,17 @@ session::EndedRun anEndedRun()
 {
     session::EndedRun run;
     run.begin = {1'700'000'000, "test", "sim"};
-    run.plan = {1'000, {"step plan", {{"from rpm", "1000"}, {"to rpm", "1500"}}}};
-    auto told = std::make_shared<session::Told>();
-    told->at = 2'000;
-    told->entries.emplace_back(record::Happening{"motor state", {{"state", "IDLE"}}});
-    run.told.push_back(std::move(told));
-    run.end = {3'000, {"experiment ended", {{"outcome", "ended early"}, {"reason", "a test"}}}};
+    run.plan = {"step plan", {{"from rpm", "1000"}, {"to rpm", "1500"}}};
+    const record::Happening end{
+        "experiment ended", {{"outcome", "ended early"}, {"reason", "a test"}}};
+    record::Nanos at = 1'000;
+    for (const record::Happening &happening :
+        {run.plan, record::Happening{"motor state", {{"state", "IDLE"}}}, end}) {
+        auto told = std::make_shared<session::Told>();
+        told->at = at++;
+        told->entries.emplace_back(happening);
+        run.told.push_back(std::move(told));
+    }
     run.outcome = {lab::End::Refused, "a test", {}};
     run.board = QStringLiteral("Firmware \u2603");
     run.motorName = QStringLiteral("Motor");

@@ -1,0 +1,127 @@
+// The window with a simulated board that the judge watches, and a person who arms, presses the buttons of the lab's pages and
+// answers their question.
+#pragma once
+
+#include "simulation/plant/presets.h"
+#include "support/judged_line.h"
+#include "support/window_rig.h"
+#include "widgets/lab/experiments.h"
+
+#include <QAbstractItemModel>
+#include <QCheckBox>
+#include <QDialog>
+#include <QLabel>
+#include <QTreeView>
+
+namespace support {
+
+struct LabWindow {
+    static constexpr int kRunMs = 100'000; ///< a busy computer takes its time
+
+    JudgedWorld world;
+    facts::WindowRig rig;
+    WindowActs acts;
+
+    explicit LabWindow(const std::string &motor, const QSize &size = {1280, 720})
+        : world(boardOf(motor), drive::Protocol::Mcp)
+        , rig(settings(), session::makeDiskSink, world.parts())
+        , acts(world, rig.window, rig.workbench.device())
+    {
+        rig.window.resize(size);
+        QApplication::setActiveWindow(&rig.window);
+    }
+    ~LabWindow() { world.act(judge::Act::Kind::Leave); }
+
+    static simulation::BoardOptions boardOf(const std::string &motor)
+    {
+        simulation::BoardOptions options;
+        options.motor = motor;
+        options.load = simulation::findPreset(motor)->load;
+        return options;
+    }
+    static widgets::Settings settings()
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.port = QStringLiteral("/dev/ttyMotor");
+        settings.protocol = QStringLiteral("mcp");
+        settings.samplesOnDiskGB = 0.0;
+        return settings;
+    }
+
+    widgets::Device &device() { return rig.workbench.device(); }
+    drive::MotorState state() { return device().status(1).state; }
+    template <class T = QWidget>
+    T *find(const char *name) const
+    {
+        return rig.find<T>(name);
+    }
+    void open(int key, Qt::KeyboardModifiers modifiers)
+    {
+        QTest::keyClick(&rig.window, Qt::Key(key), modifiers);
+    }
+    bool connectBoard()
+    {
+        QTest::mouseClick(find<QPushButton>("connect"), Qt::LeftButton);
+        return QTest::qWaitFor(
+            [this] { return device().identified() && state() == drive::MotorState::Idle; });
+    }
+    /// Again where a computer stood still for so long that it was disarmed.
+    bool arm(const char *button)
+    {
+        const auto ready = [&] {
+            return device().armed() && find<QPushButton>(button)->isEnabled();
+        };
+        constexpr int kTries = 4, kEach_ms = 4000;
+        for (int i = 0; i < kTries && !ready(); ++i) {
+            if (auto *box = find<QCheckBox>("arm"); !box->isChecked())
+                QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+            acts.noteArming();
+            if (QTest::qWaitFor(ready, kEach_ms))
+                break;
+            qWarning("%sarmed; %s", device().armed() ? "" : "not ",
+                qPrintable(find<QPushButton>(button)->toolTip()));
+        }
+        return ready();
+    }
+    bool asks() const { return find<QDialog>("experimentQuestion") != nullptr; }
+    int questions = 0; ///< that were answered with yes
+    void press(const char *name)
+    {
+        QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton);
+        acts.noteArming();
+    }
+    void agree()
+    {
+        auto *dialog = find<QDialog>("experimentQuestion");
+        QVERIFY(dialog);
+        ++questions;
+        QTest::mouseClick(
+            dialog->findChild<QPushButton *>(QStringLiteral("experimentConfirm")), Qt::LeftButton);
+        QTRY_VERIFY(!asks());
+        QApplication::setActiveWindow(&rig.window); // which a window manager does
+    }
+    bool running() { return rig.workbench.experiments().running(); }
+    /// A run, from its button to the sentence of its end.
+    bool runToItsEnd(const char *name)
+    {
+        press(name);
+        if (asks())
+            agree();
+        return QTest::qWaitFor([this] { return running(); })
+            && QTest::qWaitFor([this] { return !running(); }, kRunMs)
+            && QTest::qWaitFor([&] { return find<QPushButton>(name)->isEnabled(); }, 20'000);
+    }
+    QString said(const char *name) const { return find<QLabel>(name)->text(); }
+    QString cell(const char *table, int row, int column) const
+    {
+        return find<QTreeView>(table)->model()->index(row, column).data().toString();
+    }
+    std::int64_t held(const char *name)
+    {
+        const auto id = rig.workbench.registers().idOf(name);
+        const auto value = id ? rig.workbench.registers().known(*id) : std::nullopt;
+        return value ? std::get<std::int64_t>(*value) : 0;
+    }
+};
+
+} // namespace support

@@ -1,0 +1,145 @@
+// The identification of a motor through the real window: what is asked, what stands in the table beside board and motor file,
+// and that figures come into the motor description only when they are wanted, and out again.
+#include "simulation/plant/presets.h"
+#include "widgets/forms/motor_form.h"
+#include "widgets/lab/identify_page.h"
+#include "widgets/lab/lab_window.h"
+
+#include <QMessageBox>
+
+#include <cmath>
+
+using drive::MotorState;
+using support::LabWindow;
+using Findings = widgets::MotorFindings;
+
+namespace {
+
+Findings &findingsOf(LabWindow &bench)
+{
+    return *static_cast<Findings *>(bench.find<QTreeView>("identifyTable")->model());
+}
+
+QString toldOf(LabWindow &bench)
+{
+    QStringList lines;
+    for (int row = 0; row < Findings::kRows; ++row)
+        for (const int column : {Findings::QuantityColumn, Findings::MeasuredColumn,
+                 Findings::IntervalColumn, Findings::NoteColumn})
+            lines.append(bench.cell("identifyTable", row, column));
+    return lines.join(QStringLiteral(" | ")) + QLatin1Char('\n') + bench.said("identifySentence");
+}
+
+} // namespace
+
+class TestIdentifyPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void bothAreMeasuredAndUsedAndTakenBack()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.find("identifyPage")->isVisible());
+        QTRY_VERIFY(bench.said("identifySentence").contains(QLatin1String("Connect to a board")));
+        QVERIFY(bench.connectBoard());
+        QTRY_COMPARE(bench.said("identifySentence"), bench.rig.workbench.experiments().obstacle());
+        QVERIFY(!bench.find<QPushButton>("identifyUse")->isEnabled());
+        QVERIFY(bench.arm("electricalRun"));
+        const auto truth = [&](int row) {
+            return bench.cell("identifyTable", row, Findings::BoardColumn);
+        };
+        QTRY_VERIFY(truth(Findings::Resistance).contains(QStringLiteral("\u03a9")));
+
+        bench.press("electricalRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        for (const char *word : {"1. At rest: currents from", "2. For 12", "Stopped below"})
+            QVERIFY2(words.contains(QLatin1String(word)), qPrintable(words));
+        QTest::keyClick(bench.find("experimentQuestion"), Qt::Key_Return); // is no yes
+        QTRY_VERIFY(!bench.asks());
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+
+        QVERIFY(bench.runToItsEnd("electricalRun"));
+        QVERIFY2(bench.said("identifySentence").contains(QLatin1String("the motor is as it was")),
+            qPrintable(bench.said("identifySentence")));
+        QVERIFY(bench.runToItsEnd("mechanicalRun"));
+        QCOMPARE(bench.questions, 2); // the mechanics are another kind of motion
+        QTRY_COMPARE(bench.state(), MotorState::Idle);
+        const motor::MotorSheet measured = findingsOf(bench).measured();
+        QVERIFY2(measured.rs_ohm && measured.ld_h && measured.lq_h && measured.flux_wb
+                && measured.inertia_kgm2 && measured.viscous_nms && measured.coulomb_nm,
+            qPrintable(toldOf(bench)));
+        // As good as tests of the evaluations say is for them; here it is the right motor in the right row.
+        const double inertia = simulation::findPreset("servo24")->motor.inertia_kgm2;
+        QVERIFY2(std::abs(*measured.inertia_kgm2 / inertia - 1.0) < 0.05,
+            qPrintable(QString::number(*measured.inertia_kgm2)));
+        QVERIFY(bench.cell("identifyTable", Findings::Inertia, Findings::MeasuredColumn)
+                    .endsWith(QStringLiteral("g cm\u00b2")));
+        QVERIFY(bench.cell("identifyTable", Findings::Resistance, Findings::IntervalColumn)
+                    .contains(QLatin1String(" to ")));
+        QVERIFY(bench.cell("identifyTable", Findings::Inertia, Findings::NoteColumn)
+                    .contains(QLatin1String("Model: viscous and dry friction")));
+
+        // Into the description beside the board's, and out of it, as one step each.
+        const auto file = [&](int row) {
+            return bench.cell("identifyTable", row, Findings::FileColumn);
+        };
+        const QString none = QStringLiteral("\u2013");
+        QCOMPARE(file(Findings::Inertia), none);
+        bench.press("identifyUse");
+        QCOMPARE(file(Findings::Inertia),
+            bench.cell("identifyTable", Findings::Inertia, Findings::MeasuredColumn));
+        auto *form = bench.rig.window.findChild<widgets::MotorForm *>();
+        QVERIFY(form->model().hasFile());
+        QVERIFY(bench.find<QPushButton>("motorBack")->isEnabled());
+        bench.press("identifyBack");
+        QCOMPARE(file(Findings::Inertia), none);
+        QVERIFY(!form->model().hasFile());
+        QVERIFY(!bench.find<QPushButton>("identifyBack")->isEnabled());
+    }
+
+    void cancelStopsTheMotorAndTheOtherPartIsNotBegun()
+    {
+        LabWindow bench("servo24", {960, 540});
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("electricalRun"));
+        bench.press("electricalRun");
+        bench.agree();
+        QTRY_VERIFY(bench.said("identifySentence").startsWith(QLatin1String("Resistance")));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.world.counts().starts > 0, 20'000);
+        bench.press("identifyCancel");
+        QVERIFY(!bench.device().armed());
+        QTRY_VERIFY(!bench.running());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QTRY_VERIFY(bench.said("identifySentence").contains(QLatin1String("Interrupted: ")));
+        QCOMPARE(bench.world.counts().starts, 1);
+    }
+
+    void whatABoardCannotDoIsGreyWithTheReason()
+    {
+        facts::WindowRig rig; // the old protocol, in the program's own simulated board
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, Qt::Key_I, Qt::ControlModifier);
+        session::Endpoint endpoint;
+        endpoint.board = "legacy";
+        endpoint.baud = 115200;
+        endpoint.protocol = drive::Protocol::Fcp;
+        rig.workbench.device().open(endpoint);
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+        for (const char *name : {"electricalRun", "mechanicalRun"}) {
+            auto *run = rig.find<QPushButton>(name);
+            QTRY_COMPARE(run->toolTip().isEmpty(), false);
+            QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
+            QVERIFY(!run->isEnabled());
+        }
+        QCOMPARE(
+            rig.find<QLabel>("identifySentence")->text(), rig.workbench.experiments().obstacle());
+    }
+};
+
+QTEST_MAIN(TestIdentifyPage)
+#include "tst_identify_page.moc"

@@ -1,0 +1,152 @@
+// The frequency response through the real window: what is measured, what other gains would do, what is proposed, written, proved
+// and taken back. The judge of the wire watches all of it.
+#include "widgets/lab/bode_plot.h"
+#include "widgets/lab/lab_window.h"
+#include "widgets/lab/loop_rows.h"
+
+#include <QComboBox>
+#include <QSpinBox>
+#include <QUndoStack>
+
+using drive::MotorState;
+using support::LabWindow;
+using widgets::LoopRows;
+
+namespace {
+
+LoopRows &rowsOf(LabWindow &bench)
+{
+    return *static_cast<LoopRows *>(bench.find<QTreeView>("responseLoops")->model());
+}
+const widgets::LoopRow &rowOf(LabWindow &bench, const char *key)
+{
+    static const widgets::LoopRow none;
+    const int row = rowsOf(bench).rowOf(key);
+    return row < 0 ? none : rowsOf(bench).rows()[std::size_t(row)];
+}
+
+} // namespace
+
+class TestResponsePage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void fromAResponseToProvedGainsAndBack()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.find("responsePage")->isVisible());
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("speedResponseRun"));
+        bench.find<QSpinBox>("responseLength")->setValue(6);
+        QVERIFY(!bench.find<QPushButton>("responsePropose")->isEnabled());
+        QVERIFY(!bench.find<QPushButton>("proveRun")->isEnabled());
+        QVERIFY(!bench.find<QSpinBox>("whatIfKp")->isEnabled());
+        const auto kp = bench.held("SPEED_KP"), ki = bench.held("SPEED_KI");
+        QVERIFY(kp > 0 && ki > 0);
+        QCOMPARE(bench.find<QSpinBox>("whatIfKp")->value(), int(kp));
+
+        QVERIFY(bench.runToItsEnd("speedResponseRun"));
+        QVERIFY2(bench.said("responseSentence").contains(QLatin1String("the motor is as it was")),
+            qPrintable(bench.said("responseSentence")));
+        const widgets::LoopRow measured = rowOf(bench, "measured");
+        QVERIFY(measured.crossover_hz && measured.phaseMargin_deg && measured.ms);
+        QVERIFY(measured.crossover_hz->low
+            && *measured.crossover_hz->low < measured.crossover_hz->value);
+        auto *plot = bench.rig.window.findChild<widgets::BodePlot *>();
+        QCOMPARE(plot->curves().size(), 2); // measured, and what if
+        QVERIFY(plot->curves()[0].points.size() > 10);
+
+        whatIfMovesThePrediction(bench);
+        if (!QTest::currentTestFailed())
+            proposedGainsAreWrittenAndProved(bench, kp, ki);
+    }
+
+private:
+    /// Nothing is written by that.
+    void whatIfMovesThePrediction(LabWindow &bench)
+    {
+        const double before = rowOf(bench, "what-if").crossover_hz->value;
+        const auto kp = bench.held("SPEED_KP");
+        bench.find<QSpinBox>("whatIfKp")->setFocus();
+        bench.find<QSpinBox>("whatIfKp")->setValue(int(2 * kp));
+        QTRY_VERIFY(rowOf(bench, "what-if").crossover_hz->value > 1.3 * before);
+        QCOMPARE(bench.held("SPEED_KP"), kp);
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 0);
+    }
+
+    void proposedGainsAreWrittenAndProved(LabWindow &bench, std::int64_t kp, std::int64_t ki)
+    {
+        bench.press("responsePropose");
+        for (const char *goal : {"stiff", "medium", "quick"})
+            QVERIFY(rowOf(bench, goal).kp && rowOf(bench, goal).ms && rowOf(bench, goal).rise_s);
+        const widgets::LoopRow medium = rowOf(bench, "medium"); // is the chosen one
+        QCOMPARE(bench.find<QSpinBox>("whatIfKp")->value(), *medium.kp);
+        QCOMPARE(bench.find<QSpinBox>("whatIfKi")->value(), *medium.ki);
+        bench.press("responseApply");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), std::int64_t(*medium.kp), 10'000);
+        QTRY_COMPARE(bench.held("SPEED_KI"), std::int64_t(*medium.ki));
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 1);
+        QTRY_VERIFY(bench.find<QPushButton>("proveRun")->isEnabled());
+
+        const int questions = bench.questions;
+        QVERIFY(bench.runToItsEnd("proveRun"));
+        QCOMPARE(bench.questions, questions + 1); // steps are another kind of motion
+        const widgets::LoopRow proof = rowOf(bench, "proof");
+        QVERIFY2(proof.ms && proof.rise_s, qPrintable(bench.said("responseSentence")));
+        QVERIFY2(proof.ms->value < 1.1 * 1.7, qPrintable(QString::number(proof.ms->value)));
+        QVERIFY2(bench.said("responseSentence").contains(QLatin1String("keeps what was predicted")),
+            qPrintable(bench.said("responseSentence")));
+        auto *plot = bench.rig.window.findChild<widgets::BodePlot *>();
+        QCOMPARE(plot->curves().size(), 3);
+
+        bench.press("responseBack");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
+        QTRY_COMPARE(bench.held("SPEED_KI"), ki);
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 2);
+        QTRY_VERIFY(!bench.find<QPushButton>("responseBack")->isEnabled());
+        bench.rig.workbench.edits().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), std::int64_t(*medium.kp), 10'000);
+        QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
+    }
+
+private Q_SLOTS:
+    void theCurrentLoopHasARowAndAPictureOfItsOwn()
+    {
+        LabWindow bench("servo24", {960, 540});
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("currentResponseRun"));
+        QVERIFY(bench.runToItsEnd("currentResponseRun"));
+        QVERIFY2(rowOf(bench, "current").crossover_hz, qPrintable(bench.said("responseSentence")));
+        QCOMPARE(bench.find<QComboBox>("responsePicture")->currentIndex(), 3);
+        auto *plot = bench.rig.window.findChild<widgets::BodePlot *>();
+        QCOMPARE(plot->curves().size(), 1);
+        QVERIFY(plot->curves()[0].points.size() > 10);
+        QTest::keyClick(plot, Qt::Key_Plus);
+        QTest::keyClick(plot, Qt::Key_F);
+        // Gains of the speed loop do not follow from it.
+        QVERIFY(!bench.find<QPushButton>("responsePropose")->isEnabled());
+    }
+
+    void escEndsItAndNothingIsProposed()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("speedResponseRun"));
+        bench.press("speedResponseRun");
+        bench.agree();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Running, 20'000);
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
+        QTRY_VERIFY(!bench.running());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QTRY_VERIFY(bench.said("responseSentence").contains(QLatin1String("Interrupted: ")));
+        QVERIFY(!bench.find<QPushButton>("responseApply")->isEnabled());
+    }
+};
+
+QTEST_MAIN(TestResponsePage)
+#include "tst_response_page.moc"

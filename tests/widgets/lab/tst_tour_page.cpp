@@ -1,0 +1,168 @@
+// The tour through the real window, from gains that are wrong to proved ones, on boards with an encoder, with Hall sensors and
+// without a sensor: what is asked, what each station says, and that what a board cannot have is told. The judge of the wire
+// watches all of it.
+#include "widgets/lab/lab_window.h"
+#include "widgets/lab/loop_tuning.h"
+#include "widgets/lab/tour_steps.h"
+
+#include <QElapsedTimer>
+#include <QMessageBox>
+#include <QSpinBox>
+#include <QUndoStack>
+
+using drive::MotorState;
+using support::LabWindow;
+using Steps = widgets::TourSteps;
+using State = Steps::State;
+
+namespace {
+
+Steps &stepsOf(LabWindow &bench)
+{
+    return *static_cast<Steps *>(bench.find<QTreeView>("tourSteps")->model());
+}
+QString toldOf(LabWindow &bench)
+{
+    QStringList lines;
+    for (int row = 0; row < Steps::kSteps; ++row)
+        lines.append(bench.cell("tourSteps", row, Steps::StepColumn) + QStringLiteral(": ")
+            + bench.cell("tourSteps", row, Steps::StateColumn) + QStringLiteral(", ")
+            + bench.cell("tourSteps", row, Steps::ResultColumn));
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n') + bench.said("tourSentence");
+}
+
+} // namespace
+
+class TestTourPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    /// Hall sensors and none take their time: they are looked at in long runs.
+    void fromWrongGainsToProvedOnes_data()
+    {
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<int>("length_s");
+        QTest::newRow("encoder") << QStringLiteral("servo24") << 6;
+        if (qEnvironmentVariableIsSet("ROTORSCOPE_LONG")) {
+            QTest::newRow("Hall") << QStringLiteral("blower36") << 16;
+            QTest::newRow("sensorless") << QStringLiteral("pm24") << 16;
+        }
+    }
+    void fromWrongGainsToProvedOnes()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const int, length_s);
+        LabWindow bench(motor.toStdString());
+        bench.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QTRY_VERIFY(bench.cell("tourSteps", Steps::Check, Steps::ResultColumn)
+                        .contains(QLatin1String("Arm first")));
+        QVERIFY(bench.arm("tourRun"));
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Check), State::Done);
+        bench.find<QSpinBox>("tourLength")->setValue(length_s);
+        QVERIFY(!bench.find<QPushButton>("tourProveRun")->isEnabled());
+        const auto kp = bench.held("SPEED_KP"), ki = bench.held("SPEED_KI");
+        QElapsedTimer time;
+        time.start();
+
+        bench.press("tourRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QLatin1String("5. 5 time")), qPrintable(words));
+        bench.agree();
+        // One station after the other, without another question.
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                const State state = stepsOf(bench).state(Steps::Response);
+                return (state != State::Waits && state != State::Runs)
+                    || stepsOf(bench).state(Steps::Windings) == State::Ended
+                    || stepsOf(bench).state(Steps::Mechanics) == State::Ended;
+            },
+            2 * LabWindow::kRunMs));
+        const QString told = toldOf(bench);
+        qInfo("%s", qPrintable(told));
+        // What is not conclusive is told with its reason.
+        const bool encoder = motor == QLatin1String("servo24");
+        for (const Steps::Step step : {Steps::Windings, Steps::Mechanics, Steps::Response}) {
+            QVERIFY2(stepsOf(bench).state(step) == State::Done
+                    || (!encoder && stepsOf(bench).state(step) == State::Unclear),
+                qPrintable(told));
+            QVERIFY(!bench.cell("tourSteps", step, Steps::ResultColumn).isEmpty());
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QCOMPARE(bench.held("SPEED_KP"), kp); // nothing is written yet
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 0);
+        if (stepsOf(bench).state(Steps::Response) == State::Unclear) {
+            QVERIFY(!bench.find<QPushButton>("tourProveRun")->isEnabled());
+            QVERIFY(stepsOf(bench).state(Steps::Gains) == State::Unclear);
+            return;
+        }
+        QTRY_VERIFY(bench.find<QPushButton>("tourProveRun")->isEnabled());
+
+        bench.press("tourProveRun");
+        QVERIFY(QTest::qWaitFor([&] { return bench.running(); }, 10'000));
+        QVERIFY(!bench.asks());
+        QVERIFY(QTest::qWaitFor([&] { return !bench.running(); }, LabWindow::kRunMs));
+        QTRY_VERIFY_WITH_TIMEOUT(stepsOf(bench).state(Steps::Proof) != State::Runs, 20'000);
+        qInfo("%s", qPrintable(toldOf(bench)));
+        qInfo("%s: %lld s, %d confirmations besides arming", qPrintable(motor),
+            time.elapsed() / 1000, bench.questions);
+        QCOMPARE(bench.questions, 1);
+        QVERIFY(bench.rig.workbench.edits().steps().count() == 1);
+        QVERIFY(bench.held("SPEED_KP") != kp || bench.held("SPEED_KI") != ki);
+        // The noisy speed of a board without an encoder may be worse than its prediction: that is told, with the way back.
+        const QString proof = bench.cell("tourSteps", Steps::Proof, Steps::ResultColumn);
+        QVERIFY2(stepsOf(bench).state(Steps::Proof) == State::Done
+                || (!encoder && proof.contains(QLatin1String("Worse than predicted"))),
+            qPrintable(toldOf(bench)));
+
+        bench.press("tourBack");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
+        QTRY_COMPARE(bench.held("SPEED_KI"), ki);
+        QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
+    }
+
+    void escEndsTheWholeTour()
+    {
+        LabWindow bench("servo24", {960, 540});
+        bench.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("tourRun"));
+        bench.press("tourRun");
+        bench.agree();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.world.counts().starts > 0, 20'000);
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
+        QTRY_VERIFY(!bench.running());
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Windings), State::Ended);
+        QCOMPARE(stepsOf(bench).state(Steps::Mechanics), State::Waits);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QCOMPARE(bench.world.counts().starts, 1);
+    }
+
+    void aBoardThatRecordsNothingIsToldAtTheFirstStation()
+    {
+        facts::WindowRig rig; // the old protocol, in the program's own simulated board
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        session::Endpoint endpoint;
+        endpoint.board = "legacy";
+        endpoint.baud = 115200;
+        endpoint.protocol = drive::Protocol::Fcp;
+        rig.workbench.device().open(endpoint);
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+        const auto told = [&] {
+            return rig.find<QTreeView>("tourSteps")
+                ->model()
+                ->index(Steps::Check, Steps::ResultColumn)
+                .data()
+                .toString();
+        };
+        QTRY_COMPARE(told(), rig.workbench.experiments().obstacle());
+        QVERIFY(!rig.find<QPushButton>("tourRun")->isEnabled());
+    }
+};
+
+QTEST_MAIN(TestTourPage)
+#include "tst_tour_page.moc"

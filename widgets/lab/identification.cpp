@@ -1,0 +1,70 @@
+#include "widgets/lab/identification.h"
+
+namespace widgets {
+namespace {
+
+bool whole(const lab::Electrics &found) { return found.rs_ohm && found.ld_h; }
+bool whole(const lab::Mechanics &) { return true; }
+
+QString notConclusive(const QString &why)
+{
+    return Identification::tr("Not conclusive: %1").arg(why);
+}
+
+} // namespace
+
+Identification::Identification(
+    const Device &device, const Experiments &experiments, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_experiments(experiments)
+{
+    // What was measured is of one motor.
+    connect(&device, &Device::identityChanged, &m_findings, &MotorFindings::clear);
+    connect(&device, &Device::motorChanged, &m_findings, &MotorFindings::clear);
+}
+
+template <class Found>
+ExperimentBar::Evaluate Identification::evaluation(
+    Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &))
+{
+    return [this, evaluate](const Experiments::Record &record) -> ExperimentBar::Show {
+        const auto found = evaluate(record.capture, record.happenings);
+        return [this, found]() -> QStringList {
+            if (!found) {
+                const QString why = notConclusive(labSentence(found.error()));
+                m_findings.fail(std::is_same_v<Found, lab::Mechanics>, why);
+                return {why};
+            }
+            m_findings.take(*found);
+            if (whole(*found))
+                return {};
+            QStringList notes;
+            for (const std::string &note : found->notes)
+                notes.append(labSentence(note));
+            return {notConclusive(notes.join(QLatin1Char(' ')))};
+        };
+    };
+}
+
+Result<ExperimentBar::Run, QString> Identification::electricalRun()
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    const drive::UserLimits &caps = m_device.userLimits();
+    return ExperimentBar::Run{{{lab::restPlanFor(*subject, caps), *subject},
+                                  {lab::fluxPlanFor(*subject, caps), *subject}},
+        evaluation<lab::Electrics>(&lab::evaluateElectrics)};
+}
+
+Result<ExperimentBar::Run, QString> Identification::mechanicalRun()
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    return ExperimentBar::Run{{{lab::spinPlanFor(*subject, m_device.userLimits()), *subject}},
+        evaluation<lab::Mechanics>(&lab::evaluateMechanics)};
+}
+
+} // namespace widgets

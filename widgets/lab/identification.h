@@ -1,0 +1,31 @@
+// Identification: which experiments measure the motor itself, and what they found. It moves nothing.
+#pragma once
+
+#include "widgets/lab/experiment_bar.h"
+#include "widgets/lab/motor_findings.h"
+
+#include <QObject>
+
+namespace widgets {
+
+class Identification : public QObject {
+    Q_OBJECT
+public:
+    /// Both outlive it.
+    Identification(const Device &device, const Experiments &experiments, QObject *parent = nullptr);
+
+    Result<ExperimentBar::Run, QString> electricalRun(); ///< windings and magnets
+    Result<ExperimentBar::Run, QString> mechanicalRun(); ///< inertia and friction
+    MotorFindings &findings() { return m_findings; }
+
+private:
+    template <class Found>
+    ExperimentBar::Evaluate evaluation(
+        Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &));
+
+    const Device &m_device;
+    const Experiments &m_experiments;
+    MotorFindings m_findings;
+};
+
+} // namespace widgets

@@ -1,0 +1,105 @@
+#include "widgets/lab/identify_page.h"
+
+#include "widgets/base/look/spacing.h"
+
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace widgets {
+
+IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
+    : Form(parent)
+    , m_parts(parts)
+    , m_facts(parts.device, parts.registers)
+    , m_table(new QTreeView(this))
+    , m_bar(new ExperimentBar(parts.lab, "identify", this))
+{
+    setObjectName(QStringLiteral("identifyPage"));
+    makeTable();
+    makeBar();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
+    layout->addWidget(m_table);
+    connect(&parts.registers, &QAbstractItemModel::modelReset, this, &IdentifyPage::boardChanged);
+    connect(&findings(), &QAbstractItemModel::dataChanged, this, &IdentifyPage::enableButtons);
+    connect(&parts.description, &MotorDescription::changed, this, &IdentifyPage::showKnown);
+    boardChanged();
+}
+
+void IdentifyPage::makeTable()
+{
+    m_table->setObjectName(QStringLiteral("identifyTable"));
+    m_table->setAccessibleName(tr("What was measured of the motor"));
+    m_table->setModel(&findings());
+    m_table->setRootIsDecorated(false);
+    m_table->setUniformRowHeights(true);
+    m_table->setAlternatingRowColors(true);
+    m_table->setAllColumnsShowFocus(true);
+    m_table->setMinimumHeight(100);
+    m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->header()->setSectionResizeMode(MotorFindings::NoteColumn, QHeaderView::Stretch);
+}
+
+void IdentifyPage::makeBar()
+{
+    m_bar->add({tr("E&lectrical"), "electricalRun",
+        tr("Measures resistance and dead time at rest, then inductances and flux while it turns; "
+           "then the motor is as it was."),
+        [this] { return m_parts.identification.electricalRun(); }});
+    m_bar->add({tr("Mecha&nical"), "mechanicalRun",
+        tr("Measures inertia and friction while the motor is driven and coasts; then it is as it "
+           "was."),
+        [this] { return m_parts.identification.mechanicalRun(); }});
+    m_use = new QPushButton(tr("&Use in motor file"), m_bar);
+    m_use->setObjectName(QStringLiteral("identifyUse"));
+    m_use->setToolTip(tr("Puts the measured figures into the description beside the board's, in "
+                         "Motor and drive; nothing is written to the board."));
+    m_back = new QPushButton(tr("Take &back"), m_bar);
+    m_back->setObjectName(QStringLiteral("identifyBack"));
+    m_back->setToolTip(tr("Takes them out of it again."));
+    m_bar->addAside(m_use);
+    m_bar->addAside(m_back);
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        m_parts.description.use(findings().measured(), drive::sheetOf(m_facts.facts()));
+    });
+    connect(m_back, &QPushButton::clicked, &m_parts.description, &MotorDescription::takeBack);
+}
+
+std::vector<catalog::RegisterId> IdentifyPage::watchedRegisters() const
+{
+    return m_facts.watched();
+}
+
+void IdentifyPage::refresh(Milliseconds)
+{
+    if (m_facts.refresh()) {
+        showKnown();
+        Q_EMIT watchedRegistersChanged();
+    }
+    m_bar->refresh();
+}
+
+void IdentifyPage::focusFirst() { m_table->setFocus(Qt::ShortcutFocusReason); }
+
+void IdentifyPage::boardChanged()
+{
+    m_facts.begin();
+    showKnown();
+    Q_EMIT watchedRegistersChanged();
+    m_bar->refresh();
+}
+
+void IdentifyPage::showKnown()
+{
+    findings().setKnown(drive::sheetOf(m_facts.facts()), m_parts.description.sheet());
+}
+
+void IdentifyPage::enableButtons()
+{
+    m_use->setEnabled(findings().any());
+    m_back->setEnabled(m_parts.description.holdsMeasured());
+}
+
+} // namespace widgets

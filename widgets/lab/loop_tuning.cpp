@@ -1,0 +1,296 @@
+#include "widgets/lab/loop_tuning.h"
+
+#include "widgets/base/value_text.h"
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+/// Takes a while.
+LoopTuning::Measured measuredBy(
+    const lab::SpeedResponse &response, const lab::SpeedLoop &loop, double nominalAmps)
+{
+    LoopTuning::Measured measured{response, loop, {}, {}, {}};
+    if (const auto forecaster = lab::forecasterOf(response, loop.digits))
+        measured.forecaster = *forecaster;
+    if (const auto found = lab::proposeGains(response, loop.digits, nominalAmps))
+        measured.candidates = *found;
+    else
+        measured.whyNone = found.error();
+    return measured;
+}
+
+QString gainsText(const LoopTuning::Gains &gains)
+{
+    return LoopTuning::tr("Kp %1, Ki %2", "digits")
+        .arg(QString::number(gains.kp), QString::number(gains.ki));
+}
+
+} // namespace
+
+LoopTuning::LoopTuning(Device &device, RegisterModel &registers, RegisterEdits &edits,
+    const Experiments &experiments, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_registers(registers)
+    , m_edits(edits)
+    , m_experiments(experiments)
+    , m_facts(device, registers)
+{
+    connect(&registers, &QAbstractItemModel::modelReset, this, &LoopTuning::boardChanged);
+    connect(&device, &Device::identityChanged, this, &LoopTuning::boardChanged);
+    connect(&device, &Device::motorChanged, this, &LoopTuning::boardChanged);
+    connect(&edits, &RegisterEdits::changed, this, &LoopTuning::changed);
+    connect(&edits, &RegisterEdits::told, this, [this](const QString &sentence, bool good) {
+        const auto writing = std::exchange(m_writing, std::nullopt);
+        if (!writing)
+            return;
+        if (good)
+            m_applied = writing;
+        Q_EMIT written(good, sentence);
+        Q_EMIT changed();
+    });
+    boardChanged();
+}
+
+/// What was measured is of one motor.
+void LoopTuning::boardChanged()
+{
+    m_facts.begin();
+    m_measured.reset();
+    m_current.reset();
+    m_proof.reset();
+    m_old.reset();
+    m_applied.reset();
+    m_writing.reset();
+    ++m_measurements;
+    Q_EMIT watchedRegistersChanged();
+    Q_EMIT changed();
+}
+
+std::vector<catalog::RegisterId> LoopTuning::watchedRegisters() const
+{
+    std::vector<catalog::RegisterId> ids = m_facts.watched();
+    if (const auto subject = m_experiments.subject())
+        for (const drive::RegisterId id : lab::gainRegisters(*subject))
+            ids.push_back(id);
+    return ids;
+}
+
+void LoopTuning::refresh()
+{
+    if (!m_facts.refresh())
+        return;
+    Q_EMIT watchedRegistersChanged();
+    Q_EMIT changed();
+}
+
+std::optional<LoopTuning::Gains> LoopTuning::present() const
+{
+    const auto subject = m_experiments.subject();
+    const auto loop = subject ? m_facts.speedLoop(*subject) : std::nullopt;
+    return loop ? std::optional(Gains{loop->proportional, loop->integral}) : std::nullopt;
+}
+
+std::optional<lab::GainCandidate> LoopTuning::candidate(lab::Goal goal) const
+{
+    if (m_measured)
+        for (const lab::GainCandidate &one : m_measured->candidates)
+            if (one.goal == goal)
+                return one;
+    return std::nullopt;
+}
+
+Result<ExperimentBar::Run, QString> LoopTuning::speedRun(std::chrono::milliseconds length)
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    if (!lab::gainRegisters(*subject).empty() && (!present() || !m_facts.known()))
+        return fail(tr("The gains are being read."));
+    lab::ResponsePlan plan = lab::responsePlanFor(*subject, m_device.userLimits());
+    plan.length = length;
+    return responseRun(*subject, plan, std::nullopt);
+}
+
+Result<ExperimentBar::Run, QString> LoopTuning::proofRun(
+    std::chrono::milliseconds length, const Gains &gains)
+{
+    auto run = speedRun(length);
+    if (!run)
+        return run;
+    const lab::Subject subject = run->experiments.front().subject;
+    ExperimentBar::Run proof =
+        responseRun(subject, std::get<lab::ResponsePlan>(run->experiments.front().plan), gains);
+    proof.experiments.push_back({lab::proofStepsFor(subject, m_device.userLimits()), subject});
+    return proof;
+}
+
+Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::milliseconds length)
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    lab::ResponsePlan plan = lab::currentResponsePlanFor(*subject, m_device.userLimits());
+    plan.length = length;
+    const auto loop = m_facts.speedLoop(*subject);
+    const auto evaluate = [this](const Experiments::Record &record) -> ExperimentBar::Show {
+        const auto found = lab::evaluateCurrentResponse(record.capture, record.happenings);
+        return [this, found]() -> QStringList {
+            if (!found)
+                return {tr("Not conclusive: %1").arg(labSentence(found.error()))};
+            m_current = *found;
+            Q_EMIT changed();
+            QStringList notes;
+            for (const std::string &note : found->notes)
+                notes.append(labSentence(note));
+            return notes;
+        };
+    };
+    return ExperimentBar::Run{
+        {{plan, *subject}}, evaluate, loop ? loop->regulator : lab::SpeedRegulator()};
+}
+
+ExperimentBar::Run LoopTuning::responseRun(
+    const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve)
+{
+    const lab::SpeedLoop loop = m_facts.speedLoop(subject).value_or(lab::SpeedLoop());
+    const double nominalAmps = subject.limits.nominalCurrentAmps;
+    const auto evaluate = [this, loop, nominalAmps, toProve](
+                              const Experiments::Record &record) -> ExperimentBar::Show {
+        const auto response = lab::evaluateResponse(record.capture, record.happenings);
+        std::optional<lab::StepSeries> steps;
+        if (toProve)
+            if (const auto series = lab::stepSeries(record.capture, record.happenings))
+                steps = *series;
+        std::optional<Measured> measured;
+        if (response && !toProve)
+            measured = measuredBy(*response, loop, nominalAmps);
+        return [=, this]() -> QStringList {
+            if (!response)
+                return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
+            if (toProve) {
+                m_proof =
+                    Proof{*response, steps, *toProve, lab::keepsPromise(*response, m_promised)};
+            } else {
+                m_measured = measured;
+                m_proof.reset();
+                ++m_measurements;
+            }
+            Q_EMIT changed();
+            if (toProve)
+                return {verdict()};
+            QStringList notes;
+            for (const std::string &note : response->notes)
+                notes.append(labSentence(note));
+            return notes;
+        };
+    };
+    return {{{plan, subject}}, evaluate, loop.regulator};
+}
+
+std::optional<lab::SpeedResponse> LoopTuning::predicted(const Gains &gains) const
+{
+    if (!m_measured || m_measured->response.regulator.proportional == 0.0)
+        return std::nullopt;
+    const lab::GainDigits &digits = m_measured->loop.digits;
+    return lab::withRegulator(m_measured->response,
+        {gains.kp * digits.proportional, gains.ki * digits.integral,
+            m_measured->response.regulator.period_s});
+}
+
+std::optional<lab::LoopForecast> LoopTuning::forecast(const Gains &gains) const
+{
+    if (!m_measured || !m_measured->forecaster)
+        return std::nullopt;
+    return m_measured->forecaster(gains.kp, gains.ki);
+}
+
+/// What is held: a goal's distance by its own gains, and the prediction by any others.
+double LoopTuning::promised(const Gains &gains) const
+{
+    if (m_measured)
+        for (const lab::GainCandidate &one : m_measured->candidates)
+            if (one.proportional == gains.kp && one.integral == gains.ki)
+                return lab::distanceOf(one.goal).ms;
+    const auto predictedLoop = forecast(gains);
+    return predictedLoop ? predictedLoop->ms : 0.0;
+}
+
+QString LoopTuning::applyHint(const Gains &gains) const
+{
+    if (!m_measured)
+        return tr("Measure the response of the speed first.");
+    if (m_experiments.running())
+        return tr("An experiment is running.");
+    if (gains == present())
+        return tr("The board holds these gains.");
+    return m_edits.writeHint();
+}
+
+void LoopTuning::apply(const Gains &gains)
+{
+    const auto before = present();
+    if (!before || !m_measured)
+        return;
+    m_proof.reset();
+    m_promised = promised(gains);
+    if (before == gains) { // there is nothing to write
+        m_applied = gains;
+        Q_EMIT changed();
+        return;
+    }
+    if (!applyHint(gains).isEmpty())
+        return;
+    m_applied.reset();
+    if (!m_old)
+        m_old = before;
+    write(gains, tr("gains of the speed loop, %1").arg(gainsText(gains)));
+}
+
+QString LoopTuning::backHint() const
+{
+    if (!m_old)
+        return tr("No gains were written from here.");
+    if (m_experiments.running())
+        return tr("An experiment is running.");
+    if (m_old == present())
+        return tr("The board holds these gains.");
+    return m_edits.writeHint();
+}
+
+void LoopTuning::back()
+{
+    if (!backHint().isEmpty())
+        return;
+    m_promised = promised(*m_old);
+    m_applied.reset();
+    m_proof.reset();
+    write(*m_old, tr("back to %1").arg(gainsText(*m_old)));
+}
+
+void LoopTuning::write(const Gains &gains, const QString &text)
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return;
+    m_writing = gains;
+    m_edits.write(text, lab::gainWrites(*subject, gains.kp, gains.ki));
+}
+
+QString LoopTuning::verdict() const
+{
+    if (!m_proof)
+        return {};
+    const QString ms = m_proof->response.ms ? numberText(m_proof->response.ms->value, 2)
+                                            : tr("unknown", "a value");
+    const QString most = numberText(m_promised, 2);
+    return m_proof->kept
+        ? tr("The loop keeps what was predicted: Ms %1, at most %2 promised.").arg(ms, most)
+        : tr("Worse than predicted: Ms %1, at most %2 promised. \"Back to the old gains\" brings "
+             "them back.")
+              .arg(ms, most);
+}
+
+} // namespace widgets

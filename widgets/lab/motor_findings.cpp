@@ -1,0 +1,232 @@
+#include "widgets/lab/motor_findings.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/si_text.h"
+#include "widgets/lab/experiment_bar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+constexpr double kGcm2PerKgm2 = 1e7;
+
+/// How a figure is shown, and where a motor file has it.
+struct Shown {
+    double factor;
+    const char16_t *unit;
+    std::optional<double> motor::MotorSheet::*member; ///< nullptr: it holds no such figure
+};
+constexpr std::array<Shown, MotorFindings::kRows> kShown{{
+    {1.0, u"\u03a9", &motor::MotorSheet::rs_ohm},
+    {1.0, u"V", nullptr},
+    {1.0, u"H", &motor::MotorSheet::ld_h},
+    {1.0, u"H", &motor::MotorSheet::lq_h},
+    {1.0, u"Wb", &motor::MotorSheet::flux_wb},
+    {kGcm2PerKgm2, u"g cm\u00b2", &motor::MotorSheet::inertia_kgm2},
+    {1.0, u"N m s", &motor::MotorSheet::viscous_nms},
+    {1.0, u"N m", &motor::MotorSheet::coulomb_nm},
+    {1e6, u"\u00b5N m s\u00b2", nullptr},
+}};
+
+const QString kNone = QStringLiteral("\u2013");
+
+QString notesText(const std::vector<std::string> &notes)
+{
+    QStringList all;
+    for (const std::string &note : notes)
+        all.append(labSentence(note));
+    return all.join(QLatin1Char(' '));
+}
+
+} // namespace
+
+MotorFindings::MotorFindings(QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_rows(kRows)
+{
+}
+
+void MotorFindings::set(Row row, const std::optional<lab::Estimate> &value, const QString &note)
+{
+    m_rows[row] = {value, note};
+}
+
+void MotorFindings::told() { Q_EMIT dataChanged(index(0, 0), index(kRows - 1, kColumns - 1)); }
+
+void MotorFindings::take(const lab::Electrics &found)
+{
+    const QString notes = notesText(found.notes);
+    set(Resistance, found.rs_ohm,
+        found.rs_ohm ? tr("of a phase with its switches, as warm as it is now") : notes);
+    set(DeadTime, found.deadTime_v,
+        found.deadTime_v ? tr("what the bridge loses; a motor file does not hold it") : notes);
+    for (const auto &[row, value] :
+        {std::pair(Ld, found.ld_h), std::pair(Lq, found.lq_h), std::pair(Flux, found.flux_wb)})
+        set(row, value, value && found.rs_ohm ? QString() : notes);
+    told();
+}
+
+void MotorFindings::take(const lab::Mechanics &found)
+{
+    constexpr double kPercent = 100.0;
+    const QString model =
+        found.fan ? tr("viscous and dry friction and a fan") : tr("viscous and dry friction");
+    set(Inertia, found.inertia_kgm2,
+        tr("Model: %1; it leaves %2 % of the torque.")
+                .arg(model, plainNumberText(found.share * kPercent, 2))
+            + QLatin1Char(' ') + notesText(found.notes));
+    set(Viscous, found.viscous_nms, {});
+    set(Dry, found.dry_nm, {});
+    const double most = found.fan_nms2.high.value_or(0.0) * kShown[Fan].factor;
+    set(Fan, found.fan ? std::optional(found.fan_nms2) : std::nullopt,
+        found.fan
+            ? tr("a motor file does not hold it")
+            : tr("none seen; at most %1").arg(siText(most, QString::fromUtf16(kShown[Fan].unit))));
+    told();
+}
+
+void MotorFindings::fail(bool mechanical, const QString &why)
+{
+    for (int row = 0; row < kRows; ++row)
+        if ((row >= Inertia) == mechanical)
+            set(Row(row), std::nullopt, why);
+    told();
+}
+
+void MotorFindings::clear()
+{
+    m_rows.assign(kRows, {});
+    told();
+}
+
+void MotorFindings::setKnown(
+    const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file)
+{
+    m_board = board;
+    m_file = file.value_or(motor::MotorSheet());
+    told();
+}
+
+motor::MotorSheet MotorFindings::measured() const
+{
+    motor::MotorSheet sheet;
+    for (std::size_t row = 0; row < kRows; ++row)
+        if (kShown[row].member != nullptr && m_rows[row].value)
+            sheet.*kShown[row].member = m_rows[row].value->value;
+    return sheet;
+}
+
+bool MotorFindings::any() const
+{
+    const motor::MotorSheet sheet = measured();
+    return std::any_of(kShown.begin(), kShown.end(), [&](const Shown &shown) {
+        return shown.member != nullptr && (sheet.*shown.member).has_value();
+    });
+}
+
+int MotorFindings::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : kRows;
+}
+
+int MotorFindings::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QString MotorFindings::name(Row row) const
+{
+    switch (row) {
+    case Resistance:
+        return tr("Resistance Rs");
+    case DeadTime:
+        return tr("Dead time");
+    case Ld:
+        return tr("Inductance Ld");
+    case Lq:
+        return tr("Inductance Lq");
+    case Flux:
+        return tr("Flux of the magnets");
+    case Inertia:
+        return tr("Inertia J");
+    case Viscous:
+        return tr("Viscous friction");
+    case Dry:
+        return tr("Dry friction");
+    case Fan:
+        return tr("Fan");
+    case kRows:
+        break;
+    }
+    return {};
+}
+
+QString MotorFindings::figure(Row row, const std::optional<double> &value) const
+{
+    const Shown &shown = kShown[row];
+    return value ? siText(*value * shown.factor, QString::fromUtf16(shown.unit)) : kNone;
+}
+
+QString MotorFindings::text(Row row, int column) const
+{
+    const Finding &finding = m_rows[row];
+    const auto member = kShown[row].member;
+    switch (column) {
+    case QuantityColumn:
+        return name(row);
+    case MeasuredColumn:
+        return figure(row, finding.value ? std::optional(finding.value->value) : std::nullopt);
+    case IntervalColumn:
+        return finding.value && finding.value->low && finding.value->high
+            ? tr("%1 to %2", "least and greatest value")
+                  .arg(figure(row, finding.value->low), figure(row, finding.value->high))
+            : kNone;
+    case BoardColumn:
+        return figure(row, member != nullptr ? m_board.*member : std::nullopt);
+    case FileColumn:
+        return figure(row, member != nullptr ? m_file.*member : std::nullopt);
+    case NoteColumn:
+        return finding.note;
+    default:
+        return {};
+    }
+}
+
+QVariant MotorFindings::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid() || index.row() >= kRows)
+        return {};
+    const QString shown = text(Row(index.row()), index.column());
+    if (role == Qt::DisplayRole)
+        return shown;
+    if (role == Qt::ToolTipRole && index.column() == NoteColumn && !shown.isEmpty())
+        return plainToolTip(shown);
+    return {};
+}
+
+QVariant MotorFindings::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case QuantityColumn:
+        return tr("Quantity");
+    case MeasuredColumn:
+        return tr("Measured");
+    case IntervalColumn:
+        return tr("With 95 %");
+    case BoardColumn:
+        return tr("On the board");
+    case FileColumn:
+        return tr("In the motor file");
+    case NoteColumn:
+        return tr("Notes");
+    default:
+        return {};
+    }
+}
+
+} // namespace widgets

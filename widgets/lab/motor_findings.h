@@ -1,0 +1,61 @@
+// What was measured of a motor, one figure a row: its value, the interval that holds the true one, and what board and motor file
+// say. It computes none of it.
+#pragma once
+
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
+#include "motor/motor_sheet.h"
+
+#include <QAbstractTableModel>
+#include <QString>
+
+#include <vector>
+
+namespace widgets {
+
+class MotorFindings : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column {
+        QuantityColumn,
+        MeasuredColumn,
+        IntervalColumn,
+        BoardColumn,
+        FileColumn,
+        NoteColumn,
+        kColumns
+    };
+    enum Row { Resistance, DeadTime, Ld, Lq, Flux, Inertia, Viscous, Dry, Fan, kRows };
+
+    explicit MotorFindings(QObject *parent = nullptr);
+
+    void take(const lab::Electrics &found);
+    void take(const lab::Mechanics &found);
+    /// What could not be measured is told in the rows of its kind. @param mechanical  else electrical
+    void fail(bool mechanical, const QString &why);
+    void clear();
+    void setKnown(const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file);
+    motor::MotorSheet measured() const; ///< only that
+    bool any() const; ///< something was measured that a motor file holds
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Finding {
+        std::optional<lab::Estimate> value;
+        QString note;
+    };
+    QString text(Row row, int column) const;
+    QString figure(Row row, const std::optional<double> &value) const;
+    QString name(Row row) const;
+    void set(Row row, const std::optional<lab::Estimate> &value, const QString &note);
+    void told();
+
+    std::vector<Finding> m_rows;
+    motor::MotorSheet m_board, m_file;
+};
+
+} // namespace widgets

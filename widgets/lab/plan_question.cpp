@@ -1,0 +1,276 @@
+#include "widgets/lab/plan_question.h"
+
+#include "base/overloaded.h"
+#include "lab/caps.h"
+#include "widgets/base/value_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+struct PlanQuestion {
+    Q_DECLARE_TR_FUNCTIONS(PlanQuestion)
+};
+
+using std::chrono::milliseconds;
+
+constexpr double kSettles_s = 0.2; ///< at the first speed, before the course
+constexpr double kStart_s = 3.0; ///< usually, with an alignment or a rev-up
+
+double secondsOf(milliseconds time) { return std::chrono::duration<double>(time).count(); }
+
+QString rpmText(double rpm) { return numberText(rpm, 0) + QChar(0x202f) + PlanQuestion::tr("rpm"); }
+
+QString msText(milliseconds time)
+{
+    return QString::number(time.count()) + QStringLiteral("\u202fms");
+}
+
+QString secondsText(milliseconds time)
+{
+    return numberText(secondsOf(time), 0) + QStringLiteral("\u202fs");
+}
+
+QString ampsText(double amps) { return numberText(amps, 2) + QStringLiteral("\u202fA"); }
+
+QString stepWords(const lab::StepPlan &plan)
+{
+    return PlanQuestion::tr("%n time(s): at once to %1, and at once back to %2, each held for %3.",
+        nullptr, plan.repeat)
+        .arg(rpmText(plan.toRpm), rpmText(plan.fromRpm), msText(plan.hold));
+}
+
+QString spinWords(const lab::SpinPlan &plan)
+{
+    const QString length = secondsText(plan.length);
+    const QString low = rpmText(plan.lowRpm), high = rpmText(plan.highRpm);
+    return plan.fluxAmps > 0.0
+        ? PlanQuestion::tr("For %1 its torque jumps and drives it or lets it coast, between %2 and "
+                           "%3; the current along the magnets jumps within \u00b1%4.")
+              .arg(length, low, high, ampsText(plan.fluxAmps))
+        : PlanQuestion::tr("For %1 its torque drives it or lets it coast, between %2 and %3; it is "
+                           "never braked.")
+              .arg(length, low, high);
+}
+
+QString responseWords(const lab::ResponsePlan &plan)
+{
+    return PlanQuestion::tr("For %1 its speed jumps at random between %2 and %3.")
+        .arg(secondsText(plan.length), rpmText(plan.rpm - plan.amplitudeRpm),
+            rpmText(plan.rpm + plan.amplitudeRpm));
+}
+
+QString restWords(const lab::RestPlan &plan, const lab::Subject &subject)
+{
+    const QString low = ampsText(plan.lowAmps), high = ampsText(plan.highAmps);
+    return subject.seesRotor()
+        ? PlanQuestion::tr("At rest: currents from %1 to %2 along the magnets.").arg(low, high)
+        : PlanQuestion::tr("In its start-up, whose stages are borrowed and do not turn: currents "
+                           "of %1 and %2; then it is stopped.")
+              .arg(low, high);
+}
+
+QString currentStepWords(const lab::CurrentStepPlan &plan)
+{
+    return PlanQuestion::tr(
+        "%n time(s): its current jumps from %1 to %2 and back.", nullptr, plan.repeat)
+        .arg(ampsText(plan.fromAmps), ampsText(plan.toAmps));
+}
+
+/// What is done once the motor is where it begins.
+QString workWords(const lab::Experiment &experiment)
+{
+    return std::visit(
+        Overloaded{[](const lab::StepPlan &plan) { return stepWords(plan); },
+            [](const lab::SpinPlan &plan) { return spinWords(plan); },
+            [](const lab::ResponsePlan &plan) { return responseWords(plan); },
+            [&](const lab::RestPlan &plan) { return restWords(plan, experiment.subject); },
+            [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); }},
+        experiment.plan);
+}
+
+QString mostAmpsText(const lab::Caps &caps)
+{
+    return caps.mostAmps > 0.0 ? numberText(caps.mostAmps, 1) + QStringLiteral("\u202fA")
+                               : PlanQuestion::tr("no bound", "of the current");
+}
+
+bool beginsAtSpeed(const lab::Conditions &conditions)
+{
+    return conditions.beginning == lab::Beginning::AtSpeed;
+}
+
+QString wayThere(const lab::Conditions &conditions, const MotorBefore &before)
+{
+    const QString to = rpmText(conditions.firstRpm), in = msText(conditions.approach);
+    if (!beginsAtSpeed(conditions))
+        return PlanQuestion::tr("It rests.");
+    return before.runs
+        ? PlanQuestion::tr("It runs: from %1 to %2 in %3.").arg(rpmText(before.rpm), to, in)
+        : PlanQuestion::tr("It rests: start, then to %1 in %2.").arg(to, in);
+}
+
+QStringList wordsOfOne(const lab::Experiment &experiment, const MotorBefore &before)
+{
+    const lab::Caps caps = lab::capsOf(experiment, before.rpm);
+    const lab::Conditions conditions = lab::conditionsOf(experiment);
+    QStringList lines{wayThere(conditions, before), workWords(experiment)};
+    lines.append(before.runs
+            ? PlanQuestion::tr("Then back to %1 in %2.")
+                  .arg(rpmText(before.rpm), msText(conditions.approach))
+            : PlanQuestion::tr("Then the motor is stopped, and its old set-point comes back."));
+    lines.append(PlanQuestion::tr(
+        "Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus "
+        "voltage, the temperature or the link is not as it should be.")
+                     .arg(rpmText(caps.leastRpm), rpmText(caps.mostRpm), mostAmpsText(caps)));
+    if (!before.runs)
+        lines.append(PlanQuestion::tr("While it starts, only %1 and the current bound it.")
+                         .arg(rpmText(lab::allowedRpm(experiment))));
+    return lines;
+}
+
+QStringList wordsOfAll(const std::vector<lab::Experiment> &experiments, const MotorBefore &before)
+{
+    QStringList lines;
+    lines.append(before.runs
+            ? PlanQuestion::tr("It runs: from %1, and back there after each of these.")
+                  .arg(rpmText(before.rpm))
+            : PlanQuestion::tr(
+                "It rests: it is started for each of these, and stopped behind it."));
+    for (const lab::Experiment &experiment : experiments) {
+        const lab::Caps caps = lab::capsOf(experiment, before.rpm);
+        lines.append(PlanQuestion::tr(
+            "%1. %2 Stopped below %3, above %4, beyond %5.", "number, what is done, caps")
+                         .arg(QString::number(lines.size()), workWords(experiment),
+                             rpmText(caps.leastRpm), rpmText(caps.mostRpm), mostAmpsText(caps)));
+    }
+    lines.append(PlanQuestion::tr("Also stopped where the bus voltage, the temperature or the link "
+                                  "is not as it should be."));
+    if (!before.runs)
+        lines.append(PlanQuestion::tr("While it starts, only %1 and the current bound it.")
+                         .arg(rpmText(lab::allowedRpm(experiments.front()))));
+    return lines;
+}
+
+/// Adds what one experiment asks of the speed.
+class Picture {
+public:
+    explicit Picture(SpeedPlan &into)
+        : m_into(into)
+    {
+    }
+    void to(double rpm, double seconds)
+    {
+        m_at += seconds;
+        m_into.seconds.append(m_at);
+        m_into.rpm.append(rpm);
+    }
+    void course(const lab::Experiment &experiment)
+    {
+        std::visit(Overloaded{[&](const lab::StepPlan &plan) {
+                                  for (int i = 0; i < plan.repeat; ++i)
+                                      for (const int rpm : {plan.toRpm, plan.fromRpm}) {
+                                          to(rpm, 0.0);
+                                          to(rpm, secondsOf(plan.hold));
+                                      }
+                              },
+                       [&](const lab::SpinPlan &plan) {
+                           swing(plan.lowRpm, plan.highRpm, plan.length, 0.25, 0.25);
+                       },
+                       [&](const lab::ResponsePlan &plan) {
+                           swing(plan.rpm - plan.amplitudeRpm, plan.rpm + plan.amplitudeRpm,
+                               plan.length, 0.0, 0.06);
+                       },
+                       [&](const auto &) {
+                           const lab::Conditions conditions = lab::conditionsOf(experiment);
+                           to(conditions.firstRpm, secondsOf(conditions.length));
+                       }},
+            experiment.plan);
+    }
+
+private:
+    /// To and fro. @param way_s  from one to the other; @param held_s  both together
+    void swing(double low, double high, milliseconds length, double way_s, double held_s)
+    {
+        const double end = m_at + secondsOf(length);
+        for (bool up = true; m_at < end; up = !up) {
+            to(up ? high : low, way_s);
+            if (way_s < held_s)
+                to(up ? high : low, held_s - way_s);
+        }
+    }
+    SpeedPlan &m_into;
+    double m_at = 0.0;
+};
+
+} // namespace
+
+QString experimentName(const lab::Experiment &experiment)
+{
+    return std::visit(
+        Overloaded{[](const lab::StepPlan &) { return PlanQuestion::tr("Steps"); },
+            [](const lab::SpinPlan &plan) {
+                return plan.fluxAmps > 0.0 ? PlanQuestion::tr("Inductances and flux")
+                                           : PlanQuestion::tr("Inertia and friction");
+            },
+            [](const lab::ResponsePlan &plan) {
+                return plan.current != 0 ? PlanQuestion::tr("Response of the current")
+                                         : PlanQuestion::tr("Response of the speed");
+            },
+            [](const lab::RestPlan &) { return PlanQuestion::tr("Resistance"); },
+            [](const lab::CurrentStepPlan &) { return PlanQuestion::tr("Steps of the current"); }},
+        experiment.plan);
+}
+
+milliseconds usualLength(const lab::Experiment &experiment, const MotorBefore &before)
+{
+    const lab::Conditions conditions = lab::conditionsOf(experiment);
+    const milliseconds start(before.runs ? 0 : static_cast<int>(1e3 * kStart_s));
+    return start + 2 * conditions.approach + conditions.length;
+}
+
+SpeedPlan speedPlan(const std::vector<lab::Experiment> &experiments, const MotorBefore &before)
+{
+    SpeedPlan picture;
+    Picture draw(picture);
+    draw.to(before.rpm, 0.0);
+    for (const lab::Experiment &experiment : experiments) {
+        const lab::Caps caps = lab::capsOf(experiment, before.rpm);
+        const bool first = &experiment == &experiments.front();
+        picture.leastRpm = first ? caps.leastRpm : std::min(picture.leastRpm, caps.leastRpm);
+        picture.mostRpm = first ? caps.mostRpm : std::max(picture.mostRpm, caps.mostRpm);
+        const lab::Conditions conditions = lab::conditionsOf(experiment);
+        if (beginsAtSpeed(conditions)) {
+            draw.to(conditions.firstRpm, secondsOf(conditions.approach));
+            draw.to(conditions.firstRpm, kSettles_s);
+        }
+        draw.course(experiment);
+        draw.to(before.rpm, secondsOf(conditions.approach));
+    }
+    return picture;
+}
+
+Confirmation planQuestion(
+    const std::vector<lab::Experiment> &experiments, const MotorBefore &before)
+{
+    Confirmation question;
+    question.objectName = "experimentQuestion";
+    const lab::Experiment &first = experiments.front();
+    question.title =
+        experiments.size() == 1 ? experimentName(first) : PlanQuestion::tr("Experiments");
+    question.text =
+        PlanQuestion::tr("This will move motor %1 by itself. Go on?").arg(first.subject.motor);
+    question.lines =
+        experiments.size() == 1 ? wordsOfOne(first, before) : wordsOfAll(experiments, before);
+    question.lines.append(PlanQuestion::tr("The like within these caps is not asked about again "
+                                           "until disarmed. Esc stops every motor at any time."));
+    question.yesName = "experimentConfirm";
+    question.yes = PlanQuestion::tr("Run");
+    question.picture = new PlanPicture(speedPlan(experiments, before));
+    return question;
+}
+
+} // namespace widgets
