@@ -21,6 +21,7 @@ ROWS = {
                 'control files measuring snapshots',
                 'forms',
                 'lab',
+                'runs',
                 'window'],
 }
 NEVER = {('core/lab', 'core/simulation')}  # what measures a motor must not know the one that is simulated

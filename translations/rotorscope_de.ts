@@ -2152,10 +2152,6 @@
         <translation>Elektrik, drehend</translation>
     </message>
     <message>
-        <source>Electrics, at rest</source>
-        <translation>Elektrik, im Stillstand</translation>
-    </message>
-    <message>
         <source>Response of the speed</source>
         <translation>Frequenzgang der Drehzahl</translation>
     </message>
@@ -2167,6 +2163,10 @@
         <source>%1, %2 to %3 s</source>
         <comment>a recording, seconds</comment>
         <translation>%1, %2 bis %3 s</translation>
+    </message>
+    <message>
+        <source>Electrics</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2152,10 +2152,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Electrics, at rest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Response of the speed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2166,6 +2162,10 @@
     <message>
         <source>%1, %2 to %3 s</source>
         <comment>a recording, seconds</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrics</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,7 +2,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/theme.h"
-#include "widgets/base/tick_menu.h"
+#include "widgets/window/tick_menu.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
 #include "widgets/files/marker_file.h"

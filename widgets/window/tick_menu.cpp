@@ -1,4 +1,4 @@
-#include "widgets/base/tick_menu.h"
+#include "widgets/window/tick_menu.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

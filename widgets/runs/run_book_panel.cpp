@@ -1,4 +1,4 @@
-#include "widgets/lab/run_book_panel.h"
+#include "widgets/runs/run_book_panel.h"
 
 #include "session/files/run_stretches.h"
 #include "widgets/base/device_text.h"
@@ -6,7 +6,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/files/file_job.h"
-#include "widgets/lab/run_book_model.h"
+#include "widgets/runs/run_book_model.h"
 
 #include <QDir>
 #include <QFileInfo>

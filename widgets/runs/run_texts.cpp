@@ -1,4 +1,4 @@
-#include "widgets/lab/run_texts.h"
+#include "widgets/runs/run_texts.h"
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
@@ -100,7 +100,7 @@ QString experimentText(const session::Run &run)
         return field(run, "flux A") == QLatin1String("0") ? RunText::tr("Mechanics")
                                                           : RunText::tr("Electrics, turning");
     if (run.experiment == QLatin1String("rest plan"))
-        return RunText::tr("Electrics, at rest");
+        return RunText::tr("Electrics");
     if (run.experiment == QLatin1String("response plan"))
         return field(run, "current loop") == QLatin1String("0")
             ? RunText::tr("Response of the speed")

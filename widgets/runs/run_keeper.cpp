@@ -1,4 +1,4 @@
-#include "widgets/lab/run_keeper.h"
+#include "widgets/runs/run_keeper.h"
 
 #include "widgets/base/device_text.h"
 #include "widgets/files/file_job.h"

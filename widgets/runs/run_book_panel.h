@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/lab/run_keeper.h"
+#include "widgets/runs/run_keeper.h"
 
 class QLabel;
 class QPushButton;

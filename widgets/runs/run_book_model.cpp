@@ -1,7 +1,7 @@
-#include "widgets/lab/run_book_model.h"
+#include "widgets/runs/run_book_model.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/lab/run_texts.h"
+#include "widgets/runs/run_texts.h"
 
 #include <QDateTime>
 #include <QLocale>

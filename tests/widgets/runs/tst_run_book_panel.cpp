@@ -5,7 +5,7 @@
 #include "support/window_rig.h"
 #include "widgets/lab/experiments.h"
 #include "widgets/lab/live_gain.h"
-#include "widgets/lab/run_book_model.h"
+#include "widgets/runs/run_book_model.h"
 #include "widgets/lab/step_runs.h"
 #include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
