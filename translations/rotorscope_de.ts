@@ -2166,7 +2166,7 @@
     </message>
     <message>
         <source>Electrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Elektrik</translation>
     </message>
 </context>
 <context>
