@@ -97,3 +97,31 @@ steps Next Next
 import -window root +dither -colors 128 "PNG8:$images/step.png"
 echo "pictures: $images/step.png"
 keys Escape
+sleep 2
+
+# The motor itself, its response and the tour, on the same board. A question is answered by Tab and space.
+keys ctrl+i alt+m r # Arm
+sleep 1
+keys alt+l Tab space # electrical
+sleep 28
+keys alt+n Tab space # mechanical
+sleep 18
+keys alt+u # in the motor file
+sleep 1
+import -window root +dither -colors 128 "PNG8:$images/identify.png"
+echo "pictures: $images/identify.png"
+keys ctrl+shift+f alt+p Tab space
+sleep 26
+keys alt+o alt+a # proposed, and written
+sleep 5
+keys alt+r Tab space # proved
+sleep 34
+import -window root +dither -colors 128 "PNG8:$images/response.png"
+echo "pictures: $images/response.png"
+keys ctrl+shift+g alt+r Tab space
+sleep 75
+keys alt+a # written and proved
+sleep 40
+import -window root +dither -colors 128 "PNG8:$images/tour.png"
+echo "pictures: $images/tour.png"
+keys Escape
