@@ -108,9 +108,9 @@ bool Capture::handOver()
         if (!oldest || sent.bytes + oldest->chunkBytes() > most)
             break;
         const Index first = oldest->toArchive();
+        sent.bytes += oldest->chunkBytes();
         const std::size_t count = oldest->handOver(stretches);
         sent.chunks.push_back({oldest->info().id, first, count});
-        sent.bytes += oldest->chunkBytes();
     }
     if (sent.chunks.empty())
         return false;

@@ -1,5 +1,7 @@
 #include "capture/channel.h"
 
+#include "capture/gallop.h"
+
 namespace capture {
 
 namespace {
@@ -126,15 +128,28 @@ std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) 
         --index;
     Nanos known = index > begin() ? holdUntil(index - 1) : 0;
     result.reserve(static_cast<std::size_t>(std::min<Index>(limit, stop - std::min(index, stop))));
-    const FastColumn *column = fast();
-    std::size_t piece = column && index < stop ? column->segmentOf(index) : 0;
-    for (; index < stop && result.size() < limit; ++index) {
-        while (column && index >= column->segments()[piece].end())
-            ++piece;
-        const Nanos time = column ? column->segments()[piece].timeOf(index) : timeOf(index);
+    const auto put = [&](Nanos time, Nanos until) {
         const bool first = index == begin() || known < time;
-        known = column ? column->segments()[piece].timeOf(index + 1) : holdUntil(index);
-        result.push_back({toSeconds(time), at(index), toSeconds(known), first});
+        known = until;
+        result.push_back({toSeconds(time), at(index), toSeconds(until), first});
+    };
+    const auto goesOn = [&] { return index < stop && result.size() < limit; };
+    if (const FastColumn *column = fast()) {
+        for (std::size_t piece = column->segmentOf(index); goesOn(); ++piece) {
+            const Segment &segment = column->segments()[piece];
+            for (; index < segment.end() && goesOn(); ++index)
+                put(segment.timeOf(index), segment.timeOf(index + 1));
+        }
+        return result;
+    }
+    const ValueColumn *column = values();
+    for (std::size_t piece = column->runOf(index); goesOn(); ++piece) {
+        const Run &run = column->runs()[piece];
+        for (Nanos time = column->timeOf(index); index < run.end() && goesOn(); ++index) {
+            const Nanos next = index + 1 < run.end() ? column->timeOf(index + 1) : run.holdUntil;
+            put(time, next);
+            time = next;
+        }
     }
     return result;
 }
@@ -154,22 +169,33 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
     if (m_released && near == begin())
         add(*m_released, timeOf(begin()));
     const Index start = near > begin() ? near - 1 : near;
+    const auto leastNanos = static_cast<Nanos>(least * kNanosPerSecond);
+    // A gap that is wide enough ends so long behind the one before it: those between are passed over, however many.
+    const auto walk = [&](std::size_t piece, std::size_t count, auto startOf, auto stopOf) {
+        std::size_t stride = 1;
+        while (piece + 1 < count && startOf(piece) < stop) {
+            const Nanos next = startOf(++piece);
+            add(stopOf(piece - 1), next);
+            const std::size_t last = lastThatBegins(piece, stride, count,
+                [&](std::size_t one) { return startOf(one) <= next + leastNanos; });
+            stride = std::max<std::size_t>(1, last - piece);
+            piece = last;
+        }
+    };
     if (const FastColumn *column = fast()) {
         const std::vector<Segment> &segments = column->segments();
-        for (std::size_t i = column->segmentOf(start); i + 1 < segments.size(); ++i) {
-            if (segments[i].start() >= stop)
-                break;
-            add(segments[i].stop(), segments[i + 1].start());
-        }
+        walk(
+            column->segmentOf(start), segments.size(),
+            [&](std::size_t i) { return segments[i].start(); },
+            [&](std::size_t i) { return segments[i].stop(); });
         return result;
     }
     const ValueColumn *column = values();
     const std::vector<Run> &runs = column->runs();
-    for (std::size_t i = column->runOf(start); i + 1 < runs.size(); ++i) {
-        if (column->timeOf(runs[i].first) >= stop)
-            break;
-        add(runs[i].holdUntil, column->timeOf(runs[i + 1].first));
-    }
+    walk(
+        column->runOf(start), runs.size(),
+        [&](std::size_t i) { return column->timeOf(runs[i].first); },
+        [&](std::size_t i) { return runs[i].holdUntil; });
     return result;
 }
 
@@ -194,21 +220,17 @@ std::size_t Channel::bytes() const
 
 std::uint64_t Channel::archivedBytes() const
 {
-    return std::visit(
-        [](const auto &column) { return column.archivedChunks() * column.kArchivedBytes; },
-        m_column);
+    return std::visit([](const auto &column) { return column.archivedBytes(); }, m_column);
 }
 
 std::uint64_t Channel::archivableBytes() const
 {
-    return std::visit(
-        [](const auto &column) { return column.archivableChunks() * column.kArchivedBytes; },
-        m_column);
+    return std::visit([](const auto &column) { return column.archivableBytes(); }, m_column);
 }
 
 std::size_t Channel::chunkBytes() const
 {
-    return std::visit([](const auto &column) { return column.kArchivedBytes; }, m_column);
+    return std::visit([](const auto &column) { return column.chunkBytes(); }, m_column);
 }
 
 Index Channel::toArchive() const

@@ -113,7 +113,7 @@ public:
 
     // The way of the samples into an archive, a chunk at a time; see FastColumn.
     std::uint64_t archivableBytes() const;
-    std::size_t chunkBytes() const; ///< of one chunk in an archive
+    std::size_t chunkBytes() const; ///< of the next chunk in an archive
     Index toArchive() const; ///< first sample of the chunk that is next
     /// Returns how many stretches it appended. Only if archivableBytes() is not 0.
     std::size_t handOver(std::vector<Stretch> &to);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace capture {
@@ -19,6 +20,8 @@ constexpr int kGap = 10; ///< usual distances
 constexpr int kExact =
     1000; ///< equal distances differ by less than this part of one, or a nanosecond of rounding
 constexpr std::size_t kShownField = 40;
+constexpr std::size_t kAtOnce = 512; ///< values of a channel
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 struct TimeName {
     std::string_view name;
@@ -31,6 +34,8 @@ constexpr std::array kTimeNames{TimeName{"time", kSecond, false},
 
 std::string_view trimmed(std::string_view text)
 {
+    if (!text.empty() && text.front() > ' ' && text.back() > ' ')
+        return text; // as nearly all of them
     const auto from = text.find_first_not_of(" \t");
     if (from == std::string_view::npos)
         return {};
@@ -197,23 +202,18 @@ bool CsvImport::takeLine(std::string_view line)
 bool CsvImport::split(std::string_view line)
 {
     m_fields.clear();
-    m_fields.emplace_back();
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (c == '"') {
-            const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
-            if (doubled)
-                m_fields.back() += line[++i];
-            else
-                quoted = !quoted;
-        } else if (c == m_separator && !quoted) {
+    if (line.find('"') == std::string_view::npos) {
+        for (std::size_t from = 0;;) {
             if (m_fields.size() == kMostColumns)
                 return fail(CsvError::What::TooManyColumns, kMostColumns + 1);
-            m_fields.emplace_back();
-        } else {
-            m_fields.back() += c;
+            const auto to = line.find(m_separator, from);
+            m_fields.push_back(line.substr(from, to - from));
+            if (to == std::string_view::npos)
+                break;
+            from = to + 1;
         }
+    } else if (!splitQuoted(line)) {
+        return false;
     }
     // VESC Tool ends each line with a separator.
     if (m_fields.size() > 1 && m_fields.back().empty()
@@ -222,12 +222,42 @@ bool CsvImport::split(std::string_view line)
     return true;
 }
 
+bool CsvImport::splitQuoted(std::string_view line)
+{
+    m_unquoted.clear();
+    m_unquoted.reserve(line.size()); // fields point into it
+    std::size_t from = 0;
+    const auto end = [&] {
+        m_fields.push_back(std::string_view(m_unquoted).substr(from));
+        from = m_unquoted.size();
+    };
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"') {
+            const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
+            if (doubled)
+                m_unquoted += line[++i];
+            else
+                quoted = !quoted;
+        } else if (c == m_separator && !quoted) {
+            end();
+            if (m_fields.size() == kMostColumns)
+                return fail(CsvError::What::TooManyColumns, kMostColumns + 1);
+        } else {
+            m_unquoted += c;
+        }
+    }
+    end();
+    return true;
+}
+
 bool CsvImport::takeHeading(std::string_view line)
 {
     m_separator = separatorOf(line);
     if (!split(line))
         return false;
-    const auto looksLikeNumber = [](const std::string &field) {
+    const auto looksLikeNumber = [](std::string_view field) {
         const std::string_view text = trimmed(field);
         double value = 0;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -259,6 +289,7 @@ bool CsvImport::takeHeading(std::string_view line)
             name = '#' + std::to_string(i + 1);
         m_channels.push_back(m_capture.addImported(std::move(name), std::move(unit)));
     }
+    m_pending.resize(m_channels.size());
     return true;
 }
 
@@ -283,7 +314,8 @@ bool CsvImport::takeTime(std::string_view field, std::size_t column, Nanos &time
     return true;
 }
 
-std::optional<double> CsvImport::number(std::string_view field)
+/// Unknown where it is none, or not finite.
+double CsvImport::number(std::string_view field)
 {
     if (m_separator != ',' && field.find(',') != std::string_view::npos) {
         m_scratch = field;
@@ -292,9 +324,8 @@ std::optional<double> CsvImport::number(std::string_view field)
     }
     double value = 0;
     const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (read.ec != std::errc{} || read.ptr != field.data() + field.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    const bool good = read.ec == std::errc{} && read.ptr == field.data() + field.size();
+    return good && std::isfinite(value) ? value : kUnknown;
 }
 
 /// The distance that three of four rows around this one, and itself, keep to. A few close rows or a few gaps do not change
@@ -305,6 +336,8 @@ Nanos CsvImport::usualAround(std::uint64_t row) const
     const std::uint64_t to = std::min(m_rows, row + kAround + 1);
     if (to <= from)
         return 1;
+    if (m_sameSince <= from) // no need to look
+        return m_distances[from % m_distances.size()];
     std::array<Nanos, 2 * kAround + 1> near{};
     const auto count = static_cast<std::ptrdiff_t>(to - from);
     for (std::uint64_t i = from; i < to; ++i)
@@ -340,19 +373,39 @@ void CsvImport::settle()
     const Nanos usual = usualAround(m_settled);
     const bool gap = m_settled > 0 && isGap(m_settled, usual);
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
-        const std::optional<double> &value = row.values[i];
-        if (gap || !value)
+        Pending &pending = m_pending[i];
+        const bool known = !std::isnan(row.values[i]);
+        if (gap || !known) {
+            store(i);
             m_capture.breakImported(m_channels[i]);
-        if (value)
-            m_capture.appendImported(m_channels[i], row.time, *value, row.time + usual);
+        }
+        if (!known)
+            continue;
+        pending.times.push_back(row.time);
+        pending.values.push_back(row.values[i]);
+        pending.holdUntil = row.time + usual;
+        if (pending.times.size() == kAtOnce)
+            store(i);
     }
     ++m_settled;
+}
+
+void CsvImport::store(std::size_t channel)
+{
+    Pending &pending = m_pending[channel];
+    if (pending.times.empty())
+        return;
+    m_capture.appendImported(m_channels[channel], pending.times, pending.values, pending.holdUntil);
+    pending.times.clear();
+    pending.values.clear();
 }
 
 void CsvImport::settleAll()
 {
     while (m_settled < m_rows)
         settle();
+    for (std::size_t i = 0; i < m_pending.size(); ++i)
+        store(i);
 }
 
 bool CsvImport::takeRow(std::string_view line)
@@ -381,10 +434,13 @@ bool CsvImport::takeRow(std::string_view line)
             continue;
         const std::string_view field = trimmed(m_fields[i]);
         row.values.push_back(number(field));
-        if (!row.values.back() && !isUnknown(field))
+        if (std::isnan(row.values.back()) && !isUnknown(field))
             return fail(CsvError::What::NoNumber, i + 1, field);
     }
+    const Nanos before = m_distances[(m_rows - 1) % m_distances.size()];
     m_distances[m_rows % m_distances.size()] = time - m_last; // means nothing for the first row
+    if (m_rows < 2 || time - m_last != before)
+        m_sameSince = m_rows;
     m_last = time;
     ++m_rows;
     if (m_rows - m_settled > kAround)

@@ -58,10 +58,12 @@ private:
     bool takeHeading(std::string_view line);
     bool takeRow(std::string_view line);
     bool split(std::string_view line);
+    bool splitQuoted(std::string_view line);
     bool takeTime(std::string_view field, std::size_t column, Nanos &time);
-    std::optional<double> number(std::string_view field);
+    double number(std::string_view field);
     void settle();
     void settleAll();
+    void store(std::size_t channel);
     Nanos usualAround(std::uint64_t row) const;
     bool isGap(std::uint64_t row, Nanos usual) const;
     bool fail(CsvError::What what, std::size_t column = 0, std::string_view field = {});
@@ -69,13 +71,21 @@ private:
     static constexpr std::size_t kAround = 16; ///< rows, either way, that tell what is usual
     struct Row {
         Nanos time = 0;
-        std::vector<std::optional<double>> values; ///< empty: unknown
+        std::vector<double> values; ///< NaN: unknown
+    };
+    /// Of one channel, on their way into the capture: one by one would take as long as reading them.
+    struct Pending {
+        std::vector<Nanos> times;
+        std::vector<double> values;
+        Nanos holdUntil = 0;
     };
 
     Capture &m_capture;
     std::string m_rest; ///< a line that has not ended yet
-    std::vector<std::string> m_fields;
+    std::vector<std::string_view> m_fields; ///< of the line, or of m_unquoted
+    std::string m_unquoted;
     std::vector<ChannelId> m_channels;
+    std::vector<Pending> m_pending; ///< one a channel
     char m_separator = ',';
     std::size_t m_timeColumn = 0;
     std::size_t m_columns = 0;
@@ -85,7 +95,8 @@ private:
     Nanos m_last = 0;
     std::array<Row, kAround + 1> m_ahead; ///< row n at n modulo the size, until it is settled
     std::array<Nanos, 2 * kAround + 1> m_distances{}; ///< of row n from the one before, likewise
-    std::uint64_t m_settled = 0; ///< rows in the capture
+    std::uint64_t m_sameSince = 1; ///< the newest distances are equal from this row on
+    std::uint64_t m_settled = 0; ///< rows in the capture, or pending
     std::uint64_t m_line = 0;
     std::uint64_t m_rows = 0;
     std::optional<CsvError> m_error;

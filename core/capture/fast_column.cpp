@@ -1,5 +1,7 @@
 #include "capture/fast_column.h"
 
+#include "capture/gallop.h"
+
 #include <cassert>
 #include <cstring>
 
@@ -208,7 +210,7 @@ void FastColumn::addChunk()
 
 void FastColumn::handOver(std::vector<Stretch> &to)
 {
-    assert(archivableChunks() > 0);
+    assert(archivableBytes() > 0);
     const Chunk &chunk =
         *m_chunks[static_cast<std::size_t>(m_archived.handed() - m_chunkBase / kChunkSamples)];
     const auto bytesOf = [](const auto &part) {
@@ -303,18 +305,9 @@ Index FastColumn::atOrAfter(Nanos time) const
 /// To the segment that `wanted` is in, from where the walk is: edges are asked for in rising order.
 void FastColumn::seek(Nanos wanted, Walk &walk) const
 {
-    // Gallop, then halve: cheap for the neighbour, logarithmic for a long way.
-    std::size_t low = walk.segment;
-    std::size_t reach = 1;
-    while (low + reach < m_segments.size() && m_segments[low + reach].start() <= wanted) {
-        low += reach;
-        reach *= 2;
-    }
-    std::size_t high = std::min(low + reach, m_segments.size());
-    while (high - low > 1) {
-        const std::size_t middle = low + (high - low) / 2;
-        (m_segments[middle].start() <= wanted ? low : high) = middle;
-    }
+    const std::size_t low = lastThatBegins(walk.segment, walk.stride, m_segments.size(),
+        [&](std::size_t segment) { return m_segments[segment].start() <= wanted; });
+    walk.stride = std::max<std::size_t>(1, low - walk.segment);
     const Segment &here = m_segments[low];
     const bool last = low + 1 == m_segments.size();
     walk.segment = low;
@@ -370,9 +363,8 @@ void FastColumn::releaseOldest()
 
 std::size_t FastColumn::bytes() const
 {
-    return m_chunks.size() * sizeof(Chunk)
-        + (m_chunks.size() - static_cast<std::size_t>(archivedChunks())) * kArchivedBytes
-        + m_segments.capacity() * sizeof(Segment);
+    return m_chunks.size() * sizeof(Chunk) + m_chunks.size() * kArchivedBytes
+        - static_cast<std::size_t>(archivedBytes()) + m_segments.capacity() * sizeof(Segment);
 }
 
 } // namespace capture

@@ -112,9 +112,16 @@ public:
     {
         return m_archived.handed() * kChunkSamples;
     } ///< first sample of the next one
-    Index archivableChunks() const { return m_end / kChunkSamples - m_archived.handed(); }
-    Index archivedChunks() const { return m_archived.placedFrom(m_chunkBase / kChunkSamples); }
-    /// Appends two stretches. Only if archivableChunks() is not 0.
+    std::uint64_t archivableBytes() const
+    {
+        return (m_end / kChunkSamples - m_archived.handed()) * kArchivedBytes;
+    }
+    std::uint64_t archivedBytes() const
+    {
+        return m_archived.placedFrom(m_chunkBase / kChunkSamples) * kArchivedBytes;
+    }
+    static constexpr std::size_t chunkBytes() { return kArchivedBytes; } ///< of the next one
+    /// Appends two stretches. Only if archivableBytes() is not 0.
     void handOver(std::vector<Stretch> &to);
     /// @param first  toArchive() before it was handed over; nothing happens if the chunk was let go since
     void place(Index first, std::span<const Stretch> where);
@@ -142,6 +149,7 @@ private:
     /// Where a walk over rising times is: what an edge needs of its segment, which changes rarely and costs divisions.
     struct Walk {
         std::size_t segment = 0;
+        std::size_t stride = 1; ///< how many segments the last step took, at least one
         bool known = false;
         Nanos start = 0; ///< of the segment
         Nanos next = 0; ///< start of the one behind it; the end of all times if there is none

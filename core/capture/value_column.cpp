@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <cstring>
 
 namespace capture {
 
@@ -24,14 +25,16 @@ void ValueColumn::append(
         if (full())
             addChunk(times[done]);
         const std::size_t count = std::min(times.size() - done, kChunkSamples - at);
-        std::copy_n(times.data() + done, count, m_filled->times.data() + at);
-        std::copy_n(values.data() + done, count, m_filled->values.data() + at);
+        std::copy_n(times.data() + done, count, m_filledTimes + at);
+        std::copy_n(values.data() + done, count, m_filledValues + at);
         m_end += count;
         done += count;
         m_runs.back().count += count;
         m_lastTime = times[done - 1];
         for (std::size_t b = at / kBlockSamples; b < (at + count) / kBlockSamples; ++b)
             measure(b);
+        if (full())
+            settle();
     }
     m_broken = false;
 }
@@ -40,42 +43,87 @@ void ValueColumn::measure(std::size_t block)
 {
     ValueRange range;
     for (std::size_t i = block * kBlockSamples; i < (block + 1) * kBlockSamples; ++i)
-        range.include({m_filled->values[i], m_filled->values[i]});
-    m_chunks.back()->ranges[block] = range;
-    if (block + 1 == m_chunks.back()->ranges.size())
-        for (const ValueRange &part : m_chunks.back()->ranges)
-            m_chunks.back()->all.include(part);
+        range.include({m_filledValues[i], m_filledValues[i]});
+    m_filledRanges[block] = range;
 }
 
 void ValueColumn::addChunk(Nanos start)
 {
-    auto samples = std::make_shared_for_overwrite<Samples>();
-    auto *filled = samples.get();
-    auto chunk = std::make_shared<Chunk>();
-    chunk->start = start;
-    chunk->samples = std::move(samples);
-    m_chunks.push_back(std::move(chunk));
-    m_filled = filled;
+    const std::shared_ptr<std::byte[]> samples(new std::byte[kChunkSamples * kMostSampleBytes]);
+    const auto ranges = std::make_shared_for_overwrite<ValueRange[]>(kBlocks);
+    Chunk &chunk = m_chunks.emplace_back();
+    chunk.start = start;
+    chunk.samples = {samples, samples.get()};
+    chunk.ranges = ranges;
+    m_sampleBytes += m_chunks.back().bytes();
+    m_filledTimes = reinterpret_cast<Nanos *>(samples.get());
+    m_filledValues = reinterpret_cast<double *>(m_filledTimes + kChunkSamples);
+    m_filledRanges = ranges.get();
+}
+
+void ValueColumn::settle()
+{
+    Chunk &chunk = m_chunks.back();
+    for (std::size_t b = 0; b < kBlocks; ++b) {
+        chunk.coarse[b / kFanOut].include(m_filledRanges[b]);
+        chunk.all.include(m_filledRanges[b]);
+    }
+    chunk.settled = true;
+    Chunk settled = chunk;
+    const Nanos step = m_filledTimes[1] - m_filledTimes[0];
+    const auto differs = [step](Nanos a, Nanos b) { return b - a != step; };
+    const std::span<const Nanos> times(m_filledTimes, kChunkSamples);
+    const bool equal = std::adjacent_find(times.begin(), times.end(), differs) == times.end();
+    settled.step = equal ? step : 0;
+
+    std::array<ValueTable::Code, kChunkSamples> codes{};
+    const std::span<const double> values(m_filledValues, kChunkSamples);
+    if (!m_table)
+        m_table = std::make_shared<ValueTable>();
+    settled.coded = m_table->encode(values, codes.data());
+    if (settled.step != 0 || settled.coded) {
+        const std::shared_ptr<std::byte[]> bytes(new std::byte[settled.bytes()]);
+        std::byte *to = bytes.get();
+        const auto put = [&to](const void *from, std::size_t size) {
+            std::memcpy(to, from, size);
+            to += size;
+        };
+        if (settled.step == 0)
+            put(times.data(), times.size_bytes());
+        if (settled.coded)
+            put(codes.data(), sizeof(codes));
+        else
+            put(values.data(), values.size_bytes());
+        settled.samples = {bytes, bytes.get()}; // copies of the column go on reading the others
+    }
+    m_sampleBytes -= chunk.bytes() - settled.bytes();
+    chunk = std::move(settled);
+}
+
+std::uint64_t ValueColumn::archivableBytes() const
+{
+    std::uint64_t sum = 0;
+    for (Index chunk = m_archived.handed(); chunk < m_end / kChunkSamples; ++chunk)
+        sum += chunkOf(chunk * kChunkSamples).bytes();
+    return sum;
 }
 
 void ValueColumn::handOver(std::vector<Stretch> &to)
 {
-    assert(archivableChunks() > 0);
-    const auto &samples = chunkOf(toArchive()).samples;
-    to.push_back({{samples, reinterpret_cast<const std::byte *>(samples.get())}, kArchivedBytes});
+    assert(toArchive() + kChunkSamples <= m_end);
+    const Chunk &chunk = chunkOf(toArchive());
+    to.push_back({chunk.samples, chunk.bytes()});
     m_archived.handOver();
 }
 
 void ValueColumn::place(Index first, std::span<const Stretch> where)
 {
-    assert(where.size() == 1 && where[0].size == kArchivedBytes);
     if (first < m_begin)
         return;
-    std::shared_ptr<Chunk> &old =
-        m_chunks[static_cast<std::size_t>(first / kChunkSamples - m_released)];
-    auto chunk = std::make_shared<Chunk>(*old); // copies of the column may be reading the old one
-    chunk->samples = {where[0].data, reinterpret_cast<const Samples *>(where[0].data.get())};
-    old = std::move(chunk);
+    Chunk &chunk = m_chunks[static_cast<std::size_t>(first / kChunkSamples - m_released)];
+    assert(where.size() == 1 && where[0].size == chunk.bytes());
+    chunk.samples = where[0].data; // copies of the column have one of their own
+    m_archivedBytes += chunk.bytes();
     m_archived.place(first / kChunkSamples);
 }
 
@@ -123,9 +171,7 @@ Index ValueColumn::edge(Nanos time, Index low, Nanos tolerance) const
     if (low >= m_end)
         return m_end;
     // The last chunk that begins before it: most often the one that `low` is in, or its neighbour.
-    const auto begins = [](const std::shared_ptr<Chunk> &chunk, Nanos wanted) {
-        return chunk->start < wanted;
-    };
+    const auto begins = [](const Chunk &chunk, Nanos wanted) { return chunk.start < wanted; };
     const auto here =
         m_chunks.begin() + static_cast<std::ptrdiff_t>(low / kChunkSamples - m_released);
     if (!begins(*here, time))
@@ -135,32 +181,43 @@ Index ValueColumn::edge(Nanos time, Index low, Nanos tolerance) const
         after = std::lower_bound(std::next(after), m_chunks.end(), time, begins);
     const Index first =
         (m_released + static_cast<Index>(after - m_chunks.begin()) - 1) * kChunkSamples;
-    const std::span<const Nanos> times = this->times(first);
-    if (times.back() < time)
-        return first + times.size();
+    const auto count = static_cast<std::size_t>(std::min<Index>(m_end - first, kChunkSamples));
+    return std::max(low, first + std::prev(after)->atOrAfter(time, count, tolerance));
+}
+
+/// As edge(), of a chunk that begins before `time` and holds `count`.
+std::size_t ValueColumn::Chunk::atOrAfter(Nanos time, std::size_t count, Nanos tolerance) const
+{
+    const Nanos last = timeOf(count - 1);
+    if (last < time)
+        return count;
     // Most values come at about equal steps.
-    const double share = static_cast<double>(time - times.front())
-        / static_cast<double>(times.back() - times.front());
-    const auto guess = static_cast<std::size_t>(share * static_cast<double>(times.size() - 1));
+    const double share = static_cast<double>(time - start) / static_cast<double>(last - start);
+    const auto guess = static_cast<std::size_t>(share * static_cast<double>(count - 1));
     const std::size_t block = (guess + kBlockSamples / 2) / kBlockSamples * kBlockSamples;
-    if (block < times.size() && std::abs(times[block] - time) <= tolerance)
-        return std::max(low, first + block);
-    return std::max(low, first + firstFrom(times, time, guess));
+    if (block < count && std::abs(timeOf(block) - time) <= tolerance)
+        return block;
+    if (step == 0)
+        return firstFrom(std::span(times(), count), time, guess);
+    std::size_t index = guess; // may be one off, by rounding
+    while (timeOf(index) >= time)
+        --index;
+    while (timeOf(index) < time)
+        ++index;
+    return index;
 }
 
-std::span<const Nanos> ValueColumn::times(Index index) const
+std::size_t ValueColumn::read(Index index, std::span<Nanos> times, std::span<double> values) const
 {
-    const std::size_t at = inChunk(index);
-    const auto left = static_cast<std::size_t>(m_end - index);
-    return std::span(chunkOf(index).samples->times).subspan(at, std::min(left, kChunkSamples - at));
-}
-
-std::span<const double> ValueColumn::values(Index index) const
-{
-    const std::size_t at = inChunk(index);
-    const auto left = static_cast<std::size_t>(m_end - index);
-    return std::span(chunkOf(index).samples->values)
-        .subspan(at, std::min(left, kChunkSamples - at));
+    const Chunk &chunk = chunkOf(index);
+    const std::size_t from = inChunk(index);
+    const std::size_t count =
+        std::min({times.size(), kChunkSamples - from, static_cast<std::size_t>(m_end - index)});
+    for (std::size_t i = 0; i < count; ++i) {
+        times[i] = chunk.timeOf(from + i);
+        values[i] = valueIn(chunk, from + i);
+    }
+    return count;
 }
 
 ValueRange ValueColumn::valueExtremes(Index from, Index to) const
@@ -169,25 +226,38 @@ ValueRange ValueColumn::valueExtremes(Index from, Index to) const
     to = std::min(to, m_end);
     ValueRange range;
     while (from < to) {
-        const Chunk &chunk = chunkOf(from);
-        std::size_t at = inChunk(from);
-        const std::size_t end =
-            at + static_cast<std::size_t>(std::min<Index>(to - from, kChunkSamples - at));
-        from += end - at;
-        if (at == 0 && end == kChunkSamples) {
-            range.include(chunk.all);
-            continue;
-        }
-        while (at < end) {
-            if (at % kBlockSamples == 0 && at + kBlockSamples <= end) {
-                range.include(chunk.ranges[at / kBlockSamples]);
-                at += kBlockSamples;
-            } else {
-                const double value = chunk.samples->values[at++];
-                range.include({value, value});
-            }
-        }
+        const std::size_t at = inChunk(from);
+        const auto count = static_cast<std::size_t>(std::min<Index>(to - from, kChunkSamples - at));
+        range.include(rangeIn(chunkOf(from), at, at + count));
+        from += count;
     }
+    return range;
+}
+
+ValueRange ValueColumn::rangeIn(const Chunk &chunk, std::size_t from, std::size_t to) const
+{
+    if (to - from == kChunkSamples && chunk.settled)
+        return chunk.all;
+    ValueRange range;
+    const auto read = [&](std::size_t until) {
+        for (; from < until; ++from) {
+            const double value = valueIn(chunk, from);
+            range.include({value, value});
+        }
+    };
+    const std::size_t low = (from + kBlockSamples - 1) / kBlockSamples;
+    const std::size_t high = to / kBlockSamples;
+    if (low < high) {
+        read(low * kBlockSamples);
+        for (std::size_t block = low; block < high;) {
+            const bool coarse = chunk.settled && block % kFanOut == 0 && block + kFanOut <= high;
+            range.include(coarse ? chunk.coarse[block / kFanOut]
+                                 : chunk.ranges[static_cast<std::ptrdiff_t>(block)]);
+            block += coarse ? kFanOut : 1;
+        }
+        from = high * kBlockSamples;
+    }
+    read(to);
     return range;
 }
 
@@ -195,6 +265,10 @@ void ValueColumn::releaseOldest()
 {
     if (!canRelease())
         return;
+    const std::size_t bytes = m_chunks.front().bytes();
+    m_sampleBytes -= bytes;
+    if (m_archived.placedFrom(m_released) > 0)
+        m_archivedBytes -= bytes;
     m_chunks.pop_front();
     ++m_released;
     m_archived.release(m_released);
@@ -208,8 +282,8 @@ void ValueColumn::releaseOldest()
 
 std::size_t ValueColumn::bytes() const
 {
-    return m_chunks.size() * sizeof(Chunk)
-        + (m_chunks.size() - static_cast<std::size_t>(archivedChunks())) * kArchivedBytes
+    return m_chunks.size() * (sizeof(Chunk) + kBlocks * sizeof(ValueRange))
+        + (m_table ? m_table->bytes() : 0) + m_sampleBytes - m_archivedBytes
         + m_runs.capacity() * sizeof(Run);
 }
 

@@ -1,10 +1,13 @@
-// The samples of one slow or polled signal: an instant and a value each, in chunks with the
-// extremes of every 64 and of all. Values hold until the next one, at most to the end of their run.
+// The samples of one slow or polled signal, or of a computed or imported one: an instant and a number each, in chunks with
+// the extremes of every 128, 512 and of all. A full chunk at equal steps keeps no instants, and one of values that repeat, as
+// all do that came from 16 bits, keeps their places in a table: 2.2 bytes a sample where both hold, else up to 16.
+// Values hold until the next one, at most to the end of their run.
 //
-// A copy shares the chunks and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an archive.
+// A copy shares the samples and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an archive.
 #pragma once
 
 #include "capture/fast_column.h"
+#include "capture/value_table.h"
 
 #include <limits>
 
@@ -44,7 +47,8 @@ struct Run {
 class ValueColumn {
 public:
     static constexpr std::size_t kChunkSamples = 4096;
-    static constexpr std::size_t kBlockSamples = 64; ///< with extremes of their own
+    static constexpr std::size_t kBlockSamples = 128; ///< with extremes of their own
+    static constexpr std::size_t kMostSampleBytes = sizeof(Nanos) + sizeof(double);
 
     bool empty() const { return m_begin == m_end; }
     Index begin() const { return m_begin; }
@@ -69,20 +73,20 @@ public:
     void breakHere() { m_broken = true; }
 
     Nanos lastTime() const { return m_lastTime; } ///< of the newest value; 0 if there is none
-    Nanos timeOf(Index index) const { return chunkOf(index).samples->times[inChunk(index)]; }
-    double at(Index index) const { return chunkOf(index).samples->values[inChunk(index)]; }
+    Nanos timeOf(Index index) const { return chunkOf(index).timeOf(inChunk(index)); }
+    double at(Index index) const { return valueIn(chunkOf(index), inChunk(index)); }
     std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
 
     Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
-    /// Values from `index` on as they lie side by side: at most to the end of a chunk.
-    std::span<const Nanos> times(Index index) const;
-    std::span<const double> values(Index index) const;
+    /// As many from `index` on as there is room for, at most to the end of a chunk; how many these are.
+    /// @param values  as many as `times`
+    std::size_t read(Index index, std::span<Nanos> times, std::span<double> values) const;
     /// Of [from, to), clipped to what is kept. Cost: a read a chunk, and some of its two ends.
     ValueRange valueExtremes(Index from, Index to) const;
     /// Of the whole block that begins there; all of it has to be there. Cost: no sample is read.
     const ValueRange &blockExtremes(Index from) const
     {
-        return chunkOf(from).ranges[inChunk(from) / kBlockSamples];
+        return chunkOf(from).ranges[static_cast<std::ptrdiff_t>(inChunk(from) / kBlockSamples)];
     }
 
     /// Extremes of `count` equal slices of [from, to), as of a FastColumn: edges are rounded by less than a sixteenth of a
@@ -96,42 +100,78 @@ public:
     std::size_t bytes() const; ///< in memory
 
     // The way into an archive, as with FastColumn; a chunk is one stretch.
-    static constexpr std::size_t kArchivedBytes = kChunkSamples * (sizeof(Nanos) + sizeof(double));
     Index toArchive() const { return m_archived.handed() * kChunkSamples; }
-    Index archivableChunks() const { return m_end / kChunkSamples - m_archived.handed(); }
-    Index archivedChunks() const { return m_archived.placedFrom(m_released); }
+    std::uint64_t archivableBytes() const;
+    std::uint64_t archivedBytes() const { return m_archivedBytes; }
+    std::size_t chunkBytes() const { return chunkOf(toArchive()).bytes(); } ///< of the next one
     void handOver(std::vector<Stretch> &to);
     void place(Index first, std::span<const Stretch> where);
     void takeBack() { m_archived.takeBack(); }
 
 private:
-    struct Samples { // NOLINT(cppcoreguidelines-pro-type-member-init) written before it is read
-        std::array<Nanos, kChunkSamples> times;
-        std::array<double, kChunkSamples> values;
-    };
-    static_assert(sizeof(Samples) == kArchivedBytes);
+    static constexpr std::size_t kBlocks = kChunkSamples / kBlockSamples;
+    static constexpr std::size_t kFanOut = 4;
     struct Chunk {
         Nanos start = 0; ///< of its first sample: a search touches one chunk's samples only
-        std::shared_ptr<const Samples> samples;
-        std::array<ValueRange, kChunkSamples / kBlockSamples> ranges;
-        ValueRange all; ///< once it is full
+        Nanos step =
+            0; ///< from each to the next; 0: the instants are written down, before the values
+        bool coded = false; ///< values are places in the table
+        bool settled = false; ///< it is full, and the next two are there
+        ValueRange all;
+        std::array<ValueRange, kBlocks / kFanOut> coarse;
+        std::shared_ptr<const std::byte> samples;
+        std::shared_ptr<const ValueRange[]> ranges;
+
+        const Nanos *times() const { return reinterpret_cast<const Nanos *>(samples.get()); }
+        const std::byte *behindTimes() const
+        {
+            return samples.get() + (step == 0 ? kChunkSamples * sizeof(Nanos) : 0);
+        }
+        const double *values() const { return reinterpret_cast<const double *>(behindTimes()); }
+        const ValueTable::Code *codes() const
+        {
+            return reinterpret_cast<const ValueTable::Code *>(behindTimes());
+        }
+        Nanos timeOf(std::size_t i) const
+        {
+            return step == 0 ? times()[i] : start + static_cast<Nanos>(i) * step;
+        }
+        std::size_t bytes() const
+        {
+            return kChunkSamples
+                * ((step == 0 ? sizeof(Nanos) : 0)
+                    + (coded ? sizeof(ValueTable::Code) : sizeof(double)));
+        }
+        std::size_t atOrAfter(Nanos time, std::size_t count, Nanos tolerance) const;
     };
     void addChunk(Nanos start);
     /// First value at or after `time`, not before `low`; or where a block begins, if that is no farther from `time` than
     /// `tolerance`.
     Index edge(Nanos time, Index low, Nanos tolerance) const;
     void measure(std::size_t block); ///< of the last chunk: whole now
+    void settle(); ///< the last chunk, which is full, in as few bytes as it takes
     static std::size_t inChunk(Index index)
     {
         return static_cast<std::size_t>(index % kChunkSamples);
     }
     const Chunk &chunkOf(Index index) const
     {
-        return *m_chunks[static_cast<std::size_t>(index / kChunkSamples - m_released)];
+        return m_chunks[static_cast<std::size_t>(index / kChunkSamples - m_released)];
     }
+    double valueIn(const Chunk &chunk, std::size_t i) const
+    {
+        return chunk.coded ? m_table->at(chunk.codes()[i]) : chunk.values()[i];
+    }
+    ValueRange rangeIn(const Chunk &chunk, std::size_t from, std::size_t to) const;
 
-    std::deque<std::shared_ptr<Chunk>> m_chunks;
-    Samples *m_filled = nullptr; ///< of the last chunk, for who appends
+    std::deque<Chunk> m_chunks;
+    std::shared_ptr<ValueTable> m_table; ///< of all chunks that are coded
+    // Of the last chunk, for who appends.
+    Nanos *m_filledTimes = nullptr;
+    double *m_filledValues = nullptr;
+    ValueRange *m_filledRanges = nullptr;
+    std::size_t m_sampleBytes = 0; ///< of all chunks, in memory or not
+    std::size_t m_archivedBytes = 0; ///< of those that are not
     ArchivedChunks m_archived;
     Nanos m_lastTime = 0;
     Index m_released = 0; ///< chunks let go

@@ -214,22 +214,59 @@ void mathBesideStream(benchmark::State &state)
         {"N6 frame", "the same", quantile(frames, 0.99) * 1e3 / kFrameMs, "16.7 ms of computing"});
 }
 
+/// Sixteen earlier records, newest first, each `by` seconds before the one after it.
+std::vector<widgets::Ghost> sixteenRecords(double by)
+{
+    std::vector<widgets::Ghost> ghosts;
+    for (int i = 0; i < 16; ++i)
+        ghosts.push_back({nullptr, -by * (i + 1), 110 - 5 * i});
+    return ghosts;
+}
+
+/// While the picture is moved, and the records with it: all of them are other columns each time.
 void persistence(benchmark::State &state)
 {
     constexpr double kSeconds = 1.0;
     const Ragged data(1'000'000, Ragged::Wave::Motor);
     Scope plain(data);
     Scope sixteen(data);
-    std::vector<widgets::Ghost> ghosts;
-    for (int i = 0; i < 16; ++i) {
-        ghosts.emplace_back();
-        ghosts.back().shift = -kSeconds * (i + 1);
-    }
-    sixteen.view.ghosts().setRecords(ghosts);
+    sixteen.view.ghosts().setRecords(sixteenRecords(kSeconds));
     const Pair pair = pairedRatio(
         state, [&] { plain.frame(kSeconds); }, [&] { sixteen.frame(kSeconds); });
-    report({"N7 persistence", "frame of 8 traces with 16 records behind them", Measured::cost(pair),
-        "the frame without"});
+    report({"N7 persistence", "frame of 8 traces with 16 records behind them, moved",
+        Measured::cost(pair), "the frame without"});
+}
+
+/// As a trigger brings them: 20 records of a second a second, 60 frames. The picture stands still in between.
+void triggered(benchmark::State &state)
+{
+    constexpr double kBy = 0.05;
+    constexpr double kSeconds = 1.0;
+    const Ragged data(1'000'000, Ragged::Wave::Motor);
+    Scope plain(data);
+    Scope sixteen(data);
+    sixteen.view.ghosts().setRecords(sixteenRecords(kBy));
+    const auto third = [](Scope &scope) {
+        for (int frame = 0; frame < 3; ++frame) {
+            const double from = 20.0 + kBy * scope.moved;
+            scope.moved += frame == 0 ? 1 : 0;
+            const quint64 before = scope.view.redraws();
+            scope.painted.after([&] {
+                scope.view.setVisibleRange(from, from + kSeconds);
+                scope.view.redraw();
+            });
+            while (scope.view.redraws() == before)
+                scope.painted.after([] {});
+        }
+    };
+    const Pair pair = pairedRatio(
+        state, [&] { third(plain); },
+        [&] {
+            sixteen.view.ghosts().setRecords(sixteenRecords(kBy));
+            third(sixteen);
+        });
+    report({"N7 triggered", "three frames of 8 traces with 16 records, one of them new",
+        Measured::cost(pair), "the frames without"});
 }
 
 void manySignals(benchmark::State &state)
@@ -261,5 +298,6 @@ BENCHMARK(frameOfMore)->Arg(10'000'000)->Arg(72'000'000)->Iterations(101)->UseMa
 BENCHMARK(frameOfValues)->Iterations(51)->UseManualTime();
 BENCHMARK(mathBesideStream)->Iterations(101)->UseManualTime();
 BENCHMARK(persistence)->Iterations(51)->UseManualTime();
+BENCHMARK(triggered)->Iterations(51)->UseManualTime();
 BENCHMARK(manySignals)->Iterations(51)->UseManualTime();
 BENCHMARK(manyGaps)->Iterations(51)->UseManualTime();

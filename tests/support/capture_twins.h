@@ -1,5 +1,6 @@
 // Two captures of the same stream, one with room for everything in memory: whatever the other is asked, it must answer
-// the same. The stream has gaps, codes that wrap, slow signals that are floats, and polled values.
+// the same. The stream has gaps, codes that wrap, slow signals that are floats, and polled values, some that
+// repeat and some that do not.
 #pragma once
 
 #include "capture/capture.h"
@@ -110,7 +111,7 @@ private:
                     s == 0 ? static_cast<std::uint64_t>(tick + i) * 411 : random()));
         for (std::uint32_t i = 0; i < next.count; i += 16)
             next.slow.push_back({tick + i,
-                {static_cast<std::int32_t>(random() % 5000),
+                {static_cast<std::int32_t>(random()), // hardly two are equal, and many are
                     std::bit_cast<std::int32_t>(static_cast<float>(random() % 777) / 7.0F)}});
         tick += next.count;
         return next;

@@ -13,8 +13,7 @@ constexpr Milliseconds kPeriod{1000};
 /// Bytes that a sample takes where it stays.
 constexpr double kFastBytes =
     double(capture::FastColumn::kArchivedBytes) / double(capture::FastColumn::kChunkSamples);
-constexpr double kSlowBytes =
-    double(capture::ValueColumn::kArchivedBytes) / double(capture::ValueColumn::kChunkSamples);
+constexpr double kSlowBytes = double(capture::ValueColumn::kMostSampleBytes);
 
 /// Five signals at 16 kHz: the answer when nothing is recorded.
 constexpr double kUsualRate = 5 * 16000 * kFastBytes;

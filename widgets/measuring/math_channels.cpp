@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace widgets {
@@ -10,6 +11,7 @@ namespace widgets {
 namespace {
 /// What is copied needs no second place for long.
 constexpr std::uint64_t kKept = 65'536;
+constexpr std::size_t kCopiedAtOnce = 512;
 } // namespace
 
 struct MathChannels::Computed {
@@ -296,13 +298,16 @@ void MathChannels::copyTo(Computed &computed)
     const capture::Channel &from = computed.math->channel();
     const capture::ValueColumn &column = *from.values();
     const capture::ChannelId to = computed.entry.channel;
+    std::array<capture::Nanos, kCopiedAtOnce> times{};
+    std::array<double, kCopiedAtOnce> values{};
     for (capture::Index i = std::max(computed.copied, from.begin()); i < from.end();) {
         const capture::Run &run = column.runs()[column.runOf(i)];
         if (run.first == i)
             m_capture.breakImported(to);
-        const auto count = static_cast<std::size_t>(
-            std::min<capture::Index>(column.times(i).size(), run.end() - i));
-        m_capture.appendImported(to, column.times(i).first(count), column.values(i).first(count),
+        const auto most = std::min<capture::Index>(times.size(), run.end() - i);
+        const std::size_t count =
+            column.read(i, std::span(times).first(static_cast<std::size_t>(most)), values);
+        m_capture.appendImported(to, std::span(times).first(count), std::span(values).first(count),
             from.holdUntil(i + count - 1));
         i += count;
     }

@@ -57,6 +57,7 @@ void RecordingWorker::start(
     }
     record::Begin whole = begin;
     whole.startSeconds = m_tap->startSeconds();
+    m_free = sink->freeBytes();
     m_file = std::make_unique<RecordingFile>(std::move(sink), whole);
     if (!m_file->open()) {
         finish();
@@ -102,8 +103,8 @@ void RecordingWorker::tick()
     if (goesOn && m_sinceSync.elapsed() >= kSync_ms) {
         goesOn = m_file->sync();
         m_sinceSync.start();
-        const qint64 room = m_file->freeBytes();
-        if (goesOn && room >= 0 && room < m_limits.endBytes) {
+        m_free = m_file->freeBytes(); // 50 us: not with every progress
+        if (goesOn && m_free >= 0 && m_free < m_limits.endBytes) {
             m_file->endForWantOfRoom();
             goesOn = false;
         }
@@ -150,7 +151,7 @@ RecordingProgress RecordingWorker::progress()
         m_bytesThen = progress.counts.bytes;
     }
     progress.bytesPerSecond = m_rate;
-    progress.freeBytes = m_file->freeBytes();
+    progress.freeBytes = m_free;
     if (progress.freeBytes >= 0)
         progress.roomBytes = std::max<qint64>(0, progress.freeBytes - m_limits.endBytes);
     progress.lowSpace = progress.freeBytes >= 0 && progress.freeBytes < m_limits.warnBytes;

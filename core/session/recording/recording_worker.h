@@ -37,6 +37,7 @@ private:
     QElapsedTimer m_sinceRate;
     std::uint64_t m_bytesThen = 0; ///< when the rate was taken last
     double m_rate = 0.0;
+    qint64 m_free = -1; ///< bytes on the disk, at the last sync
     QString m_path;
     record::Lost m_lost;
     record::Coverage m_coverage;

@@ -114,7 +114,7 @@ void TestCaptureArchive::nothingIsLostWhereTheArchiveTakesIt()
 {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         Bench bench(seed);
-        bench.twins.record(2'500'000);
+        bench.twins.record(3'500'000);
         QCOMPARE(bench.small().released(), std::uint64_t(0));
         QVERIFY(bench.archive->deposits > 20);
         QVERIFY(bench.holdsWhatIsRead());
@@ -129,7 +129,7 @@ void TestCaptureArchive::memoryHoldsTheLimitAndHardlyGrowsAfterwards()
     QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);
     const std::size_t then = bench.small().bytes();
     const std::uint64_t archivedThen = bench.small().archivedBytes();
-    bench.twins.record(3'000'000);
+    bench.twins.record(4'000'000);
     QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);
     // Two pieces more or less, and the extremes of what has moved: 1 % of it.
     const std::uint64_t moved = bench.small().archivedBytes() - archivedThen;
@@ -198,7 +198,7 @@ void TestCaptureArchive::valuesThatAreReadInTurnMakeRoomToo()
     constexpr std::size_t kUnseen = std::size_t(65536) * 24; // between two looks
     const auto record = [](Capture &capture) {
         for (std::uint64_t i = 0; i < kValues; ++i)
-            capture.appendPolled(40, "P", "K", double(i) * 0.01, double(i));
+            capture.appendPolled(40, "P", "K", double(i) * 0.01 + double(i % 3) * 0.001, double(i));
         return *capture.find(40);
     };
     const auto archive = std::make_shared<FakeArchive>();
@@ -255,7 +255,7 @@ void TestCaptureArchive::aFullArchiveGoesRound()
         most = std::max(most, bench.archive->held());
     }
     QVERIFY(bench.small().released() > 0);
-    QVERIFY(most <= 6'000'000 && most > 5'000'000);
+    QVERIFY2(most <= 6'000'000 && most > 5'000'000, qPrintable(QString::number(most)));
     QVERIFY(bench.small().archivedBytes() > 5'000'000);
     QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);
     bench.twins.verifyTheSame();
@@ -279,11 +279,13 @@ void TestCaptureArchive::anArchiveThatFailsMidwayGoesRoundInWhatItHas()
     Bench bench;
     bench.archive->refuseFrom = 12;
     bench.archive->atOnce = false;
-    for (int i = 0; i < 40; ++i) { // several are on their way when the first is refused
+    // Several are on their way when the first is refused.
+    for (int i = 0; i < 100 && bench.archive->refused == 0; ++i) {
         bench.twins.record(30'000);
         if (i % 2 == 1)
             bench.archive->settle();
     }
+    bench.twins.record(70'000); // it looks again
     QVERIFY(bench.archive->refused > 0);
     QVERIFY(bench.small().archiveRoom() <= 12 * kPiece);
     QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void tracesThatOverlapAllStayVisible();
     void aLineIsNeverHiddenByABand();
     void ofEarlierTracesTheNewerOneIsOnTop();
+    void recordsThatCameOneByOneLookLikeAllAtOnce();
     void aStoppedPictureStandsStillWhileRecordingGoesOn();
     void manyChangesMakeOneRedraw();
     void coloursStayWithTheRegisterAndFollowTheTheme();
@@ -522,6 +523,67 @@ void TestScopeView::ofEarlierTracesTheNewerOneIsOnTop()
             std::abs(pixel.red() - wanted.red()) + std::abs(pixel.green() - wanted.green()) < 6;
     }
     QCOMPARE(found, 1);
+}
+
+/// What is kept of the picture of earlier records is what painting all of them anew would give.
+void TestScopeView::recordsThatCameOneByOneLookLikeAllAtOnce()
+{
+    const auto value = [](int s, int tick) {
+        const int wave = std::abs(tick % 100 - 50) * (s == 0 ? 10 : -7); // every view has its ends
+        return wave + (tick / 1000 % 3) * (tick % 100 == 20 ? 100 : 0);
+    };
+    const auto made = [&value](Bench &bench) {
+        bench.record(20'000, value);
+        bench.view.addChannel(bench.id(1));
+        bench.view.addChannel(bench.id(2));
+        bench.view.setRunning(false);
+        bench.view.fitAll();
+    };
+    Bench kept({signal(1, "A"), signal(2, "V")});
+    made(kept);
+    std::mt19937 random(3);
+    std::vector<Ghost> records;
+    constexpr double kOff =
+        0.000371; // no sample where a column begins: sums of seconds would put it here or there
+    double from = 8.0 + kOff;
+    double span = 0.5;
+    for (int step = 0; step < 60; ++step) {
+        switch (random() % 8) {
+        case 0: // another time is looked at
+            from = 6.0 + kOff + double(random() % 4000) / 1000.0;
+            break;
+        case 1: // and another scale of it: dense, or single samples
+            span = random() % 2 == 0 ? 0.5 : 3.0;
+            break;
+        case 2:
+            records.clear();
+            break;
+        default: { // the next record: the others are older by it
+            const double by = 0.1 + double(random() % 300) / 1000.0 + kOff / 3;
+            from = std::min(from + by, 16.0);
+            for (Ghost &ghost : records)
+                ghost.shift -= by;
+            records.insert(records.begin(), Ghost{nullptr, -by, 0});
+            records.resize(std::min<std::size_t>(records.size(), 4));
+        }
+        }
+        for (std::size_t i = 0; i < records.size(); ++i)
+            records[i].alpha = 120 - 20 * int(i);
+        kept.view.setVisibleRange(from, from + span);
+        kept.view.ghosts().setRecords(records);
+        Bench fresh({signal(1, "A"), signal(2, "V")});
+        made(fresh);
+        fresh.view.setVisibleRange(from, from + span);
+        fresh.view.ghosts().setRecords(records);
+        const QImage wanted = fresh.picture();
+        const QImage found = kept.picture();
+        int others = 0;
+        for (int y = 0; y < wanted.height(); ++y)
+            for (int x = 0; x < wanted.width(); ++x)
+                others += wanted.pixel(x, y) != found.pixel(x, y) ? 1 : 0;
+        QVERIFY2(
+            others == 0, qPrintable(QStringLiteral("%1 pixels in step %2").arg(others).arg(step)));
+    }
 }
 
 void TestScopeView::aStoppedPictureStandsStillWhileRecordingGoesOn()

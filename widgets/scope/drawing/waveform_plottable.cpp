@@ -31,6 +31,14 @@ constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 constexpr int kShapeColumns = 4;
 constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
 
+/// Those that were kept come before the earlier records.
+std::size_t referenceCount(std::span<const Ghost> ghosts)
+{
+    const auto first = std::find_if(
+        ghosts.begin(), ghosts.end(), [](const Ghost &ghost) { return ghost.mark == 0; });
+    return static_cast<std::size_t>(first - ghosts.begin());
+}
+
 /// Where a value lies, in rows from the top of the picture.
 struct Rows {
     double top;
@@ -110,13 +118,16 @@ void WaveformPlottable::draw(QCPPainter *painter)
     if (m_image.size() != size)
         m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
     m_image.setDevicePixelRatio(ratio);
-    const bool ghosts = !m_scopePlot.ghosts.empty();
-    if (ghosts)
-        m_image.fill(Qt::transparent);
+    const std::span<const Ghost> ghosts = m_scopePlot.ghosts;
+    const std::span<const Ghost> references = ghosts.first(referenceCount(ghosts));
     clearWideRegisters();
     const View view = viewOf(size, std::max(1, qRound(ratio)));
-    ImageInk ink(m_image, ghosts ? Uncovered::Keep : Uncovered::Clear);
-    drawGhosts(view, ink);
+    if (references.size() < ghosts.size())
+        paintRecords(view);
+    else if (!ghosts.empty())
+        m_image.fill(Qt::transparent);
+    ImageInk ink(m_image, ghosts.empty() ? Uncovered::Clear : Uncovered::Keep);
+    drawGhosts(references, view, ink);
     drawTraces(view, ink);
     painter->setAntialiasing(
         false); // for which the library moves all by half a pixel, and an image by a whole one
@@ -143,7 +154,7 @@ void WaveformPlottable::drawShapes(QCPPainter *painter) const
     {
         const View view = viewOf(size, kShapeColumns);
         ShapeInk ink(*painter, size);
-        drawGhosts(view, ink);
+        drawGhosts(m_scopePlot.ghosts, view, ink);
         drawTraces(view, ink);
     }
     painter->restore();
@@ -231,34 +242,76 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
 }
 
+WaveformPlottable::GhostColor WaveformPlottable::colorsOf(const Ghost &ghost) const
+{
+    return [this, alpha = ghost.alpha](std::size_t trace) {
+        QColor color = traceColor(m_scopePlot.traces[trace].colorSlot, m_scopePlot.dark);
+        color.setAlpha(alpha);
+        return qPremultiply(color.rgba());
+    };
+}
+
+/// The earlier records, which are the last of the ghosts, on the image, which is clear elsewhere.
+void WaveformPlottable::paintRecords(const View &view)
+{
+    const auto &traces = m_scopePlot.traces;
+    RecordPicture::Look look{m_image.size(), view.to - view.from, {}};
+    for (const Trace &trace : traces) {
+        const QCPRange range = trace.valueAxis->range();
+        look.traces.push_back({trace.channel, range.lower, range.upper});
+    }
+    std::vector<const Ghost *> oldestFirst;
+    std::vector<RecordPicture::Record> records;
+    std::vector<QRgb> colors;
+    for (auto ghost = m_scopePlot.ghosts.rbegin();
+         ghost != m_scopePlot.ghosts.rend() && ghost->mark == 0; ++ghost) {
+        RecordPicture::Record record{view.from + ghost->shift, 0};
+        const GhostColor color = colorsOf(*ghost);
+        for (std::size_t i = 0; i < traces.size(); ++i) {
+            if (const capture::Channel *channel = channelOf(*ghost, traces[i]))
+                record.samples += channel->countIn(record.from, view.to + ghost->shift);
+            colors.push_back(color(i));
+        }
+        oldestFirst.push_back(&*ghost);
+        records.push_back(record);
+    }
+    const auto paint = [&](std::size_t record, TraceInk &ink, QRgb first) {
+        drawGhost(*oldestFirst[record], view, ink,
+            [first](std::size_t trace) { return first + static_cast<QRgb>(trace); });
+    };
+    m_records.update(look, std::move(records), paint);
+    m_records.drawOn(m_image, colors);
+}
+
 /// The same traces of another time, paler and behind, older ones first; references dashed, so that they are not told by
 /// their colour alone.
-void WaveformPlottable::drawGhosts(const View &view, TraceInk &ink) const
+void WaveformPlottable::drawGhosts(
+    std::span<const Ghost> ghosts, const View &view, TraceInk &ink) const
 {
-    const auto &ghosts = m_scopePlot.ghosts;
-    for (auto ghost = ghosts.rbegin(); ghost != ghosts.rend(); ++ghost) {
-        if (ghost->mark == 0) {
-            drawGhost(*ghost, view, ink);
+    for (std::size_t i = ghosts.size(); i-- > 0;) {
+        const Ghost &ghost = ghosts[i];
+        if (ghost.mark == 0) {
+            drawGhost(ghost, view, ink, colorsOf(ghost));
             continue;
         }
-        const int on = (ghost->mark == 'A' ? kLongDash : kShortDash) * view.thickness;
+        const int on = (ghost.mark == 'A' ? kLongDash : kShortDash) * view.thickness;
         DashedInk dashed(ink, on, on / 2 + view.thickness);
-        drawGhost(*ghost, view, dashed);
+        drawGhost(ghost, view, dashed, colorsOf(ghost));
     }
 }
 
-void WaveformPlottable::drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const
+void WaveformPlottable::drawGhost(
+    const Ghost &ghost, const View &view, TraceInk &ink, const GhostColor &color) const
 {
     View then = view;
     then.from += ghost.shift;
     then.to += ghost.shift;
-    for (const Trace &trace : m_scopePlot.traces) {
+    for (std::size_t i = 0; i < m_scopePlot.traces.size(); ++i) {
+        const Trace &trace = m_scopePlot.traces[i];
         const capture::Channel *channel = channelOf(ghost, trace);
         if (!channel || channel->empty() || !(then.to > then.from))
             continue;
-        QColor color = traceColor(trace.colorSlot, m_scopePlot.dark);
-        color.setAlpha(ghost.alpha);
-        const QRgb paint = qPremultiply(color.rgba());
+        const QRgb paint = color(i);
         if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width)) {
             drawSteps(then, trace, *channel, paint, ink);
             continue;

@@ -3,6 +3,7 @@
 // Includes the slow header: only for the scope's own files.
 #pragma once
 
+#include "widgets/scope/drawing/record_picture.h"
 #include "widgets/scope/drawing/trace_ink.h"
 #include "widgets/scope/scope_plot.h"
 
@@ -25,8 +26,12 @@ protected:
 private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(QCPPainter *painter) const;
-    void drawGhosts(const View &view, TraceInk &ink) const;
-    void drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const;
+    using GhostColor = std::function<QRgb(std::size_t trace)>;
+    GhostColor colorsOf(const Ghost &ghost) const; ///< premultiplied
+    void paintRecords(const View &view);
+    void drawGhosts(std::span<const Ghost> ghosts, const View &view, TraceInk &ink) const;
+    void drawGhost(
+        const Ghost &ghost, const View &view, TraceInk &ink, const GhostColor &color) const;
     void drawMarks(QCPPainter *painter) const;
     void drawTraces(const View &view, TraceInk &ink) const;
     void drawShapes(QCPPainter *painter) const;
@@ -47,6 +52,7 @@ private:
     const ScopePlot &m_scopePlot;
     const capture::Capture &m_capture;
     QImage m_image; ///< kept between redraws: allocating it anew costs more than clearing it
+    RecordPicture m_records;
 };
 
 } // namespace widgets
