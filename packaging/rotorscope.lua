@@ -131,7 +131,7 @@ function aspep.dissector(buffer, pinfo, tree)
 end
 
 local entries = Proto("rotorscope", "Rotorscope recording")
-local kinds = { [0] = "padding", "begin", "layout", "samples", "register", "polled values", "event", "snapshot", "note", "lost", "end" }
+local kinds = { [0] = "padding", "begin", "layout", "samples", "register", "polled values", "event", "snapshot", "note", "lost", "end", "overview" }
 local e = entries.fields
 e.kind = ProtoField.uint8("rotorscope.kind", "Kind", base.DEC, kinds)
 e.stream = ProtoField.uint32("rotorscope.stream", "Stream")

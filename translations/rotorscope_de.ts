@@ -5553,6 +5553,14 @@
         <source>Open a recording as a reference</source>
         <translation>Aufzeichnung als Referenz öffnen</translation>
     </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 is being read. Until then its outline is shown: the extremes of its fast signals.</source>
+        <translation>%1 wird gelesen. Bis dahin ist der Umriss zu sehen: die Extremwerte der schnellen Signale.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::OwnLimits</name>

@@ -5552,6 +5552,14 @@
         <source>Open a recording as a reference</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is being read. Until then its outline is shown: the extremes of its fast signals.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::OwnLimits</name>

@@ -68,6 +68,7 @@ bool Encoder::add(Nanos at, Entry entry)
     if (auto *block = std::get_if<SampleBlock>(&entry)) {
         if (bytesOf(*block) > kMostSampleBytes || !isWhole(*block))
             return false;
+        m_overview.add(*block);
         addSamples(at, std::move(*block));
         return true;
     }
@@ -85,8 +86,10 @@ bool Encoder::add(Nanos at, Entry entry)
 
 void Encoder::remember(const Entry &entry)
 {
-    if (const auto *layout = std::get_if<StreamLayout>(&entry))
+    if (const auto *layout = std::get_if<StreamLayout>(&entry)) {
         m_layout = *layout;
+        m_overview.begin(*layout);
+    }
     const auto *polled = std::get_if<PolledRegister>(&entry);
     if (polled && m_polled.size() < kMostPolled)
         m_polled[polled->id] = *polled;
@@ -194,6 +197,15 @@ std::optional<Nanos> Encoder::due() const
     return due;
 }
 
+void Encoder::addOverview(Nanos at)
+{
+    constexpr std::size_t kShare = 100;
+    flushAll();
+    for (const Overview &overview : m_overview.take(m_bytes / kShare))
+        if (const auto payload = encodeOverview(overview))
+            emitPayload(at, *payload, 0);
+}
+
 void Encoder::end(Nanos at, End end)
 {
     flushAll();
@@ -250,6 +262,7 @@ void Encoder::push(Bytes bytes, std::uint64_t samples)
     ++m_number;
     m_samples += samples;
     m_sinceRepeat += bytes.size();
+    m_bytes += bytes.size();
     m_blocks.push_back({std::move(bytes), samples});
 }
 

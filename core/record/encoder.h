@@ -7,7 +7,7 @@
 // Call order: head() first, then add() and flush() with takeBlocks() after each, end() last.
 #pragma once
 
-#include "record/entry.h"
+#include "record/overview.h"
 
 #include <map>
 #include <optional>
@@ -50,6 +50,8 @@ public:
     /// When flush() has something to do; empty: nothing was gathered.
     std::optional<Nanos> due() const;
 
+    /// What a reader shows before it has read the samples, a hundredth of the file at most; ahead of end().
+    void addOverview(Nanos at);
     /// The last block. Numbers in `end` are put in here.
     void end(Nanos at, End end);
 
@@ -86,6 +88,8 @@ private:
     std::uint32_t m_number = 0; ///< of the next block
     std::uint64_t m_samples = 0; ///< in all blocks
     std::size_t m_sinceRepeat = 0; ///< bytes
+    std::size_t m_bytes = 0; ///< in all blocks
+    OverviewMaker m_overview;
     std::size_t m_reserveAt = 0; ///< offset of the kept place
     std::optional<capture::StreamLayout> m_layout;
     std::map<RegisterId, PolledRegister> m_polled;

@@ -1,8 +1,9 @@
 // Any bytes as a recording, into a capture. An even first byte: the rest is the file. An odd one: the rest is cut into
-// payloads, each in a sound block, because no fuzzer guesses checksums.
+// payloads, each in a sound block, because no fuzzer guesses checksums. The whole is an overview's payload, too.
 #include "fuzz/script.h"
 #include "record/decoder.h"
 #include "record/gain_stretches.h"
+#include "record/overview.h"
 #include "record/restore.h"
 
 namespace {
@@ -33,6 +34,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return 0;
     const ByteView script(data + 1, size - 1);
     const Bytes file = data[0] % 2 == 0 ? Bytes(script.begin(), script.end()) : soundBlocks(script);
+    if (const auto overview = record::decodeOverview(script)) {
+        capture::Capture picture({.maxBytes = 10'000'000});
+        record::restore(*overview, picture);
+        if (const auto span = picture.timeSpan())
+            for (const capture::ChannelInfo &info : picture.channels())
+                fuzz::require(picture.columns(info.id, span->from, span->to, 10).size() == 10);
+    }
     record::Decoder decoder;
     capture::Capture capture({.maxBytes = 10'000'000});
     record::Restorer restorer(capture);

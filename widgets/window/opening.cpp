@@ -4,6 +4,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/question.h"
+#include "widgets/files/file_job.h"
 #include "widgets/files/import_csv.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"
@@ -13,6 +14,7 @@
 #include "widgets/window/workbench.h"
 
 #include <QDir>
+#include <QFileInfo>
 
 #include <utility>
 
@@ -180,11 +182,50 @@ void Opening::openPath(const QString &path)
     });
 }
 
+/// A large one has an outline of itself at its end, which is there at once.
 void Opening::open(const QString &path)
 {
-    openRecording(
+    if (QFileInfo(path).size() < m_parts.outlineFrom)
+        return read(path);
+    new FileJob(
+        tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
+        [this, path](const FileJob::Proceed &) -> FileJob::Finish {
+            const auto outline = std::make_shared<capture::Capture>();
+            const bool there = session::readOverview(path, *outline);
+            return [this, path, outline, there] {
+                if (there)
+                    showOutline(path, *outline);
+                read(path);
+            };
+        },
+        m_parts.window);
+}
+
+void Opening::read(const QString &path)
+{
+    FileJob *job = openRecording(
         path, m_parts.window, [this](OpenedRecording &opened) { show(opened); },
         [this](const QString &sentence) { warn(sentence); }, forFiles());
+    connect(job, &FileJob::over, this, [this] {
+        if (!std::exchange(m_outline, false) || m_parts.connecting())
+            return;
+        m_parts.selection.showFile(
+            capture::Capture()); // it was not read: an outline is no recording
+        m_shown.clear();
+    });
+}
+
+void Opening::showOutline(const QString &path, capture::Capture &outline)
+{
+    if (m_parts.connecting() || m_parts.markers.changedSinceLeft())
+        return; // what is to become of that is asked once it is read
+    m_outline = true;
+    m_shown = path;
+    m_parts.selection.showFile(std::move(outline));
+    m_parts.workbench.events().clear();
+    Q_EMIT said(Banner::Kind::Note,
+        tr("%1 is being read. Until then its outline is shown: the extremes of its fast signals.")
+            .arg(deviceText(path)));
 }
 
 void Opening::replay(const QString &path)
@@ -211,6 +252,7 @@ capture::Capture::Config Opening::forFiles() const
 
 void Opening::show(OpenedRecording &opened)
 {
+    m_outline = false;
     if (m_parts.connecting()) // meanwhile: what lives goes first
         return;
     if (m_parts.markers.changedSinceLeft()) { // while it was read

@@ -39,6 +39,8 @@ public:
         QWidget *window; ///< dialogs are over it; tests do without
         /// Lays a recording beside what is shown; a sentence, and in `good` whether it is. None: it cannot.
         std::function<QString(OpenedRecording &, bool &good)> lay = {};
+        qint64 outlineFrom =
+            64'000'000; ///< bytes of a file whose outline is shown until it is read
     };
     explicit Opening(Parts parts, QObject *parent = nullptr);
 
@@ -73,6 +75,8 @@ private:
         const std::function<void()> &lay = {});
     void leaveThen(std::function<void()> go);
     void open(const QString &path);
+    void read(const QString &path);
+    void showOutline(const QString &path, capture::Capture &outline);
     void replay(const QString &path);
     void import(const QString &path);
     void show(OpenedRecording &opened);
@@ -83,6 +87,7 @@ private:
     Parts m_parts;
     RecordedSnapshots m_snapshots;
     QString m_shown;
+    bool m_outline = false; ///< is shown, of what is being read
     std::function<void()> m_next; ///< once the connection is closed
 };
 

@@ -182,6 +182,7 @@ bool RecordingFile::end()
 {
     if (m_over)
         return false;
+    m_encoder.addOverview(m_last);
     m_encoder.end(m_last, {});
     if (!writeBlocks() || !sync())
         return false;

@@ -1,5 +1,6 @@
 #include "session/recording/recording_reader.h"
 
+#include "record/overview.h"
 #include "record/restore.h"
 
 #include <QFile>
@@ -150,6 +151,49 @@ Result<RecordingReport, QString> readRecording(
     record::Restorer restorer(capture);
     return readRecording(
         path, [&restorer](record::Item &&item) { restorer.take(item.entry); }, proceed);
+}
+
+bool readOverview(const QString &path, capture::Capture &capture)
+{
+    constexpr int kMostBlocks = 4096; // notes may be behind it, and many times ago
+    constexpr qint64 kTrailer = 4;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return false;
+    const auto read = [&file](qint64 at, qint64 size) {
+        file.seek(at);
+        const QByteArray bytes = file.read(size);
+        return Bytes(bytes.begin(), bytes.end());
+    };
+    // From the last block to the one before it, by the length that stands at its end.
+    std::vector<record::Overview> found;
+    qint64 end = file.size();
+    for (int i = 0; i < kMostBlocks && end > kTrailer; ++i) {
+        const Bytes trailer = read(end - kTrailer, kTrailer);
+        const qint64 length = ByteReader(trailer).u32();
+        if (length < qint64{record::blockSize(0)} || length > end
+            || length > qint64{record::blockSize(record::kMostPayload)})
+            break;
+        const Bytes block = read(end - length, length);
+        const auto head = record::packetHead(block, record::kMostPayload);
+        const auto data = head ? record::packetData(*head, block) : std::nullopt;
+        if (!data || head->interface != record::Interface::Entries)
+            break;
+        if (auto overview = record::decodeOverview(*data)) {
+            found.push_back(std::move(*overview));
+        } else {
+            const auto entry = record::decodeEntry(*data);
+            const bool behind = entry
+                && (std::holds_alternative<record::End>(entry->entry)
+                    || std::holds_alternative<record::Note>(entry->entry));
+            if (!behind || !found.empty())
+                break;
+        }
+        end -= length;
+    }
+    for (auto overview = found.rbegin(); overview != found.rend(); ++overview)
+        record::restore(*overview, capture);
+    return !found.empty();
 }
 
 QString damageText(const record::Damage &damage)

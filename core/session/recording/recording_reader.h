@@ -50,6 +50,10 @@ Result<RecordingReport, QString> readRecording(const QString &path,
     const std::function<void(record::Item &&)> &take,
     const std::function<bool(double)> &proceed = {});
 
+/// What its recorder summed up at its end into the capture, which should be empty: the picture of all of it, with its peaks, of
+/// its fast signals. False: there is no such thing, or it is damaged. Reads what it needs and no samples.
+bool readOverview(const QString &path, capture::Capture &capture);
+
 /// One place of damage in English, e.g. "bytes 4096 to 8191 are unreadable, 2 blocks are missing".
 QString damageText(const record::Damage &damage);
 

@@ -35,6 +35,22 @@ void writeRecording(const QString &path)
     QVERIFY(file.end());
 }
 
+/// With an outline at its end, in which one sample is a peak.
+void writeLarge(const QString &path)
+{
+    QFile::remove(path);
+    QString text;
+    session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
+    QVERIFY(file.open());
+    file.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+    for (capture::Tick i = 0; i < 10; ++i) {
+        std::vector<std::int16_t> codes(40'000, 7);
+        codes[12'345] = i == 5 ? 400 : 7;
+        file.add(i, capture::SampleBlock{1, i * 40'000, 40'000, std::move(codes), {}, 0});
+    }
+    QVERIFY(file.end());
+}
+
 struct Flows {
     widgets::Workbench bench;
     QWidget host; ///< for actions and the line of the recording
@@ -93,6 +109,41 @@ private Q_SLOTS:
         QCOMPARE(snapshots.size(), 1);
         QCOMPARE(m_flows->opening.snapshots().path, m_path);
         QVERIFY(m_flows->questions.open.empty());
+    }
+
+    void aLargeRecordingHasItsOutlineFirst()
+    {
+        writeLarge(m_path);
+        const auto opening = forLarge();
+        bool outlined = false;
+        connect(opening.get(), &widgets::Opening::said, this, [&](Banner::Kind, const QString &) {
+            const auto &capture = m_flows->bench.capture();
+            if (std::exchange(outlined, true))
+                return;
+            QVERIFY(capture.channels().at(0).name == "A (overview)");
+            QCOMPARE(capture.extremes(lastId(), 0.0, 400.0).max, 40.0F);
+            QVERIFY(capture.size(lastId()) < 20'000);
+        });
+        opening->openPath(m_path);
+        QTRY_VERIFY(plan().showsFile() && m_flows->bench.capture().size(lastId()) == 400'000);
+        QVERIFY(outlined);
+        QCOMPARE(m_flows->bench.capture().info(lastId())->name, std::string("A"));
+    }
+
+    void anOutlineGoesWhereTheRestCannotBeRead()
+    {
+        writeLarge(m_path);
+        const auto opening = forLarge();
+        QStringList said;
+        connect(opening.get(), &widgets::Opening::said, this,
+            [&](Banner::Kind, const QString &sentence) {
+                said.append(sentence);
+                QFile::remove(m_path); // a drive that was pulled, say
+            });
+        opening->openPath(m_path);
+        QTRY_COMPARE(said.size(), 2);
+        QTRY_VERIFY(m_flows->bench.capture().channels().empty());
+        QVERIFY(opening->shown().isEmpty());
     }
 
     void nothingTakesThePlaceOfAConnection()
@@ -294,6 +345,15 @@ private Q_SLOTS:
     }
 
 private:
+    capture::ChannelId lastId() const { return m_flows->bench.capture().channels().back().id; }
+    /// Shows the outline of files of any size.
+    std::unique_ptr<widgets::Opening> forLarge()
+    {
+        Flows &f = *m_flows;
+        return std::make_unique<widgets::Opening>(widgets::Opening::Parts{f.bench, f.selection,
+            f.markers, f.leaving, f.replacing, f.files, [] { return false; },
+            [] { return QString(); }, [] { return QString(); }, f.questions, nullptr, {}, 1});
+    }
     widgets::SignalPlan &plan() { return m_flows->bench.signalPlan(); }
 
     /// As of a connection that is over.

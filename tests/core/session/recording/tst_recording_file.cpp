@@ -2,6 +2,7 @@
 // is asked of the disk.
 #include "record/restore.h"
 #include "session/recording/recording_file.h"
+#include "session/recording/recording_notes.h"
 #include "session/recording/recording_reader.h"
 #include "support/recording_facts.h"
 
@@ -17,6 +18,7 @@ class TestRecordingFile : public QObject {
 private Q_SLOTS:
     void whatIsCountedIsInTheFile();
     void anOldFileIsLeftAlone();
+    void itsPictureIsThereBeforeItsSamplesAreRead();
     void whereverTheDiskFailsTheRecordingEndsWithAMark();
     void aDiskWithoutRoomForAMarkGetsItInItsPlace();
     void hardlyAnyRoomLeftEndsItCleanly();
@@ -123,6 +125,55 @@ void TestRecordingFile::whatIsCountedIsInTheFile()
     QCOMPARE(facts.ending->samples, 40'000U);
     QCOMPARE(facts.all<record::Begin>().at(0).source, std::string("here"));
     QVERIFY(!file.add(2, record::Note{0, 1, "late"}));
+}
+
+void TestRecordingFile::itsPictureIsThereBeforeItsSamplesAreRead()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QString text;
+    RecordingFile file(makeDiskSink(path, text), {0, "test", "here"});
+    QCOMPARE(record10(file), 400'000U);
+    capture::Capture whole;
+    const auto report = readRecording(path, whole);
+    QVERIFY(report && report->damagedPlaces == 0);
+    capture::Capture overview;
+    QVERIFY(readOverview(path, overview));
+    QVERIFY(overview.size(1) < 5000);
+    QCOMPARE(overview.timeSpan()->from, whole.timeSpan()->from);
+    QVERIFY(std::abs(overview.timeSpan()->to - whole.timeSpan()->to) < 0.02);
+    QCOMPARE(overview.extremes(1, 0.0, 30.0).max, whole.extremes(1, 0.0, 30.0).max);
+
+    // Notes that were added later are behind it.
+    const QString noted = folder.filePath(QStringLiteral("n.pcapng"));
+    QVERIFY(QFile::exists((saveNotes(path, noted, {{0, 1, "later"}}), noted)));
+    capture::Capture again;
+    QVERIFY(readOverview(noted, again));
+    QCOMPARE(again.size(1), overview.size(1));
+
+    // One that is damaged is told with the rest, and is none; so is one that was never written.
+    QFile bytes(path);
+    QVERIFY(bytes.open(QIODevice::ReadWrite));
+    QByteArray all = bytes.readAll();
+    const qsizetype place = all.lastIndexOf(QByteArrayLiteral("RS\x01\x0B"));
+    QVERIFY(place > 0);
+    all[place + 200] = char(~all[place + 200]);
+    bytes.seek(0);
+    bytes.write(all);
+    bytes.close();
+    capture::Capture none;
+    QVERIFY(!readOverview(path, none));
+    QVERIFY(none.channels().empty());
+    capture::Capture sound;
+    const auto damaged = readRecording(path, sound);
+    QVERIFY(damaged && damaged->damagedPlaces == 1);
+    QCOMPARE(sound.size(1), 400'000U);
+    QFile interrupted(folder.filePath(QStringLiteral("i.pcapng")));
+    QVERIFY(interrupted.open(QIODevice::WriteOnly));
+    interrupted.write(all.first(place - 28)); // as far as the samples go
+    interrupted.close();
+    QVERIFY(!readOverview(interrupted.fileName(), none));
+    QVERIFY(!readOverview(folder.filePath(QStringLiteral("nothing.pcapng")), none));
 }
 
 void TestRecordingFile::anOldFileIsLeftAlone()
