@@ -1,4 +1,4 @@
-#include "widgets/base/tick_menu.h"
+#include "widgets/scope/signals/tick_menu.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
