@@ -36,7 +36,7 @@ using drive::StopWord;
 namespace {
 
 constexpr std::uint32_t kReference = 0x98, kTorque = 0x8D0, kPower = 0x5A8, kHeat = 0x5D0,
-                        kMode = 0x42, kGain = 0x89;
+                        kMode = 0x42, kGain = 0x148;
 
 /// A board that tells all that the panels have a place for.
 drive::Identified boardWith(int motors)

@@ -1,4 +1,4 @@
-#include "widgets/window/tick_menu.h"
+#include "widgets/scope/signals/tick_menu.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
