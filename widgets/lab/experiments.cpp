@@ -82,6 +82,7 @@ void Experiments::begin(const lab::Experiment &experiment, const record::Happeni
     if (running())
         return;
     m_record = std::make_unique<Record>();
+    m_record->startSeconds = m_tap->startSeconds();
     m_restorer = std::make_unique<record::Restorer>(m_record->capture);
     const TimePoint now = m_clock();
     Q_EMIT began();
@@ -104,6 +105,7 @@ void Experiments::take(const session::ToldPtr &told)
     m_tap->release(told->bytes);
     if (!running() || told->recording != m_number)
         return;
+    m_record->told.push_back(told);
     for (const record::Entry &entry : told->entries) {
         if (const auto *happening = std::get_if<record::Happening>(&entry))
             m_record->happenings.emplace_back(told->at, *happening);

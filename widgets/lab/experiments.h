@@ -30,6 +30,8 @@ public:
         lab::Outcome outcome;
         capture::Capture capture;
         lab::Happenings happenings; ///< the plan first, the end last
+        std::vector<session::ToldPtr> told; ///< all between, as a recording of it would hold it
+        qint64 startSeconds = 0; ///< UTC of the session's 0 s
     };
 
     /// @param tap  of the session, and of nothing else; @param clock  the session's

@@ -146,7 +146,8 @@ void showKeys(QWidget *parent)
         {QStringLiteral("Ctrl+S"), About::tr("Save the markers of an opened recording")},
         {QStringLiteral("Ctrl+Shift+M, Ctrl+Shift+X"), About::tr("Math channels; XY picture")},
         {QStringLiteral("Ctrl+T, Ctrl+Shift+T"), About::tr("Steps of the speed; run them")},
-        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L"), About::tr("Notes; motion log")},
+        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L, Ctrl+Shift+B"),
+            About::tr("Notes; motion log; run book")},
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };

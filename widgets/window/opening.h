@@ -58,6 +58,7 @@ public Q_SLOTS:
     void askForReplay(); ///< as if its board were there
     void askForCsv();
     void openPath(const QString &path); ///< a recording, or CSV by its suffix
+    void layBeside(const QString &path); ///< a recording as a reference
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -76,7 +77,6 @@ private:
     void open(const QString &path);
     void read(const QString &path);
     void showOutline(const QString &path, capture::Capture &outline);
-    void layBeside(const QString &path);
     void replay(const QString &path);
     void import(const QString &path);
     void show(OpenedRecording &opened);

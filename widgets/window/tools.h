@@ -17,6 +17,7 @@ class MeasurePanel;
 class NotesPanel;
 class Opening;
 class RampForm;
+class RunKeeper;
 class ScopeView;
 class SnapshotActions;
 class SnapshotPanel;
@@ -34,7 +35,7 @@ public:
         TriggerControl &trigger;
         ChannelStrip &strip; ///< shows what is computed, too
         RegisterPanel::Actions edits;
-        const Opening &opening; ///< whose snapshots can be compared
+        Opening &opening; ///< whose snapshots can be compared
         FilePrompt &files;
         QMainWindow &window;
     };
@@ -56,6 +57,7 @@ private:
     void addScopeTools();
     void addSnapshots();
     void addForms();
+    void addRunBook();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
     void fillTraceMenu(QMenu &menu, quint32 channel);
@@ -74,9 +76,11 @@ private:
     QAction *m_openMeasures = nullptr;
     QAction *m_openSpectrum = nullptr;
     QAction *m_openXy = nullptr;
+    QAction *m_openSnapshots = nullptr;
     NotesPanel *m_notes = nullptr;
     SnapshotPanel *m_snapshots = nullptr;
     RampForm *m_ramps = nullptr;
+    RunKeeper *m_runs = nullptr;
     SnapshotActions *m_snapshotActions = nullptr;
 };
 
