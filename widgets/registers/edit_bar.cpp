@@ -8,9 +8,12 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
+constexpr int kMostNamed = 88; ///< edits that the button has room for
 constexpr int kLines = 2; ///< of what is told in a narrow panel; the tool tip has all of it
 
 } // namespace
@@ -50,6 +53,13 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
         layout->addWidget(m_revert, 1, 0);
         layout->addWidget(m_apply, 1, 1);
     }
+    int widest = 0; // however many wait
+    for (const int count : {1, kMostNamed}) {
+        m_apply->setText(tr("Apply %n edit(s)", nullptr, count));
+        widest = std::max(widest, m_apply->sizeHint().width());
+    }
+    m_apply->setFixedWidth(widest);
+    m_revert->setSizePolicy(wide ? QSizePolicy::Minimum : QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(&edits, &RegisterEdits::told, this, &EditBar::tell);
     connect(&edits, &RegisterEdits::changed, this, &EditBar::refresh);
     connect(apply, &QAction::changed, this, &EditBar::refresh);
