@@ -7,6 +7,7 @@ usage: safety.py            writes docs/safety.md
        safety.py --run DIR  runs every test that is named, from the build folder DIR, and keeps the results
 """
 import csv
+import os
 import re
 import subprocess
 import sys
@@ -106,7 +107,8 @@ def run(build):
             program = Path(build) / "tests" / Path(path).stem
             if not program.exists():
                 continue
-            ended = subprocess.run([program, slot], cwd=ROOT, capture_output=True, timeout=600)
+            ended = subprocess.run([program, slot], cwd=ROOT, capture_output=True, timeout=600,
+                                   env={"QT_QPA_PLATFORM": "offscreen", **os.environ})
             kept[f"{Path(path).stem}::{slot}"] = [f"{commit} {'passed' if ended.returncode == 0 else 'FAILED'}"]
     with RESULTS.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file, delimiter=";", lineterminator="\n").writerows([key] + kept[key] for key in sorted(kept))

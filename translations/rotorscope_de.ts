@@ -144,16 +144,16 @@
         <translation>Markierungen einer geöffneten Aufzeichnung speichern</translation>
     </message>
     <message>
-        <source>Notes; motion log</source>
-        <translation>Notizen; Bewegungsprotokoll</translation>
-    </message>
-    <message>
         <source>Keep the traces as reference A, B; with Shift: back</source>
         <translation>Kurven als Referenz A, B behalten; mit Umschalt: zurück</translation>
     </message>
     <message>
         <source>Steps of the speed; run them</source>
         <translation>Sprünge der Drehzahl; ausführen</translation>
+    </message>
+    <message>
+        <source>Notes; motion log; run book</source>
+        <translation>Notizen; Bewegungsprotokoll; Versuchsbuch</translation>
     </message>
     <message>
         <source>Identify the motor; its frequency response</source>
@@ -2098,6 +2098,78 @@
     </message>
 </context>
 <context>
+    <name>RunText</name>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation>Nicht ausgeführt: %1.</translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation>Mit einem Stopp beendet: %1.</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation>Unterbrochen: %1.</translation>
+    </message>
+    <message>
+        <source>rise %1 ms, overshoot %2 %, settling %3 ms</source>
+        <translation>Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms</translation>
+    </message>
+    <message>
+        <source>J %1 kg m², friction %2 and %3</source>
+        <comment>inertia, dry, viscous</comment>
+        <translation>J %1 kg m², Reibung %2 und %3</translation>
+    </message>
+    <message>
+        <source>Rs %1, Ld %2, Lq %3, flux %4</source>
+        <translation>Rs %1, Ld %2, Lq %3, Fluss %4</translation>
+    </message>
+    <message>
+        <source>crossover %1 Hz, phase margin %2°, Ms %3</source>
+        <translation>Durchtritt %1 Hz, Phasenreserve %2°, Ms %3</translation>
+    </message>
+    <message>
+        <source>Speed step %1 rpm</source>
+        <comment>from to</comment>
+        <translation>Drehzahlsprung %1 rpm</translation>
+    </message>
+    <message>
+        <source>Flux step %1 A</source>
+        <comment>from to</comment>
+        <translation>Flusssprung %1 A</translation>
+    </message>
+    <message>
+        <source>Torque step %1 A</source>
+        <comment>from to</comment>
+        <translation>Momentensprung %1 A</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Mechanik</translation>
+    </message>
+    <message>
+        <source>Electrics, turning</source>
+        <translation>Elektrik, drehend</translation>
+    </message>
+    <message>
+        <source>Electrics, at rest</source>
+        <translation>Elektrik, im Stillstand</translation>
+    </message>
+    <message>
+        <source>Response of the speed</source>
+        <translation>Frequenzgang der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Response of the current</source>
+        <translation>Frequenzgang des Stroms</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 s</source>
+        <comment>a recording, seconds</comment>
+        <translation>%1, %2 bis %3 s</translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -2596,6 +2668,10 @@
         <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: bewegen. F: alles.</translation>
     </message>
     <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
         <source>dB of %1</source>
         <comment>a unit</comment>
         <translation>dB von %1</translation>
@@ -2604,10 +2680,6 @@
         <source>Coh.</source>
         <comment>coherence, short</comment>
         <translation>Koh.</translation>
-    </message>
-    <message>
-        <source>dB</source>
-        <translation>dB</translation>
     </message>
     <message>
         <source>Hz</source>
@@ -4019,8 +4091,16 @@
         <translation>Was am Motor gemessen wurde</translation>
     </message>
     <message>
+        <source>E&amp;lectrical</source>
+        <translation>E&amp;lektrisch</translation>
+    </message>
+    <message>
         <source>Measures resistance and dead time at rest, then inductances and flux while it turns; then the motor is as it was.</source>
         <translation>Misst Widerstand und Totzeit im Stillstand, dann Induktivitäten und Fluss im Lauf; danach ist der Motor wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Mecha&amp;nical</source>
+        <translation>Mecha&amp;nisch</translation>
     </message>
     <message>
         <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
@@ -4041,14 +4121,6 @@
     <message>
         <source>Takes them out of it again.</source>
         <translation>Nimmt sie dort wieder heraus.</translation>
-    </message>
-    <message>
-        <source>E&amp;lectrical</source>
-        <translation>E&amp;lektrisch</translation>
-    </message>
-    <message>
-        <source>Mecha&amp;nical</source>
-        <translation>Mecha&amp;nisch</translation>
     </message>
 </context>
 <context>
@@ -6540,10 +6612,6 @@
         <translation>schnell</translation>
     </message>
     <message>
-        <source>&amp;Length</source>
-        <translation>&amp;Länge</translation>
-    </message>
-    <message>
         <source>The longer, the narrower the error bars</source>
         <translation>Je länger, desto schmaler die Fehlerbalken</translation>
     </message>
@@ -6564,16 +6632,12 @@
         <translation>Stromkreis, geschlossen</translation>
     </message>
     <message>
-        <source>What if &amp;Kp</source>
-        <translation>Was wäre mit &amp;Kp</translation>
-    </message>
-    <message>
         <source>Moves the predicted loop; nothing is written until Apply</source>
         <translation>Bewegt den vorhergesagten Regelkreis; geschrieben wird erst mit „Anwenden“</translation>
     </message>
     <message>
-        <source>Three candidates from the measured motor: stiff, medium, quick</source>
-        <translation>Drei Vorschläge aus dem gemessenen Motor: ruhig, mittel, schnell</translation>
+        <source>Pr&amp;opose</source>
+        <translation>&amp;Vorschlagen</translation>
     </message>
     <message>
         <source>&amp;Apply</source>
@@ -6584,8 +6648,29 @@
         <translation>&amp;Zurück zu den alten</translation>
     </message>
     <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation>B&amp;ild</translation>
+    </message>
+    <message>
+        <source>What if &amp;Kp</source>
+        <translation>Was wäre mit &amp;Kp</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <comment>a gain</comment>
+        <translation>Ki</translation>
+    </message>
+    <message>
         <source>Loops: measured, thought of, proposed, proved</source>
         <translation>Regelkreise: gemessen, gedacht, vorgeschlagen, geprüft</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>D&amp;rehzahl</translation>
     </message>
     <message>
         <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
@@ -6652,29 +6737,16 @@
         <translation>Zuerst den Frequenzgang der Drehzahl messen.</translation>
     </message>
     <message>
+        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <translation>Drei Vorschläge aus dem gemessenen Motor: ruhig, mittel, schnell</translation>
+    </message>
+    <message>
         <source>Writes the gains in the fields as one step, which can be undone, and reads them back</source>
         <translation>Schreibt die Verstärkungen in den Feldern als einen Schritt, der rückgängig zu machen ist, und liest sie zurück</translation>
     </message>
     <message>
         <source>Writes the gains from before the first Apply, as one step</source>
         <translation>Schreibt die Verstärkungen von vor dem ersten Anwenden, als einen Schritt</translation>
-    </message>
-    <message>
-        <source>Pr&amp;opose</source>
-        <translation>&amp;Vorschlagen</translation>
-    </message>
-    <message>
-        <source>P&amp;icture</source>
-        <translation>B&amp;ild</translation>
-    </message>
-    <message>
-        <source>Ki</source>
-        <comment>a gain</comment>
-        <translation>Ki</translation>
-    </message>
-    <message>
-        <source>S&amp;peed</source>
-        <translation>D&amp;rehzahl</translation>
     </message>
 </context>
 <context>
@@ -7055,6 +7127,183 @@ mN·m</translation>
     <message>
         <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
         <translation>Aus %1&#x202f;rpm wurden %2&#x202f;rpm: Antriebe zählen Drehzahlen in Schritten von 6&#x202f;rpm.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunBookModel</name>
+    <message>
+        <source>Its registers were not read to the end.</source>
+        <translation>Seine Register wurden nicht zu Ende gelesen.</translation>
+    </message>
+    <message>
+        <source>%1, with a star</source>
+        <comment>number</comment>
+        <translation>%1, mit Stern</translation>
+    </message>
+    <message>
+        <source>Digits of the proportional and the integral gain of the speed loop</source>
+        <translation>Ziffern der Proportional- und der Integralverstärkung des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Kp / Ki</source>
+        <translation>Kp / Ki</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunBookPanel</name>
+    <message numerus="yes">
+        <source>%n file(s) make no sense: </source>
+        <translation>
+            <numerusform>%n Datei ergibt keinen Sinn: </numerusform>
+            <numerusform>%n Dateien ergeben keinen Sinn: </numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>The tick gives a run its star, F2 its note.</source>
+        <translation>Das Häkchen gibt einem Lauf seinen Stern, F2 seine Notiz.</translation>
+    </message>
+    <message>
+        <source>Run %1 is kept.</source>
+        <comment>number</comment>
+        <translation>Lauf %1 ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Keep experiments in a folder</source>
+        <translation>Versuche in einem Ordner aufbewahren</translation>
+    </message>
+    <message>
+        <source>Experiments are not kept: choose a folder for them.</source>
+        <translation>Versuche werden nicht aufbewahrt: bitte einen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Every experiment is kept in %1</source>
+        <comment>folder</comment>
+        <translation>Jeder Versuch wird aufbewahrt in %1</translation>
+    </message>
+    <message>
+        <source>Reading the run book</source>
+        <translation>Versuchsbuch wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>folder, reason</comment>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The note of run %1 is not kept: %2.</source>
+        <comment>number, reason</comment>
+        <translation>Die Notiz von Lauf %1 ist nicht aufbewahrt: %2.</translation>
+    </message>
+    <message>
+        <source>Shows which registers differ between both runs</source>
+        <translation>Zeigt, welche Register sich zwischen beiden Läufen unterscheiden</translation>
+    </message>
+    <message>
+        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
+        <translation>Zeigt, was das Board anders hält als nach diesem Lauf; Wiederherstellen schreibt es</translation>
+    </message>
+    <message>
+        <source>Lays one or two runs behind what the scope shows, as references</source>
+        <translation>Legt einen oder zwei Läufe als Referenzen hinter das Bild des Oszilloskops</translation>
+    </message>
+    <message>
+        <source>Opens the recording of the run, in place of what is shown</source>
+        <translation>Öffnet die Aufzeichnung des Laufs anstelle dessen, was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>As reference</source>
+        <translation>Als Referenz</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Compare registers</source>
+        <translation>Register vergleichen</translation>
+    </message>
+    <message>
+        <source>Back to this run…</source>
+        <translation>Zurück zu diesem Lauf…</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>Aufzeichnung aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <translation>Bewahrt jeden Abschnitt einer Aufzeichnung zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
+    </message>
+    <message>
+        <source>Add a recording to the run book</source>
+        <translation>Aufzeichnung in das Versuchsbuch aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 is not added: %2.</source>
+        <comment>file, reason</comment>
+        <translation>%1 ist nicht aufgenommen: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) are added.</source>
+        <translation>
+            <numerusform>%n Lauf ist aufgenommen.</numerusform>
+            <numerusform>%n Läufe sind aufgenommen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) are left out, because they are short.</source>
+        <translation>
+            <numerusform>%n Abschnitt fehlt, weil er kurz ist.</numerusform>
+            <numerusform>%n Abschnitte fehlen, weil sie kurz sind.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunKeeper</name>
+    <message>
+        <source>Keeping a run</source>
+        <translation>Lauf wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The run was not kept in %1: %2.</source>
+        <comment>folder, reason</comment>
+        <translation>Der Lauf wurde nicht in %1 aufbewahrt: %2.</translation>
     </message>
 </context>
 <context>
@@ -8715,6 +8964,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>Sprung</translation>
     </message>
     <message>
+        <source>Run book</source>
+        <translation>Versuchsbuch</translation>
+    </message>
+    <message>
         <source>Identify</source>
         <translation>Identifizieren</translation>
     </message>
@@ -8760,6 +9013,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>&amp;Length</source>
         <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt the tour</source>
+        <translation>&amp;Rundgang beginnen</translation>
     </message>
     <message>
         <source>Measures windings, mechanics and the response of the speed, one after the other, and proposes gains; nothing is written.</source>
@@ -8812,10 +9069,6 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>%1; not written yet.</source>
         <translation>%1; noch nicht geschrieben.</translation>
-    </message>
-    <message>
-        <source>Sta&amp;rt the tour</source>
-        <translation>&amp;Rundgang beginnen</translation>
     </message>
 </context>
 <context>

@@ -144,15 +144,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Notes; motion log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep the traces as reference A, B; with Shift: back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Steps of the speed; run them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes; motion log; run book</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2098,6 +2098,78 @@
     </message>
 </context>
 <context>
+    <name>RunText</name>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rise %1 ms, overshoot %2 %, settling %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J %1 kg m², friction %2 and %3</source>
+        <comment>inertia, dry, viscous</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rs %1, Ld %2, Lq %3, flux %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crossover %1 Hz, phase margin %2°, Ms %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed step %1 rpm</source>
+        <comment>from to</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux step %1 A</source>
+        <comment>from to</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque step %1 A</source>
+        <comment>from to</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrics, turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrics, at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response of the current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 s</source>
+        <comment>a recording, seconds</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -2596,6 +2668,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>dB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>dB of %1</source>
         <comment>a unit</comment>
         <translation type="unfinished"></translation>
@@ -2603,10 +2679,6 @@
     <message>
         <source>Coh.</source>
         <comment>coherence, short</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>dB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4018,7 +4090,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>E&amp;lectrical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measures resistance and dead time at rest, then inductances and flux while it turns; then the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mecha&amp;nical</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4039,14 +4119,6 @@
     </message>
     <message>
         <source>Takes them out of it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>E&amp;lectrical</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mecha&amp;nical</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6539,10 +6611,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The longer, the narrower the error bars</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6563,15 +6631,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What if &amp;Kp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Moves the predicted loop; nothing is written until Apply</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <source>Pr&amp;opose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6583,7 +6647,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>&amp;Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What if &amp;Kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <comment>a gain</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Loops: measured, thought of, proposed, proved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6651,28 +6736,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Three candidates from the measured motor: stiff, medium, quick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Writes the gains in the fields as one step, which can be undone, and reads them back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writes the gains from before the first Apply, as one step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pr&amp;opose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>P&amp;icture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ki</source>
-        <comment>a gain</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>S&amp;peed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7047,6 +7119,183 @@ mN·m</source>
     </message>
     <message>
         <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunBookModel</name>
+    <message>
+        <source>Its registers were not read to the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, with a star</source>
+        <comment>number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Digits of the proportional and the integral gain of the speed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kp / Ki</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunBookPanel</name>
+    <message numerus="yes">
+        <source>%n file(s) make no sense: </source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tick gives a run its star, F2 its note.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run %1 is kept.</source>
+        <comment>number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep experiments in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experiments are not kept: choose a folder for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every experiment is kept in %1</source>
+        <comment>folder</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the run book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>folder, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The note of run %1 is not kept: %2.</source>
+        <comment>number, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows which registers differ between both runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows what the board holds otherwise than behind this run; Restore writes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lays one or two runs behind what the scope shows, as references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the recording of the run, in place of what is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to this run…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a recording to the run book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adding %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not added: %2.</source>
+        <comment>file, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) are added.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) are left out, because they are short.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RunKeeper</name>
+    <message>
+        <source>Keeping a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run was not kept in %1: %2.</source>
+        <comment>folder, reason</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8707,6 +8956,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Run book</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Identify</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8751,6 +9004,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>&amp;Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sta&amp;rt the tour</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8803,10 +9060,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>%1; not written yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sta&amp;rt the tour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,11 +1,12 @@
 #include "trace_json.h"
 
-#include "json_text.h"
+#include "session/files/json_text.h"
 #include "values.h"
 
 namespace cli {
 
 using namespace mcp;
+using session::JsonText;
 
 namespace {
 

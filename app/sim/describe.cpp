@@ -1,7 +1,7 @@
 // The object, key by key in the order a reader wants.
 #include "describe.h"
 
-#include "../cli/json_text.h"
+#include "session/files/json_text.h"
 #include "simulation/mcp/profile.h"
 #include "simulation/plant/parameter_table.h"
 
@@ -17,7 +17,7 @@ using simulation::Build;
 using simulation::ParameterInfo;
 using simulation::PlantParameters;
 
-using cli::JsonText;
+using session::JsonText;
 
 std::string_view familyName(simulation::Family family)
 {

@@ -22,6 +22,11 @@ public:
         if (!answer.isEmpty())
             done(answer);
     }
+    void askFolder(QWidget *, const widgets::FolderQuestion &, Answer done) override
+    {
+        if (!answer.isEmpty())
+            done(answer);
+    }
 };
 
 } // namespace facts

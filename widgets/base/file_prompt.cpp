@@ -38,4 +38,13 @@ void FilePrompt::askOpen(QWidget *parent, const OpenQuestion &question, Answer a
     openDialog(dialog, parent, std::move(answer));
 }
 
+void FilePrompt::askFolder(QWidget *parent, const FolderQuestion &question, Answer answer)
+{
+    auto *dialog = new QFileDialog(parent, question.title, question.folder);
+    dialog->setObjectName(QStringLiteral("folderDialog"));
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    openDialog(dialog, parent, std::move(answer));
+}
+
 } // namespace widgets

@@ -24,6 +24,11 @@ struct OpenQuestion {
     QString filter; ///< as in SaveQuestion
 };
 
+struct FolderQuestion {
+    QString title;
+    QString folder; ///< in which it is looked for
+};
+
 /// Calls back with the path chosen; not at all if the person gave up. Existing files are asked about.
 class FilePrompt {
 public:
@@ -33,6 +38,8 @@ public:
     virtual void askSave(QWidget *parent, const SaveQuestion &question, Answer answer);
     virtual void askOpen(
         QWidget *parent, const OpenQuestion &question, Answer answer); ///< a file that exists
+    virtual void askFolder(
+        QWidget *parent, const FolderQuestion &question, Answer answer); ///< one that exists
 };
 
 } // namespace widgets

@@ -82,6 +82,7 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
     if (running() || parts.empty())
         return;
     m_record = std::make_shared<Record>();
+    m_record->startSeconds = m_tap->startSeconds();
     m_restorer = std::make_unique<record::Restorer>(m_record->capture);
     m_parts = std::move(parts);
     m_part = 0;
@@ -97,13 +98,17 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
 
 void Experiments::beginPart(TimePoint now)
 {
-    note(now, m_parts[m_part].plan);
+    note(now, m_parts[m_part].plan, m_part > 0);
     Q_EMIT wished(m_parts[m_part].experiment);
 }
 
-void Experiments::note(TimePoint at, const record::Happening &what)
+/// @param between  neither the first of all nor the last
+void Experiments::note(TimePoint at, const record::Happening &what, bool between)
 {
     const capture::Nanos nanos = at.time_since_epoch().count();
+    if (between)
+        m_record->told.push_back(
+            std::make_shared<const session::Told>(session::Told{m_number, nanos, {what}, 0}));
     m_record->happenings.emplace_back(nanos, what);
     Q_EMIT noted(nanos, what);
 }
@@ -113,6 +118,7 @@ void Experiments::take(const session::ToldPtr &told)
     m_tap->release(told->bytes);
     if (!running() || told->recording != m_number)
         return;
+    m_record->told.push_back(told);
     for (const record::Entry &entry : told->entries) {
         if (const auto *happening = std::get_if<record::Happening>(&entry))
             m_record->happenings.emplace_back(told->at, *happening);
@@ -126,15 +132,19 @@ void Experiments::end(const lab::Outcome &outcome)
 {
     if (!running())
         return;
-    note(outcome.at, lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
+    const bool complete = outcome.end == lab::End::Complete;
+    const bool more = complete && m_part + 1 < m_parts.size();
+    const bool goesOn = more && agreed(m_parts[m_part + 1].experiment, m_before_rpm);
+    note(outcome.at, lab::entryOfEnd(complete, outcome.reason), goesOn);
     lab::Outcome all = outcome;
     all.reason = m_said.empty() || outcome.reason.empty() ? m_said + outcome.reason
                                                           : m_said + "; " + outcome.reason;
-    if (all.end == lab::End::Complete && m_part + 1 < m_parts.size()) {
+    if (goesOn) {
         m_said = all.reason;
         ++m_part;
-        if (agreed(m_parts[m_part].experiment, m_before_rpm))
-            return beginPart(m_clock());
+        return beginPart(m_clock());
+    }
+    if (more) {
         all.end = lab::End::Interrupted;
         all.reason = "what comes next is not agreed to any more";
     }

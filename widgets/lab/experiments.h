@@ -30,6 +30,8 @@ public:
         lab::Outcome outcome;
         capture::Capture capture;
         lab::Happenings happenings; ///< of each its plan first, its end last
+        std::vector<session::ToldPtr> told; ///< all between, as a recording of it would hold it
+        qint64 startSeconds = 0; ///< UTC of the session's 0 s
     };
     using RecordPtr = std::shared_ptr<const Record>;
     struct Part {
@@ -70,7 +72,7 @@ Q_SIGNALS:
 
 private:
     void beginPart(TimePoint now);
-    void note(TimePoint at, const record::Happening &what);
+    void note(TimePoint at, const record::Happening &what, bool between);
     void forgetAgreement();
 
     Device &m_device;

@@ -231,6 +231,18 @@ void SnapshotPanel::openFile(const QString &path)
     compare();
 }
 
+void SnapshotPanel::compareFiles(const QString &a, const QString &b)
+{
+    if (!load(a, m_a) || (!b.isEmpty() && !load(b, m_b)))
+        return;
+    if (b.isEmpty())
+        m_b.key = kBoard;
+    listSources();
+    if (isBoard(m_b) && m_device.answering())
+        readBoard();
+    compare();
+}
+
 void SnapshotPanel::readBoard()
 {
     if (m_reader.running())

@@ -46,10 +46,13 @@ public:
 
     SnapshotModel *model() const { return m_model; }
     void focusFirst() override;
+    QWidget *footer() const override { return m_footer; }
 
 public Q_SLOTS:
     /// Loads a file as A and compares it with the board, or with what B is.
     void openFile(const QString &path);
+    /// The one as A, the other as B; empty: the board as it is now.
+    void compareFiles(const QString &a, const QString &b);
     void readBoard();
     void restore();
 
@@ -122,6 +125,7 @@ private:
     QPushButton *m_cancel = nullptr;
     QPushButton *m_read = nullptr;
     QPushButton *m_restore = nullptr;
+    QWidget *m_footer = nullptr;
     QString m_restoring; ///< what the list of writes is called
 };
 

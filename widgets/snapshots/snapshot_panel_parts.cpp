@@ -46,7 +46,7 @@ void SnapshotPanel::makeWidgets()
     m_report->setMaximumHeight(kReportHeight);
     m_report->hide();
     layout->addWidget(m_report);
-    layout->addWidget(makeBottom());
+    m_footer = makeBottom();
 }
 
 void SnapshotPanel::makeSide(Side &side, const QString &name, const char *objectName)

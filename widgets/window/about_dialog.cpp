@@ -149,7 +149,8 @@ void showKeys(QWidget *parent)
         {QStringLiteral("Ctrl+I, Ctrl+Shift+F"),
             About::tr("Identify the motor; its frequency response")},
         {QStringLiteral("Ctrl+Shift+G"), About::tr("Tour from an unknown motor to proved gains")},
-        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L"), About::tr("Notes; motion log")},
+        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L, Ctrl+Shift+B"),
+            About::tr("Notes; motion log; run book")},
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };

@@ -56,6 +56,7 @@ public Q_SLOTS:
     void askForReplay(); ///< as if its board were there
     void askForCsv();
     void openPath(const QString &path); ///< a recording, or CSV by its suffix
+    void layBeside(const QString &path); ///< a recording as a reference
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -72,7 +73,6 @@ private:
         const std::function<void()> &lay = {});
     void leaveThen(std::function<void()> go);
     void open(const QString &path);
-    void layBeside(const QString &path);
     void replay(const QString &path);
     void import(const QString &path);
     void show(OpenedRecording &opened);

@@ -86,6 +86,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("exportFolder")] = settings.exportFolder;
     object[QStringLiteral("recordFolder")] = settings.recordFolder;
     object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
+    object[QStringLiteral("runFolder")] = settings.runFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = numbersObject(settings.inertias);
     object[QStringLiteral("currentScales")] = numbersObject(settings.currentScales);
@@ -115,6 +116,7 @@ Settings settingsFromJson(const QByteArray &json)
     settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
     settings.recordFolder = object[QStringLiteral("recordFolder")].toString();
     settings.snapshotFolder = object[QStringLiteral("snapshotFolder")].toString();
+    settings.runFolder = object[QStringLiteral("runFolder")].toString();
     if (object[QStringLiteral("pinned")].isArray())
         settings.pinned = namesOf(object[QStringLiteral("pinned")], kMostPinned);
     settings.inertias = numbersOf(object[QStringLiteral("inertias")].toObject());

@@ -24,6 +24,7 @@ struct Settings {
     QString exportFolder;
     QString recordFolder;
     QString snapshotFolder;
+    QString runFolder; ///< of the run book; empty: experiments are not kept
     QStringList pinned{QStringLiteral("SPEED_REF"), QStringLiteral("SPEED_MEAS"),
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};

@@ -9,7 +9,8 @@
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/lab/identify_page.h"
-#include "widgets/lab/response_page.h"
+#include "widgets/lab/loop/response_page.h"
+#include "widgets/lab/run_book_panel.h"
 #include "widgets/lab/step_page.h"
 #include "widgets/lab/tour_page.h"
 #include "widgets/measuring/math_panel.h"
@@ -45,6 +46,7 @@ Tools::Tools(const Parts &parts, const Settings &settings)
     addScopeTools();
     addSnapshots();
     addForms();
+    addRunBook();
     connect(&m_docks, &ToolDocks::failed, this,
         [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Warning, sentence); });
 }
@@ -56,6 +58,7 @@ void Tools::keep(Settings &settings) const
         settings.snapshotFolder = m_snapshots->folder();
     if (m_ramps)
         settings.ramps = m_ramps->presets();
+    settings.runFolder = m_runs->folder();
 }
 
 QList<NamedMeasure> Tools::measures() const
@@ -197,7 +200,7 @@ void Tools::showComputed(QAction *openMath)
 
 void Tools::addSnapshots()
 {
-    QAction *open =
+    m_openSnapshots =
         m_docks.add(tr("Snapshots"), "snapshotsDock", "snapshot", Qt::CTRL | Qt::Key_5, [this] {
             m_snapshots = new SnapshotPanel(
                 m_device, m_parts.workbench.edits(), m_parts.workbench.snapshots(), m_parts.files);
@@ -215,7 +218,7 @@ void Tools::addSnapshots()
         return *m_snapshots;
     };
     m_snapshotActions = new SnapshotActions(m_device, m_parts.files, panel, m_parts.window);
-    connect(m_snapshotActions, &SnapshotActions::panelWanted, open, &QAction::trigger);
+    connect(m_snapshotActions, &SnapshotActions::panelWanted, m_openSnapshots, &QAction::trigger);
     connect(m_snapshotActions, &SnapshotActions::saved, this,
         [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Note, sentence); });
 }
@@ -293,6 +296,27 @@ void Tools::addLab()
     m_docks.add(tr("Tour"), "tourDock", "tour", Qt::CTRL | Qt::SHIFT | Qt::Key_G, [this, lab] {
         return new TourPage({m_identification, m_tuning, lab});
     });
+}
+
+/// Experiments are kept whether or not the book is open.
+void Tools::addRunBook()
+{
+    m_runs = new RunKeeper(m_device, m_parts.workbench.experiments(), &m_parts.window, this);
+    m_runs->setFolder(m_settings.runFolder);
+    connect(m_runs, &RunKeeper::failed, this,
+        [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Warning, sentence); });
+    m_docks.add(
+        tr("Run book"), "runBookDock", "run-book", Qt::CTRL | Qt::SHIFT | Qt::Key_B, [this] {
+            auto *book = new RunBookPanel(*m_runs, m_parts.files);
+            connect(book, &RunBookPanel::registersWanted, this,
+                [this](const QString &a, const QString &b) {
+                    m_openSnapshots->trigger();
+                    m_snapshots->compareFiles(a, b);
+                });
+            connect(book, &RunBookPanel::referenceWanted, &m_parts.opening, &Opening::layBeside);
+            connect(book, &RunBookPanel::recordingWanted, &m_parts.opening, &Opening::openPath);
+            return book;
+        });
 }
 
 } // namespace widgets

@@ -5,7 +5,7 @@
 #include "widgets/base/inertias.h"
 #include "widgets/base/motor_description.h"
 #include "widgets/lab/identification.h"
-#include "widgets/lab/loop_tuning.h"
+#include "widgets/lab/loop/loop_tuning.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/tool_docks.h"
@@ -20,6 +20,7 @@ class MeasurePanel;
 class NotesPanel;
 class Opening;
 class RampForm;
+class RunKeeper;
 class ScopeView;
 class SnapshotActions;
 class SnapshotPanel;
@@ -37,7 +38,7 @@ public:
         TriggerControl &trigger;
         ChannelStrip &strip; ///< shows what is computed, too
         RegisterPanel::Actions edits;
-        const Opening &opening; ///< whose snapshots can be compared
+        Opening &opening; ///< whose snapshots can be compared
         FilePrompt &files;
         QMainWindow &window;
     };
@@ -60,6 +61,7 @@ private:
     void addSnapshots();
     void addForms();
     void addLab();
+    void addRunBook();
     void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
     void fillTraceMenu(QMenu &menu, quint32 channel);
@@ -81,9 +83,11 @@ private:
     QAction *m_openMeasures = nullptr;
     QAction *m_openSpectrum = nullptr;
     QAction *m_openXy = nullptr;
+    QAction *m_openSnapshots = nullptr;
     NotesPanel *m_notes = nullptr;
     SnapshotPanel *m_snapshots = nullptr;
     RampForm *m_ramps = nullptr;
+    RunKeeper *m_runs = nullptr;
     SnapshotActions *m_snapshotActions = nullptr;
 };
 

@@ -3,13 +3,15 @@
 #include "experiments/experiment_run.h"
 #include "experiments/plan_entry.h"
 #include "experiments/reports.h"
-#include "json_text.h"
 #include "lab/evaluation/speed_loop.h"
 #include "lab/evaluation/step_series.h"
+#include "session/files/json_text.h"
 
 #include <algorithm>
 
 namespace cli {
+
+using session::JsonText;
 
 namespace {
 

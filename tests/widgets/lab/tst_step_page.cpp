@@ -284,7 +284,7 @@ private:
     }
 
 private Q_SLOTS:
-    /// The measure of issue I: change a gain and see the new step, in two actions.
+    /// The measure of the page: change a gain and see the new step, in two actions.
     void aChangedGainAndItsNewStepAreTwoActions()
     {
         Bench bench;

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace cli {
+namespace session {
 
 class JsonText {
 public:
@@ -67,4 +67,4 @@ private:
     bool m_keyed = false; ///< a key was written last
 };
 
-} // namespace cli
+} // namespace session

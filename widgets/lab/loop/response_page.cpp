@@ -1,4 +1,4 @@
-#include "widgets/lab/response_page.h"
+#include "widgets/lab/loop/response_page.h"
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"

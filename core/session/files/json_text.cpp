@@ -1,4 +1,4 @@
-#include "json_text.h"
+#include "session/files/json_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cli {
+namespace session {
 
 namespace {
 QByteArray quoted(const QString &text)
@@ -87,4 +87,4 @@ void JsonText::value(double number)
 
 void JsonText::value(bool truth) { put(truth ? "true" : "false"); }
 
-} // namespace cli
+} // namespace session

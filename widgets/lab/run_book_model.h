@@ -1,0 +1,44 @@
+// The runs of a run book as a table, the newest first. Notes are typed into it, and stars are ticked; it asks for both to be
+// written.
+#pragma once
+
+#include "session/files/run_book.h"
+
+#include <QAbstractTableModel>
+
+namespace widgets {
+
+class RunBookModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column {
+        RunColumn,
+        TimeColumn,
+        ExperimentColumn,
+        GainsColumn,
+        ResultColumn,
+        NoteColumn,
+        kColumns
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setRuns(std::vector<session::Run> runs); ///< by their number
+    void add(const session::Run &run);
+    const session::Run &run(int row) const { return m_runs[m_runs.size() - 1 - std::size_t(row)]; }
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+Q_SIGNALS:
+    void annotated(int number, const QString &note, bool starred);
+
+private:
+    std::vector<session::Run> m_runs; ///< by their number
+};
+
+} // namespace widgets

@@ -1,0 +1,38 @@
+// RunKeeper: puts every experiment that ends into the run book, with the registers as they are right behind it. It reads
+// them, and it writes files in a thread of a pool; nothing waits for it. Without a folder it does nothing.
+#pragma once
+
+#include "session/files/run_book.h"
+#include "widgets/lab/experiments.h"
+#include "widgets/snapshots/snapshot_reader.h"
+
+#include <QPointer>
+
+namespace widgets {
+
+class RunKeeper : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it. @param window  over which a long job shows itself
+    RunKeeper(Device &device, Experiments &experiments, QWidget *window, QObject *parent = nullptr);
+
+    QString folder() const { return m_folder; }
+    void setFolder(const QString &folder);
+
+Q_SIGNALS:
+    void folderChanged();
+    void kept(const session::Run &run);
+    void failed(const QString &sentence);
+
+private:
+    void ended(const Experiments::RecordPtr &ended);
+    void write(std::optional<snapshots::Snapshot> registers);
+
+    Device &m_device;
+    QPointer<QWidget> m_window;
+    SnapshotReader m_reader;
+    QString m_folder;
+    std::shared_ptr<session::EndedRun> m_ended; ///< whose registers are being read
+};
+
+} // namespace widgets
