@@ -7166,9 +7166,9 @@ mN·m</source>
     <name>widgets::RunBookPanel</name>
     <message numerus="yes">
         <source>%n file(s) make no sense: </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file makes no sense: </numerusform>
+            <numerusform>%n files make no sense: </numerusform>
         </translation>
     </message>
     <message>
@@ -7274,16 +7274,16 @@ mN·m</source>
     </message>
     <message numerus="yes">
         <source>%n run(s) are added.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n run is added.</numerusform>
+            <numerusform>%n runs are added.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n stretch(es) are left out, because they are short.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n stretch is left out, because it is short.</numerusform>
+            <numerusform>%n stretches are left out, because they are short.</numerusform>
         </translation>
     </message>
 </context>
