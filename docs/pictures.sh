@@ -110,7 +110,9 @@ keys alt+u # in the motor file
 sleep 1
 import -window root +dither -colors 128 "PNG8:$images/identify.png"
 echo "pictures: $images/identify.png"
-keys ctrl+shift+f alt+p Tab space
+keys ctrl+shift+f
+sleep 2 # the gains are read
+keys alt+p Tab space
 sleep 34
 keys alt+o alt+a # proposed, and written
 sleep 5
@@ -118,7 +120,9 @@ keys alt+r Tab space # proved
 sleep 45
 import -window root +dither -colors 128 "PNG8:$images/response.png"
 echo "pictures: $images/response.png"
-keys ctrl+shift+g alt+r Tab space
+keys ctrl+shift+g
+sleep 2
+keys alt+r Tab space
 sleep 90
 keys alt+a # written and proved
 sleep 45
