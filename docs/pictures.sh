@@ -103,25 +103,29 @@ sleep 2
 keys ctrl+i alt+m r # Arm
 sleep 1
 keys alt+l Tab space # electrical
-sleep 28
+sleep 32
 keys alt+n Tab space # mechanical
-sleep 18
+sleep 22
 keys alt+u # in the motor file
 sleep 1
 import -window root +dither -colors 128 "PNG8:$images/identify.png"
 echo "pictures: $images/identify.png"
-keys ctrl+shift+f alt+p Tab space
-sleep 26
+keys ctrl+shift+f
+sleep 2 # the gains are read
+keys alt+p Tab space
+sleep 34
 keys alt+o alt+a # proposed, and written
 sleep 5
 keys alt+r Tab space # proved
-sleep 34
+sleep 45
 import -window root +dither -colors 128 "PNG8:$images/response.png"
 echo "pictures: $images/response.png"
-keys ctrl+shift+g alt+r Tab space
-sleep 75
+keys ctrl+shift+g
+sleep 2
+keys alt+r Tab space
+sleep 90
 keys alt+a # written and proved
-sleep 40
+sleep 45
 import -window root +dither -colors 128 "PNG8:$images/tour.png"
 echo "pictures: $images/tour.png"
 keys Escape

@@ -9,7 +9,7 @@
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/lab/identify_page.h"
-#include "widgets/lab/response_page.h"
+#include "widgets/lab/loop/response_page.h"
 #include "widgets/runs/run_book_panel.h"
 #include "widgets/lab/step_page.h"
 #include "widgets/lab/tour_page.h"

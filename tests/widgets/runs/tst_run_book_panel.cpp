@@ -109,10 +109,10 @@ struct Bench {
     bool run(int number)
     {
         press("stepRun");
-        if (auto *dialog = find<QDialog>("stepQuestion")) {
-            QTest::mouseClick(
-                dialog->findChild<QPushButton *>(QStringLiteral("stepConfirm")), Qt::LeftButton);
-            if (!QTest::qWaitFor([this] { return find<QDialog>("stepQuestion") == nullptr; }))
+        if (auto *dialog = find<QDialog>("experimentQuestion")) {
+            QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("experimentConfirm")),
+                Qt::LeftButton);
+            if (!QTest::qWaitFor([this] { return find<QDialog>("experimentQuestion") == nullptr; }))
                 return false;
             QApplication::setActiveWindow(&rig.window);
         }
@@ -224,8 +224,8 @@ private Q_SLOTS:
         bench.rig.files.answer = session::recordingOf(bench.folder.path(), 1);
         bench.press("runBookAdd");
         QTRY_COMPARE(bench.model().rowCount(), 3);
-        QVERIFY2(bench.cell(0, Book::ExperimentColumn)
-                     .startsWith(QLatin1String("run-0001.pcapng, ")),
+        QVERIFY2(
+            bench.cell(0, Book::ExperimentColumn).startsWith(QLatin1String("run-0001.pcapng, ")),
             qPrintable(bench.cell(0, Book::ExperimentColumn)));
         QCOMPARE(bench.cell(0, Book::ResultColumn), bench.cell(2, Book::ResultColumn));
     }
@@ -258,8 +258,8 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY(bench.begin());
         bench.press("stepRun");
-        QTest::mouseClick(bench.find<QDialog>("stepQuestion")
-                              ->findChild<QPushButton *>(QStringLiteral("stepConfirm")),
+        QTest::mouseClick(bench.find<QDialog>("experimentQuestion")
+                              ->findChild<QPushButton *>(QStringLiteral("experimentConfirm")),
             Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(
             bench.rig.workbench.device().status(1).state == MotorState::Running, kSeriesMs);

@@ -1,4 +1,4 @@
-#include "widgets/lab/response_page.h"
+#include "widgets/lab/loop/response_page.h"
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
@@ -82,6 +82,7 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     both->addWidget(m_table);
     both->setStretchFactor(0, 1);
     both->setStretchFactor(1, 1);
+    both->setSizes({1000, 1200}); // shares of what there is
     makeTable();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);

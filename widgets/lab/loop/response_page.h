@@ -3,9 +3,9 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/lab/bode_plot.h"
-#include "widgets/lab/loop_rows.h"
-#include "widgets/lab/loop_tuning.h"
+#include "widgets/lab/loop/bode_plot.h"
+#include "widgets/lab/loop/loop_rows.h"
+#include "widgets/lab/loop/loop_tuning.h"
 
 class QComboBox;
 class QPushButton;

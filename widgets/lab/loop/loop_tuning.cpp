@@ -1,4 +1,4 @@
-#include "widgets/lab/loop_tuning.h"
+#include "widgets/lab/loop/loop_tuning.h"
 
 #include "widgets/base/value_text.h"
 

@@ -1,4 +1,4 @@
-#include "widgets/lab/loop_rows.h"
+#include "widgets/lab/loop/loop_rows.h"
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/trace_colors.h"

@@ -1,4 +1,4 @@
-#include "widgets/lab/bode_plot.h"
+#include "widgets/lab/loop/bode_plot.h"
 
 #include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
