@@ -3588,6 +3588,10 @@
         <source>Close without it</source>
         <translation>Ohne ihn schließen</translation>
     </message>
+    <message>
+        <source>The recording is still being read: its outline is not exported.</source>
+        <translation>Die Aufzeichnung wird noch gelesen: ihr Umriss wird nicht exportiert.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::FaultHelp</name>

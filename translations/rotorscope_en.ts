@@ -3587,6 +3587,10 @@
         <source>Close without it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The recording is still being read: its outline is not exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::FaultHelp</name>

@@ -27,6 +27,11 @@ Exporting::Exporting(const Parts &parts, const QString &folder, QObject *parent)
 
 void Exporting::ask()
 {
+    if (m_outline) {
+        Q_EMIT said(Banner::Kind::Warning,
+            tr("The recording is still being read: its outline is not exported."));
+        return;
+    }
     auto *dialog = new ExportDialog(
         m_parts.workbench.capture(), m_parts.scope, m_parts.files, m_folder, m_parts.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

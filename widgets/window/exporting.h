@@ -40,6 +40,8 @@ public:
 public Q_SLOTS:
     void ask(); ///< Ctrl+Shift+E: what is on the screen now is what is meant
     void copyPicture();
+    /// What is shown is the outline of a recording that is being read: its extremes are no samples to be exported.
+    void setOutline(bool shown) { m_outline = shown; }
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -54,6 +56,7 @@ private:
     Parts m_parts;
     QString m_folder;
     QList<QPointer<FileJob>> m_jobs;
+    bool m_outline = false;
     bool m_closeAfter = false; ///< the window waits for the file
 };
 

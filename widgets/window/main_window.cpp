@@ -188,6 +188,7 @@ void MainWindow::makeFlows()
                 return layReference(*m_scope, m_workbench.capture(), opened, good);
             }},
         this);
+    connect(m_opening, &Opening::outlineShown, m_exporting, &Exporting::setOutline);
     m_connectBar->setBeforeOpening(
         [this](std::function<void()> goOn) { m_opening->beforeConnecting(std::move(goOn)); });
     m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);

@@ -207,7 +207,10 @@ void Opening::read(const QString &path)
         path, m_parts.window, [this](OpenedRecording &opened) { show(opened); },
         [this](const QString &sentence) { warn(sentence); }, forFiles());
     connect(job, &FileJob::over, this, [this] {
-        if (!std::exchange(m_outline, false) || m_parts.connecting())
+        if (!std::exchange(m_outline, false))
+            return;
+        Q_EMIT outlineShown(false);
+        if (m_parts.connecting())
             return;
         m_parts.selection.showFile(
             capture::Capture()); // it was not read: an outline is no recording
@@ -223,6 +226,7 @@ void Opening::showOutline(const QString &path, capture::Capture &outline)
     m_shown = path;
     m_parts.selection.showFile(std::move(outline));
     m_parts.workbench.events().clear();
+    Q_EMIT outlineShown(true);
     Q_EMIT said(Banner::Kind::Note,
         tr("%1 is being read. Until then its outline is shown: the extremes of its fast signals.")
             .arg(deviceText(path)));
@@ -252,7 +256,6 @@ capture::Capture::Config Opening::forFiles() const
 
 void Opening::show(OpenedRecording &opened)
 {
-    m_outline = false;
     if (m_parts.connecting()) // meanwhile: what lives goes first
         return;
     if (m_parts.markers.changedSinceLeft()) { // while it was read
@@ -260,6 +263,8 @@ void Opening::show(OpenedRecording &opened)
             [this, kept = std::make_shared<OpenedRecording>(std::move(opened))] { show(*kept); });
         return;
     }
+    if (std::exchange(m_outline, false))
+        Q_EMIT outlineShown(false);
     m_shown = opened.path;
     bool whole = true;
     QString sentence = openedText(opened, whole);

@@ -67,6 +67,8 @@ Q_SIGNALS:
         std::function<void()> goOn); ///< with what whenDisconnected() is to be given
     void snapshotsChanged();
     void used(const QString &path); ///< was opened
+    void outlineShown(
+        bool there); ///< extremes of what is being read, which are no samples to be kept
 
 private:
     using Opened = std::function<void(const QString &path)>;

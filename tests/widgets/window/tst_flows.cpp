@@ -116,6 +116,9 @@ private Q_SLOTS:
         writeLarge(m_path);
         const auto opening = forLarge();
         bool outlined = false;
+        connect(opening.get(), &widgets::Opening::outlineShown, &m_flows->exporting,
+            &widgets::Exporting::setOutline);
+        QSignalSpy refused(&m_flows->exporting, &widgets::Exporting::said);
         connect(opening.get(), &widgets::Opening::said, this, [&](Banner::Kind, const QString &) {
             const auto &capture = m_flows->bench.capture();
             if (std::exchange(outlined, true))
@@ -123,6 +126,9 @@ private Q_SLOTS:
             QVERIFY(capture.channels().at(0).name == "A (overview)");
             QCOMPARE(capture.extremes(lastId(), 0.0, 400.0).max, 40.0F);
             QVERIFY(capture.size(lastId()) < 20'000);
+            m_flows->exporting.ask(); // extremes are no samples
+            QCOMPARE(refused.size(), 1);
+            QVERIFY(refused.at(0).at(1).toString().contains(QLatin1String("still being read")));
         });
         opening->openPath(m_path);
         QTRY_VERIFY(plan().showsFile() && m_flows->bench.capture().size(lastId()) == 400'000);
