@@ -83,9 +83,6 @@ private:
     void write(const Gains &gains, const QString &text);
     ExperimentBar::Run responseRun(
         const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve);
-    QStringList take(Result<lab::SpeedResponse, std::string> response,
-        std::optional<lab::StepSeries> steps, const lab::SpeedLoop &loop, double nominalAmps,
-        std::optional<Gains> toProve);
     double promised(const Gains &gains) const;
 
     Device &m_device;
