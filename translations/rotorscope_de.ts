@@ -7574,12 +7574,12 @@ mN·m</translation>
         <translation>Liest jedes Register des Boards noch einmal</translation>
     </message>
     <message>
-        <source>&amp;A</source>
+        <source>A</source>
         <comment>the first of two snapshots</comment>
         <translation>A</translation>
     </message>
     <message>
-        <source>&amp;B</source>
+        <source>B</source>
         <comment>the second of two snapshots</comment>
         <translation>B</translation>
     </message>
@@ -7666,7 +7666,7 @@ mN·m</translation>
         <translation>%1 bei %2 s</translation>
     </message>
     <message>
-        <source>Save…</source>
+        <source>S&amp;ave…</source>
         <translation>&amp;Sichern…</translation>
     </message>
     <message>

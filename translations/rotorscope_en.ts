@@ -7563,12 +7563,12 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;A</source>
+        <source>A</source>
         <comment>the first of two snapshots</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;B</source>
+        <source>B</source>
         <comment>the second of two snapshots</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -7663,7 +7663,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save…</source>
+        <source>S&amp;ave…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
