@@ -8167,14 +8167,14 @@ mN·m</translation>
         <translation>Liest jedes Register des Boards noch einmal</translation>
     </message>
     <message>
-        <source>&amp;A</source>
+        <source>A</source>
         <comment>the first of two snapshots</comment>
-        <translation>&amp;A</translation>
+        <translation>A</translation>
     </message>
     <message>
-        <source>&amp;B</source>
+        <source>B</source>
         <comment>the second of two snapshots</comment>
-        <translation>&amp;B</translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>Filter by name or group</source>

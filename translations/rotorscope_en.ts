@@ -8160,12 +8160,12 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;A</source>
+        <source>A</source>
         <comment>the first of two snapshots</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;B</source>
+        <source>B</source>
         <comment>the second of two snapshots</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -8260,7 +8260,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save…</source>
+        <source>S&amp;ave…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

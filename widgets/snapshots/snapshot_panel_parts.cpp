@@ -82,11 +82,11 @@ QWidget *SnapshotPanel::makeSides()
         made->setBuddy(box);
         return made;
     };
-    layout->addWidget(label(tr("&A", "the first of two snapshots"), m_a.box));
+    layout->addWidget(label(tr("A", "the first of two snapshots"), m_a.box));
     layout->addWidget(m_a.box, 1);
     layout->addWidget(m_a.open);
     layout->addSpacing(kGrid);
-    layout->addWidget(label(tr("&B", "the second of two snapshots"), m_b.box));
+    layout->addWidget(label(tr("B", "the second of two snapshots"), m_b.box));
     layout->addWidget(m_b.box, 1);
     layout->addWidget(m_b.open);
     layout->addSpacing(kGrid);
@@ -96,7 +96,7 @@ QWidget *SnapshotPanel::makeSides()
 
 void SnapshotPanel::offerSave(QAction *save)
 {
-    auto *button = new QPushButton(tr("Save\u2026"), m_read->parentWidget());
+    auto *button = new QPushButton(tr("S&ave\u2026"), m_read->parentWidget());
     button->setObjectName(QStringLiteral("snapshotSave"));
     button->setAccessibleName(tr("Save a snapshot"));
     const auto follow = [button, save] {
