@@ -8167,16 +8167,6 @@ mN·m</translation>
         <translation>Liest jedes Register des Boards noch einmal</translation>
     </message>
     <message>
-        <source>A</source>
-        <comment>the first of two snapshots</comment>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <comment>the second of two snapshots</comment>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Filter by name or group</source>
         <translation>Nach Name oder Gruppe filtern</translation>
     </message>
@@ -8267,12 +8257,12 @@ mN·m</translation>
         <translation>Board &amp;lesen</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>&amp;Sichern…</translation>
-    </message>
-    <message>
         <source>Meas&amp;ured values, too</source>
         <translation>Auch M&amp;esswerte</translation>
+    </message>
+    <message>
+        <source>S&amp;ave…</source>
+        <translation>&amp;Sichern…</translation>
     </message>
 </context>
 <context>

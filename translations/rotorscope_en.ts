@@ -7197,9 +7197,9 @@ mN·m</source>
     <name>widgets::RunBookPanel</name>
     <message numerus="yes">
         <source>%n file(s) make no sense: </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file makes no sense: </numerusform>
+            <numerusform>%n files make no sense: </numerusform>
         </translation>
     </message>
     <message>
@@ -7258,16 +7258,16 @@ mN·m</source>
     </message>
     <message numerus="yes">
         <source>%n run(s) are added.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n run is added.</numerusform>
+            <numerusform>%n runs are added.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n stretch(es) are left out, because they are short.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n stretch is left out, because it is short.</numerusform>
+            <numerusform>%n stretches are left out, because they are short.</numerusform>
         </translation>
     </message>
     <message>
@@ -8157,16 +8157,6 @@ mN·m</source>
     </message>
     <message>
         <source>Reads every register of the board again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A</source>
-        <comment>the first of two snapshots</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>B</source>
-        <comment>the second of two snapshots</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
