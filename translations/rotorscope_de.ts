@@ -3281,7 +3281,7 @@
     </message>
     <message>
         <source>Set a mar&amp;ker</source>
-        <translation>Mar&amp;kierung setzen</translation>
+        <translation>Markierung set&amp;zen</translation>
     </message>
     <message>
         <source>Markers on&amp;ly</source>
@@ -4695,7 +4695,7 @@
     <name>widgets::MathPanel</name>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>Ent&amp;fernen</translation>
     </message>
     <message>
         <source>Math channels</source>
@@ -4723,7 +4723,7 @@
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
+        <translation>Hin&amp;zufügen</translation>
     </message>
     <message>
         <source>There is no room for more than %1.</source>
@@ -4815,7 +4815,7 @@
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
+        <translation>Hin&amp;zufügen</translation>
     </message>
     <message>
         <source>&amp;Clear statistics</source>
@@ -4823,7 +4823,7 @@
     </message>
     <message>
         <source>A&amp;gainst</source>
-        <translation>&amp;Gegen</translation>
+        <translation>Gege&amp;n</translation>
     </message>
     <message>
         <source>&amp;In</source>
@@ -5230,7 +5230,7 @@
     </message>
     <message>
         <source>S&amp;ave…</source>
-        <translation>S&amp;peichern …</translation>
+        <translation>Sp&amp;eichern …</translation>
     </message>
     <message>
         <source>Motor and drive</source>
@@ -5318,10 +5318,6 @@
         <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
     <message>
-        <source>Ta&amp;ke back</source>
-        <translation>Z&amp;urücknehmen</translation>
-    </message>
-    <message>
         <source>Takes the measured figures out of the description again that came into it last.</source>
         <translation>Nimmt die zuletzt übernommenen gemessenen Werte wieder aus der Beschreibung.</translation>
     </message>
@@ -5332,6 +5328,10 @@
     <message>
         <source>The description beside the board holds measured figures; Save writes them to a file.</source>
         <translation>Die Beschreibung neben dem Board hat gemessene Werte; Speichern schreibt sie in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -6135,11 +6135,11 @@
     </message>
     <message>
         <source>Keep as reference &amp;B</source>
-        <translation>Als Referenz &amp;B behalten</translation>
+        <translation>Als Re&amp;ferenz B behalten</translation>
     </message>
     <message>
         <source>Dr&amp;op B</source>
-        <translation>B ver&amp;werfen</translation>
+        <translation>B verwerfe&amp;n</translation>
     </message>
     <message>
         <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>C&amp;lear</source>
-        <translation>Leere&amp;n</translation>
+        <translation>L&amp;eeren</translation>
     </message>
     <message>
         <source>Clear the persistence</source>
@@ -8195,7 +8195,7 @@ mN·m</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
+        <translation>W&amp;iederherstellen</translation>
     </message>
     <message>
         <source>Writes what is checked and shown to the board and reads it back</source>
@@ -8356,7 +8356,7 @@ mN·m</translation>
     </message>
     <message>
         <source>C&amp;opy</source>
-        <translation>K&amp;opieren</translation>
+        <translation>Ko&amp;pieren</translation>
     </message>
     <message>
         <source>The table of peaks</source>
@@ -8648,7 +8648,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Fr&amp;om</source>
-        <translation>V&amp;on</translation>
+        <translation>Vo&amp;n</translation>
     </message>
     <message>
         <source>to</source>

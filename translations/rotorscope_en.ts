@@ -5317,10 +5317,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ta&amp;ke back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Takes the measured figures out of the description again that came into it last.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5330,6 +5326,10 @@
     </message>
     <message>
         <source>The description beside the board holds measured figures; Save writes them to a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -100,7 +100,7 @@ QWidget *MotorForm::makeLeft()
         tr("Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST's "
            "profiler."));
     m_close = makeButton(tr("&Close file"), "motorClose", tr("Ends the comparison with the file."));
-    m_back = makeButton(tr("Ta&ke back"), "motorBack",
+    m_back = makeButton(tr("Take back"), "motorBack",
         tr("Takes the measured figures out of the description again that came into it last."));
     m_save = makeButton(tr("S&ave\u2026"), "motorSave",
         tr("Writes what the board says of its motor to a file, which the simulator takes, too; "
