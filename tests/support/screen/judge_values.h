@@ -102,7 +102,7 @@ private:
             return;
         const auto id = static_cast<std::uint16_t>(known->bare | motor);
         const TimePoint now = m_moment.world().now();
-        const Duration old = kOld + m_moment.more;
+        const Duration old = kOld + m_moment.moreOfValues;
         ++m_moment.statements;
         const std::string wrong =
             m_moment.world().ofBoard([&](const judge::McpBoard &board) -> std::string {

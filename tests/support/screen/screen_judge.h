@@ -48,6 +48,7 @@ public:
     {
         const Duration calm = m_world.sinceTrouble();
         m_moment.more = calm < kOld ? kLongestTrouble : 0s;
+        m_moment.moreOfValues = calm < kRead ? kLongestTrouble : 0s;
         const bool heard = m_world.silence() < kOld;
         if (!heard || calm < kOld || m_world.frozen()
             || !said("boardLamp").contains(QLatin1String("answering")))

@@ -23,6 +23,7 @@ public:
     }
 
     Duration more{}; ///< that a statement may be older, because nobody could know better
+    Duration moreOfValues{}; ///< the same of registers, which are read again behind the states
     bool heard = false; ///< the board was, lately
     int statements = 0; ///< that were compared
 

@@ -1,7 +1,7 @@
 // The frequency response through the real window: what is measured, what other gains would do, what is proposed, written, proved
 // and taken back. The judge of the wire watches all of it.
-#include "widgets/lab/loop/bode_plot.h"
 #include "widgets/lab/lab_window.h"
+#include "widgets/lab/loop/bode_plot.h"
 #include "widgets/lab/loop/loop_rows.h"
 
 #include <QComboBox>
