@@ -64,8 +64,9 @@ Twin twinOf(const Form &form, std::size_t count, std::uint32_t seed)
     constexpr double kFactor = 3.3 / 65536.0 / 0.33 / 1.53;
     for (std::size_t i = 0; i < count; ++i) {
         const auto raw = static_cast<std::uint32_t>(random());
+        const auto middle = form.differentValues / 2;
         const double value = form.differentValues != 0
-            ? (double(raw % form.differentValues) - double(form.differentValues / 2)) * kFactor
+            ? (double(raw % form.differentValues) - double(middle)) * kFactor
             : double(raw) * 1e-7 + double(i);
         twin.append(form.equalSteps ? 50'000 : 40'000 + raw % 20'000, value);
     }

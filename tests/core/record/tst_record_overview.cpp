@@ -206,7 +206,7 @@ void TestRecordOverview::itsPictureHasThePeaksOfTheSamples()
         samples.append(block);
     capture::Capture shown;
     restore(overviewOf(layoutOf(2), blocks), shown);
-    QVERIFY(shown.size(1) <= 2 * 8192);
+    QVERIFY(shown.size(1) <= std::size_t{2} * 8192);
     constexpr std::size_t kColumns = 1500;
     const auto span = *samples.timeSpan();
     for (const capture::ChannelId id : {1U, 2U}) {
