@@ -91,7 +91,7 @@ Result<Run, QString> readRunJson(const QByteArray &json)
         if (gain.value().isDouble())
             run.gains[gain.key()] = gain.value().toDouble();
     const QJsonArray notes = object[key("notes")].toArray();
-    for (const QJsonValue &note : notes)
+    for (const auto &note : notes)
         run.notes.append(note.toString());
     return run;
 }
