@@ -35,8 +35,9 @@ private Q_SLOTS:
     void whatIsToldIsInTheCapture()
     {
         int blocks = 0;
-        connect(
-            m_bench.get(), &Workbench::samplesStored, this, [&](const capture::SampleBlock &block) {
+        const QObject here; // the bench goes on storing behind this
+        connect(m_bench.get(), &Workbench::samplesStored, &here,
+            [&](const capture::SampleBlock &block) {
                 const auto streaming = capture().streaming();
                 QVERIFY(!streaming.empty());
                 const capture::Channel &channel = *capture().channel(streaming.front());
@@ -51,7 +52,8 @@ private Q_SLOTS:
     {
         session::RecordingResult result;
         bool over = false;
-        connect(&m_bench->recording(), &session::Recording::finished, this,
+        const QObject here;
+        connect(&m_bench->recording(), &session::Recording::finished, &here,
             [&](const session::RecordingResult &told) {
                 result = told;
                 over = true;
@@ -75,7 +77,8 @@ private Q_SLOTS:
         QTRY_VERIFY(sum() != 0 && capture().size(sum()) > 0);
         widgets::Trigger &trigger = m_bench->trigger();
         std::vector<scope::Record> records;
-        connect(&trigger, &widgets::Trigger::recordCompleted, this,
+        const QObject here;
+        connect(&trigger, &widgets::Trigger::recordCompleted, &here,
             [&records](const scope::Record &record) { records.push_back(record); });
         trigger.setSource(sum());
         widgets::TriggerSetup setup = trigger.setup();

@@ -640,7 +640,9 @@ void TestGuardianRules::whatIsLetGoIsLetGo()
     QVERIFY(life("has let go").said.isEmpty());
     QVERIFY(life("left for good").said.isEmpty());
     QVERIFY(m_dismissed);
-    QVERIFY(life("no port").said.isEmpty());
+    const QByteArray said =
+        life("no port").said; // a sanitizer may have its own word at the end of a program
+    QVERIFY2(!said.contains("the program"), said.constData());
 }
 
 void TestGuardianRules::theGuardianHoldsNothingOfItsProgram()

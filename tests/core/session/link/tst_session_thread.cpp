@@ -112,10 +112,10 @@ void TestSessionThread::aDriverThatHangsDoesNotHoldUsUp()
                           const session::Endpoint &) { return std::make_unique<HangingPort>(let); };
     QPointer<QThread> left;
     QElapsedTimer time;
+    bool opened = false; // told of the end of the port, too
     {
         SessionThread thread(parts);
         left = thread.session()->thread();
-        bool opened = false;
         connect(thread.session(), &Session::portChanged, this, [&opened] { opened = true; });
         Session *session = thread.session();
         QMetaObject::invokeMethod(

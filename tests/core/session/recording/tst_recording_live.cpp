@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <numeric>
+
 using namespace session;
 using namespace std::chrono_literals;
 
@@ -279,10 +281,14 @@ void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()
     const auto facts = support::readRecording(bench.path);
     QVERIFY(facts.damage.empty());
     QCOMPARE(facts.samples() + last.lost.samples, 1001U * 200U);
-    QCOMPARE(facts.all<record::Lost>().at(0).samples, last.lost.samples);
+    // More than one stretch where the writer was late with its first piece: there was room again behind it.
+    const auto lost = facts.all<record::Lost>();
+    QCOMPARE(std::accumulate(lost.begin(), lost.end(), std::uint64_t(0),
+                 [](std::uint64_t sum, const record::Lost &one) { return sum + one.samples; }),
+        last.lost.samples);
     const auto blocks = facts.all<capture::SampleBlock>();
     QCOMPARE(blocks.back().firstTick, capture::Tick(100'000));
-    QCOMPARE(blocks.back().lostTicks, capture::Tick(last.lost.samples / 2));
+    QCOMPARE(blocks.back().lostTicks, capture::Tick(lost.back().samples / 2));
 }
 
 void TestRecordingLive::whatASlowDiskMissedIsDescribedAgain()
