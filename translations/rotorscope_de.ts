@@ -838,6 +838,16 @@
         <comment>a moment of a file</comment>
         <translation>Am linken Rand liegt: %1.</translation>
     </message>
+    <message>
+        <source>Reference %1 is again the one before.</source>
+        <comment>a letter</comment>
+        <translation>Referenz %1 ist wieder die vorige.</translation>
+    </message>
+    <message>
+        <source>There was a reference %1 already. It is replaced; %2 brings it back.</source>
+        <comment>a letter, a key</comment>
+        <translation>Eine Referenz %1 gab es schon. Sie ist ersetzt; %2 holt sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>Measures</name>
@@ -2664,10 +2674,6 @@
         <translation>Frequenzgang</translation>
     </message>
     <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: bewegen. F: alles.</translation>
-    </message>
-    <message>
         <source>dB of %1</source>
         <comment>a unit</comment>
         <translation>dB von %1</translation>
@@ -4184,6 +4190,13 @@
     <message>
         <source>Give a speed to jog at.</source>
         <translation>Geben Sie eine Drehzahl zum Tippen an.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::KeyedPlot</name>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: Zoom. Ziehen oder Pfeile: verschieben. F: alles.</translation>
     </message>
 </context>
 <context>
@@ -8464,10 +8477,6 @@ mN·m</translation>
         <translation>Spektrum</translation>
     </message>
     <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation>Rad oder + und −: Zoom. Ziehen oder Pfeile: verschieben. F: alles.</translation>
-    </message>
-    <message>
         <source>Order</source>
         <comment>a multiple of the electrical frequency</comment>
         <translation>Ordnung</translation>
@@ -8677,10 +8686,6 @@ mN·m</translation>
     <message>
         <source>Steps over one another</source>
         <translation>Sprünge übereinander</translation>
-    </message>
-    <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation>Rad oder + und −: Zoom. Ziehen oder Pfeile: verschieben. F: alles.</translation>
     </message>
     <message>
         <source>Time since the step [ms]</source>
@@ -9452,10 +9457,6 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>XY picture</source>
         <translation>XY-Bild</translation>
-    </message>
-    <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: verschieben. F: alles.</translation>
     </message>
     <message>
         <source>bus %1 V</source>

@@ -838,6 +838,16 @@
         <comment>a moment of a file</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reference %1 is again the one before.</source>
+        <comment>a letter</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There was a reference %1 already. It is replaced; %2 brings it back.</source>
+        <comment>a letter, a key</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Measures</name>
@@ -2664,10 +2674,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>dB of %1</source>
         <comment>a unit</comment>
         <translation type="unfinished"></translation>
@@ -4182,6 +4188,13 @@
     </message>
     <message>
         <source>Give a speed to jog at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::KeyedPlot</name>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8457,10 +8470,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Order</source>
         <comment>a multiple of the electrical frequency</comment>
         <translation type="unfinished"></translation>
@@ -8669,10 +8678,6 @@ mN·m</source>
     </message>
     <message>
         <source>Steps over one another</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9443,10 +9448,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::XyPlot</name>
     <message>
         <source>XY picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

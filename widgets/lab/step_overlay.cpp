@@ -1,13 +1,10 @@
 #include "widgets/lab/step_overlay.h"
 
-#include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/lab/run_mark.h"
 #include "widgets/scope/drawing/axis_ticker.h"
 
-#include <QLabel>
 #include <QScopedValueRollback>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -24,50 +21,19 @@ constexpr double kMilli = 1e3;
 } // namespace
 
 StepOverlay::StepOverlay(QWidget *parent)
-    : KeyedPlot(parent)
-    , m_plot(new QCustomPlot(this))
-    , m_none(new QLabel(tr("No step yet."), this))
+    : KeyedPlot(QStringLiteral("stepOverlay"), tr("Steps over one another"), parent)
 {
-    setObjectName(QStringLiteral("stepOverlay"));
-    setAccessibleName(tr("Steps over one another"));
-    setFocusPolicy(Qt::StrongFocus);
-    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
-    m_plot->setFocusPolicy(Qt::NoFocus);
-    m_plot->installEventFilter(this);
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis})
+    for (QCPAxis *axis : {plot().xAxis, plot().yAxis})
         axis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
-    m_plot->axisRect()->setRangeZoom(Qt::Horizontal);
-    m_plot->xAxis->setLabel(tr("Time since the step [ms]"));
-    m_plot->yAxis->setLabel(tr("Speed [rpm]"));
-    m_none->setAlignment(Qt::AlignCenter);
-    m_none->setAttribute(Qt::WA_TransparentForMouseEvents);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
-    connect(m_plot->xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this,
+    plot().setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot().axisRect()->setRangeDrag(Qt::Horizontal);
+    plot().axisRect()->setRangeZoom(Qt::Horizontal);
+    plot().xAxis->setLabel(tr("Time since the step [ms]"));
+    plot().yAxis->setLabel(tr("Speed [rpm]"));
+    connect(plot().xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this,
         &StepOverlay::bound);
-    applyPalette();
-}
-
-void StepOverlay::applyPalette()
-{
-    dressPlot(*m_plot, *this);
-    draw();
-}
-
-void StepOverlay::changeEvent(QEvent *event)
-{
-    KeyedPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        applyPalette();
-}
-
-void StepOverlay::resizeEvent(QResizeEvent *event)
-{
-    KeyedPlot::resizeEvent(event);
-    m_none->setGeometry(rect());
+    dress();
+    say(tr("No step yet."));
     draw();
 }
 
@@ -84,7 +50,7 @@ void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up)
             m_most_s = std::max(m_most_s, curve.seconds.last());
             m_curves.push_back({result.number, curve});
         }
-    m_none->setVisible(m_curves.empty());
+    say(m_curves.empty() ? tr("No step yet.") : QString());
     if (m_to_s > m_most_s)
         m_from_s = m_to_s = 0.0;
     draw();
@@ -105,14 +71,14 @@ void StepOverlay::drawCurve(const Drawn &drawn, bool dark)
     QVector<double> times;
     for (const double seconds : drawn.curve.seconds)
         times.append(seconds * kMilli);
-    QCPGraph *line = m_plot->addGraph();
+    QCPGraph *line = plot().addGraph();
     line->setPen(QPen(color, 0));
     line->setAntialiased(false);
     line->setData(times, drawn.curve.rpm, true);
-    QCPGraph *ticks = m_plot->addGraph();
+    QCPGraph *ticks = plot().addGraph();
     ticks->setLineStyle(QCPGraph::lsNone);
     ticks->setScatterStyle(runTick(drawn.number, color));
-    const double from = m_plot->xAxis->range().lower, each = m_plot->xAxis->range().size() / kTicks;
+    const double from = plot().xAxis->range().lower, each = plot().xAxis->range().size() / kTicks;
     const double first = from + each * std::fmod(0.3 + 0.37 * drawn.number, 1.0);
     for (int i = 0; i < kTicks; ++i) {
         const auto at = std::lower_bound(times.begin(), times.end(), first + i * each);
@@ -125,9 +91,9 @@ void StepOverlay::draw()
 {
     const QScopedValueRollback setting(m_setting, true);
     const bool all = !(m_to_s > m_from_s), dark = isDark(palette());
-    m_plot->xAxis->setRange(
+    plot().xAxis->setRange(
         kMilli * (all ? m_least_s : m_from_s), kMilli * (all ? m_most_s : m_to_s));
-    m_plot->clearPlottables();
+    plot().clearPlottables();
     double least = 0.0, most = 1.0;
     bool any = false;
     for (const Drawn &drawn : m_curves) {
@@ -139,14 +105,14 @@ void StepOverlay::draw()
         drawCurve(drawn, dark);
     }
     const double room = std::max(1.0, kRoom * (most - least));
-    m_plot->yAxis->setRange(least - room, most + room);
+    plot().yAxis->setRange(least - room, most + room);
     const auto ticks = [](QCPAxis *axis, int pixels, int each, int close) {
         axis->ticker().dynamicCast<AxisTicker>()->setMost(
             std::max(2, pixels / each), pixels, pixels / close);
     };
-    ticks(m_plot->xAxis, m_plot->axisRect()->width(), 80, 60);
-    ticks(m_plot->yAxis, m_plot->axisRect()->height(), 30, 18);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    ticks(plot().xAxis, plot().axisRect()->width(), 80, 60);
+    ticks(plot().yAxis, plot().axisRect()->height(), 30, 18);
+    plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
 /// The mouse moved the axis.
@@ -167,25 +133,16 @@ void StepOverlay::setLimits(double least, double most)
 
 void StepOverlay::zoom(double factor)
 {
-    const QCPRange shown = m_plot->xAxis->range();
+    const QCPRange shown = plot().xAxis->range();
     const double half = shown.size() / 2 / factor;
     setLimits((shown.center() - half) / kMilli, (shown.center() + half) / kMilli);
 }
 
 void StepOverlay::pan(double share)
 {
-    const QCPRange shown = m_plot->xAxis->range();
+    const QCPRange shown = plot().xAxis->range();
     const double shift = share * shown.size();
     setLimits((shown.lower + shift) / kMilli, (shown.upper + shift) / kMilli);
-}
-
-bool StepOverlay::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::MouseButtonPress)
-        setFocus(Qt::MouseFocusReason);
-    if (event->type() == QEvent::MouseButtonDblClick)
-        fit();
-    return KeyedPlot::eventFilter(watched, event);
 }
 
 } // namespace widgets

@@ -6,12 +6,10 @@
 #include "widgets/measuring/keyed_plot.h"
 
 class QCPRange;
-class QCustomPlot;
-class QLabel;
 
 namespace widgets {
 
-class StepOverlay : public KeyedPlot {
+class StepOverlay final : public KeyedPlot {
     Q_OBJECT
 public:
     explicit StepOverlay(QWidget *parent = nullptr);
@@ -23,25 +21,19 @@ public:
     QSize minimumSizeHint() const override { return {220, 110}; }
 
 protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     void zoom(double factor) override;
     void pan(double share) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Drawn {
         int number = 0; ///< of its series
         StepCurve curve;
     };
-    void applyPalette();
-    void draw();
+    void draw() override;
     void drawCurve(const Drawn &drawn, bool dark);
     void bound(const QCPRange &range);
     void setLimits(double least, double most);
 
-    QCustomPlot *m_plot;
-    QLabel *m_none;
     std::vector<Drawn> m_curves;
     double m_least_s = 0.0, m_most_s = 0.1; ///< that there are points of
     double m_from_s = 0.0, m_to_s = 0.0; ///< shown; both 0: all

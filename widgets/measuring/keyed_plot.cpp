@@ -1,6 +1,11 @@
 #include "widgets/measuring/keyed_plot.h"
 
+#include "widgets/base/plot_look.h"
+
 #include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <qcustomplot.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +19,66 @@ bool isPlain(const QKeyEvent &key)
 }
 
 } // namespace
+
+KeyedPlot::KeyedPlot(const QString &name, const QString &title, QWidget *parent)
+    : QWidget(parent)
+    , m_plot(new QCustomPlot(this))
+    , m_why(new QLabel(this))
+{
+    setObjectName(name);
+    setAccessibleName(title);
+    setFocusPolicy(Qt::StrongFocus);
+    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
+    m_plot->setFocusPolicy(Qt::NoFocus);
+    m_plot->installEventFilter(this);
+    m_why->setObjectName(name + QStringLiteral("Why"));
+    m_why->setTextFormat(Qt::PlainText);
+    m_why->setAlignment(Qt::AlignCenter);
+    m_why->setWordWrap(true);
+    m_why->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+}
+
+void KeyedPlot::say(const QString &why)
+{
+    if (why == m_why->text())
+        return;
+    m_why->setText(why);
+    m_why->setVisible(!why.isEmpty());
+    setAccessibleDescription(why);
+}
+
+void KeyedPlot::dress() { dressPlot(*m_plot, *this); }
+
+void KeyedPlot::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    const auto type = event->type();
+    const bool look = type == QEvent::PaletteChange || type == QEvent::FontChange;
+    if (look)
+        dress();
+    if (look || type == QEvent::LocaleChange)
+        draw();
+}
+
+void KeyedPlot::resizeEvent(QResizeEvent *event)
+{
+    constexpr int kMargin = 20;
+    QWidget::resizeEvent(event);
+    m_why->setGeometry(rect().adjusted(kMargin, 0, -kMargin, 0));
+    draw();
+}
+
+bool KeyedPlot::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::MouseButtonPress)
+        setFocus(Qt::MouseFocusReason);
+    if (event->type() == QEvent::MouseButtonDblClick)
+        fit();
+    return QWidget::eventFilter(watched, event);
+}
 
 bool KeyedPlot::event(QEvent *event)
 {

@@ -1,13 +1,10 @@
 #include "widgets/measuring/spectrum_plot.h"
 
 #include "widgets/base/axis_ticks.h"
-#include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/drawing/axis_ticker.h"
 
-#include <QLabel>
 #include <QScopedValueRollback>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -26,54 +23,39 @@ constexpr double kRoom = 1.12; ///< above the highest line, for the numbers of t
 } // namespace
 
 SpectrumPlot::SpectrumPlot(QWidget *parent)
-    : KeyedPlot(parent)
-    , m_plot(new QCustomPlot(this))
-    , m_trace(m_plot->addGraph())
-    , m_dots(m_plot->addGraph())
-    , m_mark(new QCPItemStraightLine(m_plot))
-    , m_why(new QLabel(this))
+    : KeyedPlot(QStringLiteral("spectrumPlot"), tr("Spectrum"), parent)
+    , m_trace(plot().addGraph())
+    , m_dots(plot().addGraph())
+    , m_mark(new QCPItemStraightLine(&plot()))
 {
-    setObjectName(QStringLiteral("spectrumPlot"));
-    setAccessibleName(tr("Spectrum"));
-    setFocusPolicy(Qt::StrongFocus);
-    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
-    m_plot->setFocusPolicy(Qt::NoFocus);
-    m_plot->installEventFilter(this);
-    m_plot->xAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
-    m_plot->yAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
-    m_plot->axisRect()->setRangeZoom(Qt::Horizontal);
+    plot().xAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
+    plot().yAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
+    plot().setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot().axisRect()->setRangeDrag(Qt::Horizontal);
+    plot().axisRect()->setRangeZoom(Qt::Horizontal);
     m_trace->setAntialiased(false);
     m_dots->setLineStyle(QCPGraph::lsNone);
     m_mark->setVisible(false);
     for (int i = 0; i < kMostNumbers; ++i) {
-        auto *number = new QCPItemText(m_plot);
+        auto *number = new QCPItemText(&plot());
         number->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
         number->setText(QString::number(i + 1));
         number->setVisible(false);
         m_numbers.append(number);
     }
-    m_why->setObjectName(QStringLiteral("spectrumWhy"));
-    m_why->setTextFormat(Qt::PlainText);
-    m_why->setAlignment(Qt::AlignCenter);
-    m_why->setWordWrap(true);
-    m_why->setAttribute(Qt::WA_TransparentForMouseEvents);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
     setMinimumSize(220, 120);
-    connect(m_plot->xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this,
+    connect(plot().xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this,
         &SpectrumPlot::bound);
-    applyPalette();
+    dress();
+    draw();
 }
 
-void SpectrumPlot::applyPalette()
+void SpectrumPlot::dress()
 {
     const QPalette colors = palette();
     const bool dark = isDark(colors);
     const QColor text = colors.color(QPalette::Text);
-    dressPlot(*m_plot, *this);
+    KeyedPlot::dress();
     m_trace->setPen(QPen(traceColor(kTraceSlot, dark), 0));
     const QColor peak = traceColor(kPeakSlot, dark);
     m_dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, peak, 6));
@@ -82,33 +64,6 @@ void SpectrumPlot::applyPalette()
         number->setColor(text);
         number->setFont(font());
     }
-    draw();
-}
-
-void SpectrumPlot::changeEvent(QEvent *event)
-{
-    KeyedPlot::changeEvent(event);
-    const auto type = event->type();
-    if (type == QEvent::PaletteChange || type == QEvent::FontChange)
-        applyPalette();
-    else if (type == QEvent::LocaleChange)
-        draw();
-}
-
-void SpectrumPlot::resizeEvent(QResizeEvent *event)
-{
-    KeyedPlot::resizeEvent(event);
-    m_why->setGeometry(rect().adjusted(20, 0, -20, 0));
-    draw();
-}
-
-bool SpectrumPlot::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::MouseButtonPress)
-        setFocus(Qt::MouseFocusReason);
-    if (event->type() == QEvent::MouseButtonDblClick)
-        fit();
-    return KeyedPlot::eventFilter(watched, event);
 }
 
 double SpectrumPlot::highest() const
@@ -142,15 +97,15 @@ double SpectrumPlot::level(std::size_t bin) const
 
 void SpectrumPlot::showSpectrum(Picture picture)
 {
-    m_why->hide();
+    say({});
     m_picture = std::move(picture);
     if (m_from >= highest())
         m_from = m_to = 0.0;
     const QString unit = m_picture.unit.isEmpty() ? QStringLiteral("1") : m_picture.unit;
-    m_plot->xAxis->setLabel(m_picture.orders.valid()
+    plot().xAxis->setLabel(m_picture.orders.valid()
             ? tr("Order", "a multiple of the electrical frequency")
             : QStringLiteral("Hz"));
-    m_plot->yAxis->setLabel(m_picture.decibels
+    plot().yAxis->setLabel(m_picture.decibels
             ? tr("dB re 1 %1", "level above one of the unit").arg(unit)
             : m_picture.unit);
     draw();
@@ -159,10 +114,7 @@ void SpectrumPlot::showSpectrum(Picture picture)
 void SpectrumPlot::showNothing(const QString &why)
 {
     m_picture = {};
-    m_why->setText(why);
-    m_why->show();
-    m_why->raise();
-    setAccessibleDescription(why);
+    say(why);
     draw();
 }
 
@@ -170,7 +122,7 @@ void SpectrumPlot::mark(int peak)
 {
     m_marked = peak;
     drawPeaks();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
 void SpectrumPlot::fit()
@@ -227,7 +179,7 @@ void SpectrumPlot::draw()
         };
         const auto first = static_cast<std::size_t>(std::max(0.0, binAt(from()) - 1));
         const auto stop = std::min(last, static_cast<std::size_t>(binAt(to())) + 1) + 1;
-        const auto columns = static_cast<std::size_t>(std::max(100, m_plot->axisRect()->width()));
+        const auto columns = static_cast<std::size_t>(std::max(100, plot().axisRect()->width()));
         const std::size_t each = std::max<std::size_t>(1, (stop - first) / columns);
         for (std::size_t bin = first; bin < stop; bin += each) {
             // Which bins are to be drawn is decided by their squares: of the levels only two a column are computed.
@@ -248,22 +200,22 @@ void SpectrumPlot::draw()
         }
     }
     m_trace->setData(places, levels, true);
-    m_plot->xAxis->setRange(shownX(from()), std::max(shownX(to()), shownX(from()) + 1e-9));
+    plot().xAxis->setRange(shownX(from()), std::max(shownX(to()), shownX(from()) + 1e-9));
     if (m_picture.decibels) {
         const double top = 10.0 * std::ceil((most + 6.0) / 10.0);
-        m_plot->yAxis->setRange(top - kDecibelSpan, top);
+        plot().yAxis->setRange(top - kDecibelSpan, top);
     } else {
         const double wanted = most > 0.0 ? most * kRoom : 1.0;
         const double step = tickStep(wanted, 8); // in steps, so that it stands still
-        m_plot->yAxis->setRange(0.0, step * std::ceil(wanted / step));
+        plot().yAxis->setRange(0.0, step * std::ceil(wanted / step));
     }
     const auto ticks = [](QCPAxis *axis, int pixels, int each) {
         axis->ticker().dynamicCast<AxisTicker>()->setMost(std::max(2, pixels / each), pixels);
     };
-    ticks(m_plot->xAxis, m_plot->axisRect()->width(), 80);
-    ticks(m_plot->yAxis, m_plot->axisRect()->height(), 30);
+    ticks(plot().xAxis, plot().axisRect()->width(), 80);
+    ticks(plot().yAxis, plot().axisRect()->height(), 30);
     drawPeaks();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
 void SpectrumPlot::drawPeaks()
@@ -283,7 +235,7 @@ void SpectrumPlot::drawPeaks()
         if (visible) {
             number->position->setCoords(places[i], levels[i]);
             const QPointF at(
-                m_plot->xAxis->coordToPixel(places[i]), m_plot->yAxis->coordToPixel(levels[i]));
+                plot().xAxis->coordToPixel(places[i]), plot().yAxis->coordToPixel(levels[i]));
             const QFontMetrics metrics(number->font());
             visible = std::none_of(written.begin(), written.end(), [&](const QPointF &other) {
                 return std::abs(other.x() - at.x())

@@ -11,12 +11,10 @@ class QCPGraph;
 class QCPItemStraightLine;
 class QCPItemText;
 class QCPRange;
-class QCustomPlot;
-class QLabel;
 
 namespace widgets {
 
-class SpectrumPlot : public KeyedPlot {
+class SpectrumPlot final : public KeyedPlot {
     Q_OBJECT
 public:
     explicit SpectrumPlot(QWidget *parent = nullptr);
@@ -37,16 +35,13 @@ public:
     int points() const; ///< of the trace as it is drawn
 
 protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     void zoom(double factor) override;
     void pan(double share) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void applyPalette();
+    void dress() override;
+    void draw() override;
     void bound(const QCPRange &range);
-    void draw();
     double level(std::size_t bin) const;
     double levelOf(double amplitude) const;
     double shownX(double hertz) const;
@@ -54,12 +49,10 @@ private:
     void drawPeaks();
     void setLimits(double least, double most);
 
-    QCustomPlot *m_plot;
     QCPGraph *m_trace;
     QCPGraph *m_dots;
     QCPItemStraightLine *m_mark;
     QList<QCPItemText *> m_numbers;
-    QLabel *m_why;
     Picture m_picture;
     int m_marked = -1;
     double m_from = 0.0; ///< hertz; `to` 0: everything

@@ -1,15 +1,12 @@
 #include "widgets/measuring/xy_plot.h"
 
 #include "widgets/base/axis_ticks.h"
-#include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/value_text.h"
 #include "widgets/scope/drawing/axis_ticker.h"
 
-#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -42,46 +39,30 @@ QCPRange stepped(double low, double high)
 } // namespace
 
 XyPlot::XyPlot(QWidget *parent)
-    : KeyedPlot(parent)
-    , m_plot(new QCustomPlot(this))
-    , m_glass(new QWidget(m_plot))
-    , m_why(new QLabel(this))
+    : KeyedPlot(QStringLiteral("xyPlot"), tr("XY picture"), parent)
+    , m_glass(new QWidget(&plot()))
 {
-    setObjectName(QStringLiteral("xyPlot"));
-    setAccessibleName(tr("XY picture"));
-    setFocusPolicy(Qt::StrongFocus);
-    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
-    m_plot->setFocusPolicy(Qt::NoFocus);
-    m_plot->installEventFilter(this);
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis})
+    for (QCPAxis *axis : {plot().xAxis, plot().yAxis})
         axis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
-    m_plot->axisRect()->setMinimumMargins(QMargins(8, 8, 14, 4));
+    plot().axisRect()->setMinimumMargins(QMargins(8, 8, 14, 4));
     m_glass->setObjectName(QStringLiteral("xyGlass"));
     m_glass->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_glass->installEventFilter(this);
-    m_why->setObjectName(QStringLiteral("xyWhy"));
-    m_why->setTextFormat(Qt::PlainText);
-    m_why->setAlignment(Qt::AlignCenter);
-    m_why->setWordWrap(true);
-    m_why->setAttribute(Qt::WA_TransparentForMouseEvents);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
     setMinimumSize(220, 140);
-    connect(m_plot, &QCustomPlot::afterReplot, m_glass, qOverload<>(&QWidget::update));
-    dressPlot(*m_plot, *this);
+    connect(&plot(), &QCustomPlot::afterReplot, m_glass, qOverload<>(&QWidget::update));
+    dress();
 }
 
-QRect XyPlot::area() const { return m_plot->axisRect()->rect(); }
+QRect XyPlot::area() const { return plot().axisRect()->rect(); }
 
 XyPlot::Ranges XyPlot::ranges() const
 {
-    return rangesOf(m_plot->xAxis->range(), m_plot->yAxis->range());
+    return rangesOf(plot().xAxis->range(), plot().yAxis->range());
 }
 
 QPointF XyPlot::pixel(double x, double y) const
 {
-    return {m_plot->xAxis->coordToPixel(x), m_plot->yAxis->coordToPixel(y)};
+    return {plot().xAxis->coordToPixel(x), plot().yAxis->coordToPixel(y)};
 }
 
 void XyPlot::showPicture(Picture picture)
@@ -89,30 +70,27 @@ void XyPlot::showPicture(Picture picture)
     const bool other = picture.xLabel != m_picture.xLabel || picture.yLabel != m_picture.yLabel;
     if (other)
         m_moved.reset();
-    m_why->hide();
+    say({});
     m_picture = std::move(picture);
-    m_plot->xAxis->setLabel(m_picture.xLabel);
-    m_plot->yAxis->setLabel(m_picture.yLabel);
-    place();
+    plot().xAxis->setLabel(m_picture.xLabel);
+    plot().yAxis->setLabel(m_picture.yLabel);
+    draw();
 }
 
 void XyPlot::showNothing(const QString &why)
 {
     m_picture = {};
     m_moved.reset();
-    m_why->setText(why);
-    m_why->show();
-    m_why->raise();
-    setAccessibleDescription(why);
-    m_plot->xAxis->setLabel({});
-    m_plot->yAxis->setLabel({});
-    place();
+    say(why);
+    plot().xAxis->setLabel({});
+    plot().yAxis->setLabel({});
+    draw();
 }
 
 void XyPlot::fit()
 {
     m_moved.reset();
-    place();
+    draw();
 }
 
 /// Everything; zero in the middle of a vector's picture.
@@ -153,42 +131,23 @@ XyPlot::Ranges XyPlot::equalised(Ranges r) const
     return {r.left - moreX, r.right + moreX, r.bottom - moreY, r.top + moreY};
 }
 
-void XyPlot::place()
+void XyPlot::draw()
 {
     // The margins follow the labels, and what is equal follows the margins.
     for (int i = 0; i < 2; ++i) {
         Ranges r = m_moved.value_or(wanted());
         if (m_picture.equal)
             r = equalised(r);
-        m_plot->xAxis->setRange(r.left, r.right);
-        m_plot->yAxis->setRange(r.bottom, r.top);
+        plot().xAxis->setRange(r.left, r.right);
+        plot().yAxis->setRange(r.bottom, r.top);
         const auto ticks = [](QCPAxis *axis, int pixels, int each) {
             axis->ticker().dynamicCast<AxisTicker>()->setMost(
                 std::clamp(pixels / each, 2, 10), pixels);
         };
-        ticks(m_plot->xAxis, area().width(), 60);
-        ticks(m_plot->yAxis, area().height(), 30);
-        m_plot->replot(i == 0 ? QCustomPlot::rpImmediateRefresh : QCustomPlot::rpQueuedRefresh);
+        ticks(plot().xAxis, area().width(), 60);
+        ticks(plot().yAxis, area().height(), 30);
+        plot().replot(i == 0 ? QCustomPlot::rpImmediateRefresh : QCustomPlot::rpQueuedRefresh);
     }
-}
-
-void XyPlot::changeEvent(QEvent *event)
-{
-    KeyedPlot::changeEvent(event);
-    const auto type = event->type();
-    if (type == QEvent::PaletteChange || type == QEvent::FontChange) {
-        dressPlot(*m_plot, *this);
-        place();
-    } else if (type == QEvent::LocaleChange) {
-        place();
-    }
-}
-
-void XyPlot::resizeEvent(QResizeEvent *event)
-{
-    KeyedPlot::resizeEvent(event);
-    m_why->setGeometry(rect().adjusted(20, 0, -20, 0));
-    place();
 }
 
 bool XyPlot::eventFilter(QObject *watched, QEvent *event)
@@ -198,9 +157,9 @@ bool XyPlot::eventFilter(QObject *watched, QEvent *event)
         paintOn(painter);
         return true;
     }
-    if (watched == m_plot && event->type() == QEvent::Resize)
-        m_glass->setGeometry(m_plot->rect());
-    if (watched == m_plot && takeMouse(event))
+    if (watched == &plot() && event->type() == QEvent::Resize)
+        m_glass->setGeometry(plot().rect());
+    if (watched == &plot() && takeMouse(event))
         return true;
     return KeyedPlot::eventFilter(watched, event);
 }
@@ -244,7 +203,7 @@ void XyPlot::zoom(double factor)
     if (std::min(halfX, halfY) < kLeast || std::max(halfX, halfY) > kMost)
         return;
     m_moved = Ranges{x - halfX, x + halfX, y - halfY, y + halfY};
-    place();
+    draw();
 }
 
 void XyPlot::shift(double shareX, double shareY)
@@ -253,7 +212,7 @@ void XyPlot::shift(double shareX, double shareY)
     const double x = shareX * (now.right - now.left);
     const double y = shareY * (now.top - now.bottom);
     m_moved = Ranges{now.left + x, now.right + x, now.bottom + y, now.top + y};
-    place();
+    draw();
 }
 
 void XyPlot::paintOn(QPainter &painter)

@@ -9,12 +9,9 @@
 
 #include <optional>
 
-class QCustomPlot;
-class QLabel;
-
 namespace widgets {
 
-class XyPlot : public KeyedPlot {
+class XyPlot final : public KeyedPlot {
     Q_OBJECT
 public:
     explicit XyPlot(QWidget *parent = nullptr);
@@ -41,8 +38,6 @@ public:
     QRect area() const; ///< where it is drawn
 
 protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     void zoom(double factor) override;
     void pan(double shareX) override { shift(shareX, 0.0); }
     void panUp(double shareY) override { shift(0.0, shareY); }
@@ -51,7 +46,7 @@ protected:
 private:
     bool takeMouse(QEvent *event);
     void shift(double shareX, double shareY);
-    void place();
+    void draw() override;
     Ranges wanted() const;
     Ranges equalised(Ranges ranges) const;
     QPointF pixel(double x, double y) const;
@@ -60,9 +55,7 @@ private:
     void paintTrail(QPainter &painter);
     void paintNewest(QPainter &painter) const;
 
-    QCustomPlot *m_plot;
     QWidget *m_glass; ///< over the axes; paints the trail
-    QLabel *m_why;
     Picture m_picture;
     std::optional<Ranges> m_moved; ///< by hand
     QPointF m_taken; ///< where the mouse holds the picture

@@ -73,7 +73,7 @@ private:
     widgets::SpectrumPlot &plot() { return *m_rig->window.findChild<widgets::SpectrumPlot *>(); }
     SpectrumPeaks &peaks() { return *m_rig->window.findChild<SpectrumPeaks *>(); }
     QString note() { return m_rig->find<QLabel>("spectrumNote")->text(); }
-    QString why() { return m_rig->find<QLabel>("spectrumWhy")->text(); }
+    QString why() { return m_rig->find<QLabel>("spectrumPlotWhy")->text(); }
     QString cell(int row, int column) { return peaks().index(row, column).data().toString(); }
     void choose(const char *box, const QVariant &data)
     {
@@ -223,11 +223,11 @@ void TestSpectrumPanel::whereThereIsNoSpectrumTheReasonIsSaid()
     view().setVisibleRange(10.0, 20.0);
     update();
     QVERIFY2(why().startsWith(QStringLiteral("Fewer than 16")), qPrintable(why()));
-    QVERIFY(m_rig->find<QLabel>("spectrumWhy")->isVisible());
+    QVERIFY(m_rig->find<QLabel>("spectrumPlotWhy")->isVisible());
     QCOMPARE(peaks().rowCount(), 0);
     view().setVisibleRange(0.0, 4.0);
     update();
-    QVERIFY(!m_rig->find<QLabel>("spectrumWhy")->isVisible());
+    QVERIFY(!m_rig->find<QLabel>("spectrumPlotWhy")->isVisible());
     QVERIFY(peaks().rowCount() > 0);
 }
 

@@ -63,7 +63,7 @@ private:
     QString note() { return m_rig->find<QLabel>("xyNote")->text(); }
     QString why()
     {
-        auto *label = m_rig->find<QLabel>("xyWhy");
+        auto *label = m_rig->find<QLabel>("xyPlotWhy");
         return label->isVisible() ? label->text() : QString();
     }
     void choose(XyPanel::Kind kind)

@@ -3,9 +3,7 @@
 #include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
 
-#include <QLabel>
 #include <QScopedValueRollback>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -62,25 +60,17 @@ BodeCurve bodeCurve(const lab::FrequencyResponse &response, BodeOf of)
 }
 
 BodePlot::BodePlot(QWidget *parent)
-    : KeyedPlot(parent)
-    , m_plot(new QCustomPlot(this))
-    , m_none(new QLabel(tr("No response yet."), this))
+    : KeyedPlot(QStringLiteral("bodePlot"), tr("Frequency response"), parent)
 {
-    setObjectName(QStringLiteral("bodePlot"));
-    setAccessibleName(tr("Frequency response"));
-    setFocusPolicy(Qt::StrongFocus);
-    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
-    m_plot->setFocusPolicy(Qt::NoFocus);
-    m_plot->installEventFilter(this);
-    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    m_plot->plotLayout()->setRowSpacing(0);
-    auto *margins = new QCPMarginGroup(m_plot);
+    plot().setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot().plotLayout()->setRowSpacing(0);
+    auto *margins = new QCPMarginGroup(&plot());
     const QSharedPointer<QCPAxisTickerLog> frequencies(new QCPAxisTickerLog);
     for (std::size_t part = 0; part < kParts; ++part) {
-        auto *rect = part == Gain ? m_plot->axisRect() : new QCPAxisRect(m_plot);
+        auto *rect = part == Gain ? plot().axisRect() : new QCPAxisRect(&plot());
         m_rects[part] = rect;
         if (part != Gain)
-            m_plot->plotLayout()->addElement(static_cast<int>(part), 0, rect);
+            plot().plotLayout()->addElement(static_cast<int>(part), 0, rect);
         for (QCPAxis *axis : rect->axes()) {
             axis->setLayer(QStringLiteral("axes"));
             axis->grid()->setLayer(QStringLiteral("grid"));
@@ -97,46 +87,28 @@ BodePlot::BodePlot(QWidget *parent)
         connect(x, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this, &BodePlot::bound);
         rect->setMinimumMargins({0, 4, 4, part == Coherence ? 0 : 2});
     }
-    m_plot->plotLayout()->setRowStretchFactor(Gain, 3.0);
-    m_plot->plotLayout()->setRowStretchFactor(Phase, 3.0);
+    plot().plotLayout()->setRowStretchFactor(Gain, 3.0);
+    plot().plotLayout()->setRowStretchFactor(Phase, 3.0);
     m_rects[Coherence]->setMaximumSize(QWIDGETSIZE_MAX, kLowest);
-    m_none->setAlignment(Qt::AlignCenter);
-    m_none->setAttribute(Qt::WA_TransparentForMouseEvents);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
-    applyPalette();
+    dress();
+    showCurves({}, {});
 }
 
-void BodePlot::applyPalette()
+void BodePlot::dress()
 {
-    dressPlot(*m_plot, *this);
+    KeyedPlot::dress();
     for (QCPAxisRect *rect : m_rects)
         for (QCPAxis *axis : rect->axes())
             dressAxis(*axis, palette().color(QPalette::Text), font());
-    draw();
-}
-
-void BodePlot::changeEvent(QEvent *event)
-{
-    KeyedPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        applyPalette();
-}
-
-void BodePlot::resizeEvent(QResizeEvent *event)
-{
-    KeyedPlot::resizeEvent(event);
-    m_none->setGeometry(rect());
-    draw();
 }
 
 void BodePlot::showCurves(const QVector<BodeCurve> &curves, const QString &unit)
 {
     m_curves = curves;
     m_unit = unit;
-    m_none->setVisible(std::all_of(m_curves.begin(), m_curves.end(),
-        [](const BodeCurve &curve) { return curve.points.isEmpty(); }));
+    const bool none = std::all_of(m_curves.begin(), m_curves.end(),
+        [](const BodeCurve &curve) { return curve.points.isEmpty(); });
+    say(none ? tr("No response yet.") : QString());
     draw();
 }
 
@@ -171,7 +143,7 @@ void BodePlot::drawCurve(const BodeCurve &curve, bool dark)
         if (part == Coherence && !curve.measured)
             continue;
         const auto graph = [&](const Line &line) {
-            QCPGraph *made = m_plot->addGraph(
+            QCPGraph *made = plot().addGraph(
                 m_rects[part]->axis(QCPAxis::atBottom), m_rects[part]->axis(QCPAxis::atLeft));
             made->setPen(QPen(color, 0, curve.measured ? Qt::SolidLine : Qt::DashLine));
             made->setData(line.hz, line.value, true);
@@ -232,8 +204,8 @@ void BodePlot::scale()
 void BodePlot::draw()
 {
     const QScopedValueRollback setting(m_setting, true);
-    m_plot->clearPlottables();
-    m_plot->clearItems();
+    plot().clearPlottables();
+    plot().clearItems();
     const bool dark = isDark(palette());
     for (const BodeCurve &curve : m_curves)
         drawCurve(curve, dark);
@@ -247,7 +219,7 @@ void BodePlot::draw()
     label(Phase, QStringLiteral("\u00b0"));
     label(Coherence, tr("Coh.", "coherence, short"));
     m_rects[Coherence]->axis(QCPAxis::atBottom)->setLabel(tr("Hz"));
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
 void BodePlot::fit()
@@ -286,15 +258,6 @@ void BodePlot::pan(double share)
     const QCPRange shown = m_rects[Gain]->axis(QCPAxis::atBottom)->range();
     const double by = std::pow(shown.upper / shown.lower, share);
     setLimits(shown.lower * by, shown.upper * by);
-}
-
-bool BodePlot::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::MouseButtonPress)
-        setFocus(Qt::MouseFocusReason);
-    if (event->type() == QEvent::MouseButtonDblClick)
-        fit();
-    return KeyedPlot::eventFilter(watched, event);
 }
 
 } // namespace widgets

@@ -12,8 +12,6 @@
 
 class QCPAxisRect;
 class QCPRange;
-class QCustomPlot;
-class QLabel;
 
 namespace widgets {
 
@@ -34,7 +32,7 @@ enum class BodeOf : std::uint8_t { Loop, Motor };
 /// The open loop, or the motor (of a current: the closed loop), of the points that tell it.
 BodeCurve bodeCurve(const lab::FrequencyResponse &response, BodeOf of);
 
-class BodePlot : public KeyedPlot {
+class BodePlot final : public KeyedPlot {
     Q_OBJECT
 public:
     explicit BodePlot(QWidget *parent = nullptr);
@@ -47,23 +45,18 @@ public:
     QSize minimumSizeHint() const override { return {240, 110}; }
 
 protected:
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     void zoom(double factor) override;
     void pan(double share) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     enum Part : std::size_t { Gain, Phase, Coherence, kParts };
-    void applyPalette();
-    void draw();
+    void dress() override;
+    void draw() override;
     void drawCurve(const BodeCurve &curve, bool dark);
     void scale();
     void bound(const QCPRange &range);
     void setLimits(double least, double most);
 
-    QCustomPlot *m_plot;
-    QLabel *m_none;
     std::array<QCPAxisRect *, kParts> m_rects{};
     QVector<BodeCurve> m_curves;
     QString m_unit;
