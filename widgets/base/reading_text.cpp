@@ -35,6 +35,14 @@ QString exactTime(double seconds, const QLocale &locale)
     return withMinus(timeLabel(seconds, step, std::max(size, kFinestTime), locale));
 }
 
+QString spanTime(double seconds, const QLocale &locale)
+{
+    constexpr double kDigits = 1e-3, kFinest = 1e-4;
+    const double size = std::max(std::abs(seconds), kFinest);
+    const double step = std::max(kFinest, decade(size * kDigits));
+    return withMinus(timeLabel(seconds, step, std::max(size, 1e-3), locale));
+}
+
 QString inverseTime(double seconds, const QLocale &locale)
 {
     if (!(std::abs(seconds) > 0) || !std::isfinite(seconds))

@@ -12,6 +12,9 @@ namespace widgets {
 /// "12.345679 s".
 QString exactTime(double seconds, const QLocale &locale);
 
+/// How long something took, as far as a program that was told of it knows: three or four digits, nothing below 0.1 ms.
+QString spanTime(double seconds, const QLocale &locale);
+
 /// The inverse of a time in five digits, e.g. "53.333 Hz", "1.6000 kHz"; a dash for no time at all.
 QString inverseTime(double seconds, const QLocale &locale);
 

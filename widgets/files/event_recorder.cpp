@@ -277,7 +277,7 @@ void EventRecorder::link()
             began && m_loss->how < Trouble::Lost && link.reason != drive::LinkReason::BoardReset) {
             m_log.setText(m_loss->id, // a moment that is over: its line is enough
                 tr("%1, for %2", "trouble of the link, how long")
-                    .arg(began->text, exactTime(now() - began->seconds, QLocale())));
+                    .arg(began->text, spanTime(now() - began->seconds, QLocale())));
             m_loss.reset();
             break;
         }

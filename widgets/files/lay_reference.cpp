@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QKeySequence>
 
 #include <algorithm>
 #include <array>
@@ -82,6 +83,17 @@ QString laidText(ScopeView &scope, Reference which)
     return (ghosts.zero().trigger ? Laid::tr("At the trigger lies: %1.", "a moment of a file")
                                   : Laid::tr("At the left edge lies: %1.", "a moment of a file"))
         .arg(what);
+}
+
+QString replacedText(Reference which, bool back)
+{
+    const QString letter(QLatin1Char(which == Reference::A ? 'A' : 'B'));
+    if (back)
+        return Laid::tr("Reference %1 is again the one before.", "a letter").arg(letter);
+    const QKeySequence key(Qt::SHIFT | (which == Reference::A ? Qt::Key_R : Qt::Key_B));
+    return Laid::tr(
+        "There was a reference %1 already. It is replaced; %2 brings it back.", "a letter, a key")
+        .arg(letter, key.toString(QKeySequence::NativeText));
 }
 
 } // namespace widgets

@@ -21,4 +21,7 @@ QString layReference(
 /// Which of its moments lies where; of a reference from a file.
 QString laidText(ScopeView &scope, Reference which);
 
+/// That a reference was replaced, and how to have it back. @param back  it is
+QString replacedText(Reference which, bool back);
+
 } // namespace widgets

@@ -59,6 +59,8 @@ void ScopeGhosts::replace(Reference which, Kept kept)
     const auto index = static_cast<std::size_t>(which);
     m_replaced[index] = std::exchange(m_references[index], std::move(kept));
     Q_EMIT referencesChanged();
+    if (m_replaced[index].ghost.kept)
+        Q_EMIT replaced(which, false);
     Q_EMIT redrawWanted();
 }
 
@@ -84,6 +86,8 @@ void ScopeGhosts::drop(Reference which)
     const auto index = static_cast<std::size_t>(which);
     m_references[index] = std::exchange(m_replaced[index], {});
     Q_EMIT referencesChanged();
+    if (hasReference(which))
+        Q_EMIT replaced(which, true);
     Q_EMIT redrawWanted();
 }
 

@@ -63,6 +63,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void referencesChanged();
     void laid(widgets::Reference which); ///< another instant of it
+    /// By another one, which drop() takes away again; or @param back  the one that was replaced is there again.
+    void replaced(widgets::Reference which, bool back);
     void redrawWanted();
 
 private:

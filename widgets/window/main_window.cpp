@@ -1,11 +1,11 @@
 #include "widgets/window/main_window.h"
 
 #include "widgets/base/banner.h"
+#include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
-#include "widgets/base/replaying.h"
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/current_scale_dialog.h"
@@ -409,6 +409,9 @@ void MainWindow::connectFlows()
     });
     connect(&m_scope->ghosts(), &ScopeGhosts::laid, m_news,
         [this](Reference which) { m_news->say(Banner::Kind::Note, laidText(*m_scope, which)); });
+    connect(&m_scope->ghosts(), &ScopeGhosts::replaced, m_news, [this](Reference which, bool back) {
+        m_news->say(Banner::Kind::Note, replacedText(which, back));
+    });
     connect(m_record, &RecordControl::said, m_news, &LinkNews::say);
     connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
     connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);

@@ -11,6 +11,7 @@
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>
@@ -608,6 +609,27 @@ private Q_SLOTS:
         const auto report = session::readRecording(path, independent);
         QVERIFY(report && report->ending);
         QVERIFY(report->notes.empty());
+    }
+
+    /// What was on the scope is there when its recording is opened, read one by one or not.
+    void whatWasOnTheScopeIsShownOfTheFile()
+    {
+        makeRig();
+        connectToBoard();
+        const auto polled = device().catalog()->resolve("SPEED_MEAS");
+        QVERIFY(polled);
+        m_rig->window.selection()->add(*polled, 0);
+        QTRY_VERIFY(capture().find(*polled) && scope()->plotOf(*capture().find(*polled)) >= 0);
+        QVERIFY(
+            capture().info(*capture().find(*polled))->kind == capture::ChannelInfo::Kind::Polled);
+        const QString path = m_folder.filePath(QStringLiteral("polled.pcapng"));
+        recordAfresh(path);
+        disconnectFromBoard();
+        openRecording(path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        const auto channel = capture().find(*polled);
+        QVERIFY(channel && scope()->plotOf(*channel) >= 0);
+        QCOMPARE(scope()->channels().size(), 5); // and nothing else that was read for the tables
     }
 
     void durationsAreHoursMinutesSeconds()

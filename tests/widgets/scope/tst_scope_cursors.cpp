@@ -358,6 +358,10 @@ void TestScopeCursors::timesAndInversesAreExact()
     QCOMPARE(widgets::exactTime(0.0, locale), QStringLiteral("0.0\u2009\u00b5s"));
     QCOMPARE(widgets::exactTime(-62.5e-6, locale), QStringLiteral("\u221262.5\u2009\u00b5s"));
     QCOMPARE(widgets::exactTime(0.01875, locale), QStringLiteral("18.7500\u2009ms"));
+    QCOMPARE(widgets::spanTime(0.016, locale), QStringLiteral("16.0\u2009ms"));
+    QCOMPARE(widgets::spanTime(0.35249, locale), QStringLiteral("352\u2009ms"));
+    QCOMPARE(widgets::spanTime(1.23456, locale), QStringLiteral("1.23\u2009s"));
+    QCOMPARE(widgets::spanTime(0.0, locale), QStringLiteral("0.0\u2009ms"));
     QCOMPARE(widgets::exactTime(12.3456789, locale), QStringLiteral("12.345679\u2009s"));
     QCOMPARE(widgets::inverseTime(0.0, locale), QStringLiteral("\u2013"));
     QCOMPARE(widgets::inverseTime(-62.5e-6, locale), QStringLiteral("16.000\u00a0kHz"));

@@ -696,18 +696,23 @@ void TestTriggerBar::aReplacedReferenceComesBack()
     square(500);
     view().fitValues();
     QTest::keyClick(&view(), Qt::Key_R);
+    const auto said = [&] { return m_rig->find<QLabel>("bannerText")->text(); };
+    QVERIFY2(!said().contains(QStringLiteral("reference A")), qPrintable(said()));
     setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
     square(500);
     view().setRunning(false);
     m_rig->draw();
     const QImage first = m_rig->plot().grab().toImage();
     QTest::keyClick(&view(), Qt::Key_R); // by mistake
+    QCOMPARE(said(),
+        QStringLiteral("There was a reference A already. It is replaced; Shift+R brings it back."));
     m_rig->draw();
     QVERIFY(first != m_rig->plot().grab().toImage());
     QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
     m_rig->draw();
     QVERIFY(view().ghosts().hasReference());
     QVERIFY(first == m_rig->plot().grab().toImage());
+    QCOMPARE(said(), QStringLiteral("Reference A is again the one before."));
     QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
     QVERIFY(!view().ghosts().hasReference());
 }

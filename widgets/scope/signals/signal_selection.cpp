@@ -7,6 +7,7 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace widgets {
@@ -131,15 +132,19 @@ void SignalSelection::follow()
     Q_EMIT changed();
 }
 
-/// What was only read now and then, for the tables of the window, would bury what the user wanted to see.
+/// What was only read now and then, for the tables of the window, would bury what the user wanted to see; what was on the
+/// scope before is wanted.
 void SignalSelection::fill()
 {
     const std::vector<capture::ChannelInfo> all = m_capture.channels();
-    const bool streamed = std::any_of(
-        all.begin(), all.end(), [](const auto &info) { return info.kind != Kind::Polled; });
+    std::set<catalog::RegisterId> streamed;
+    for (const capture::ChannelInfo &info : all)
+        if (info.kind != Kind::Polled)
+            streamed.insert(info.registerId);
     m_left = 0;
     for (const capture::ChannelInfo &info : all) {
-        if (streamed && info.kind == Kind::Polled)
+        const bool wanted = m_plan.find(info.registerId) && !streamed.contains(info.registerId);
+        if (!streamed.empty() && info.kind == Kind::Polled && !wanted)
             continue;
         if (isFullOfFile())
             ++m_left;
