@@ -1,5 +1,5 @@
 // gains: what the regulators need for a bandwidth and a damping, and how well their digits can say it.
-#include "drive/gain_plant.h"
+#include "drive/motor_view.h"
 #include "motor/gain_plan.h"
 #include "motor_facts.h"
 #include "write_report.h"

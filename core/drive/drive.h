@@ -5,15 +5,24 @@
 // A drive is made read-only. Until arm() it has no way to write: wishes that write or move end NotSent.
 #pragma once
 
+#include "aspep/packet.h"
 #include "base/output.h"
 #include "drive/event.h"
-#include "drive/line_memory.h"
+#include "drive/protocol.h"
 #include "drive/wish.h"
 
 #include <optional>
 #include <vector>
 
 namespace drive {
+
+/// What is known of the board at a line from when it was heard last. A stop needs it where nothing is heard any more; it
+/// outlives the link, the drive and the port.
+struct LineMemory {
+    std::optional<Protocol> spoken{}; ///< where the drive had to find out
+    int motors = 1;
+    std::optional<aspep::Beacon> agreed{}; ///< of MCP over ASPEP; a board takes no wider one
+};
 
 class Drive {
 public:

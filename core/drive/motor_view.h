@@ -4,6 +4,7 @@
 #pragma once
 
 #include "drive/event.h"
+#include "motor/gain_plan.h"
 #include "motor/motor_sheet.h"
 
 #include <functional>
@@ -63,6 +64,9 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
 
 /// The same as a description that files can be compared with; what the board does not say is not in it.
 motor::MotorSheet sheetOf(const MotorFacts &facts);
+
+/// The same as what a gain plan starts from.
+motor::GainPlant gainPlant(const MotorFacts &facts);
 
 /// In the order motor, application, firmware, scales, board.
 std::vector<StructureView> motorStructures(

@@ -1,7 +1,6 @@
 #include "widgets/base/device.h"
 
 #include "drive/board_facts.h"
-#include "widgets/base/replaying.h"
 
 namespace widgets {
 namespace {

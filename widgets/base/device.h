@@ -143,4 +143,10 @@ private:
     bool m_cyclicSetPoints = false;
 };
 
+/// What is connected is a recording: nothing of it can turn, be written or be armed.
+inline bool replaying(const Device &device)
+{
+    return device.endpoint().kind == session::Endpoint::Kind::Trace;
+}
+
 } // namespace widgets

@@ -4,7 +4,6 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
-#include "widgets/base/replaying.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/state_strip.h"

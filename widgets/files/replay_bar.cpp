@@ -2,7 +2,6 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
-#include "widgets/base/replaying.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"

@@ -1,6 +1,6 @@
 #include "widgets/forms/gain_motor.h"
 
-#include "drive/gain_plant.h"
+#include "drive/motor_view.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_number.h"
 

@@ -2,7 +2,7 @@
 
 #include "catalog/gain_rows.h"
 #include "drive/board_facts.h"
-#include "drive/gain_plant.h"
+#include "drive/motor_view.h"
 #include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"

@@ -6,7 +6,6 @@
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
-#include "widgets/base/replaying.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 

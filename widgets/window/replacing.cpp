@@ -1,7 +1,7 @@
 #include "widgets/window/replacing.h"
 
+#include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/replaying.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/record_control.h"
 #include "widgets/window/workbench.h"

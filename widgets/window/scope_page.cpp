@@ -1,10 +1,10 @@
 #include "widgets/window/scope_page.h"
 
+#include "widgets/base/device.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/spacing.h"
-#include "widgets/base/replaying.h"
 #include "widgets/files/record_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/scope/cursor_panel.h"

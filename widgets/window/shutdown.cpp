@@ -1,7 +1,5 @@
 #include "widgets/window/shutdown.h"
 
-#include "widgets/base/replaying.h"
-
 namespace widgets {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "widgets/window/workbench.h"
 
-#include "widgets/base/replaying.h"
 #include "widgets/files/open_recording.h"
 
 #include <QCoreApplication>

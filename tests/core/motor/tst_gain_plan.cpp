@@ -1,6 +1,6 @@
 // The plan of a board's gains: ST's numbers, what the loops will do with them, and what is said about plans that are
 // no good. And what a board says as the plan's plant.
-#include "drive/gain_plant.h"
+#include "drive/motor_view.h"
 #include "motor/gain_plan.h"
 
 #include <QTest>
