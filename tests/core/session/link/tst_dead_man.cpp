@@ -6,6 +6,8 @@
 
 #include <QtTest>
 
+#include <atomic>
+
 using namespace fakes;
 using drive::MotorState;
 using session::Attendance;
@@ -96,7 +98,14 @@ struct Threaded {
     template <class What>
     void ask(What what)
     {
-        QMetaObject::invokeMethod(thread.session(), what, Qt::BlockingQueuedConnection);
+        std::atomic<bool> over{
+            false}; // an order that a sanitizer sees, beside the lock of Qt that it does not
+        const auto call = [&] {
+            what();
+            over = true;
+        };
+        QMetaObject::invokeMethod(thread.session(), call, Qt::BlockingQueuedConnection);
+        QVERIFY(over);
     }
     void arm()
     {
