@@ -98,8 +98,8 @@ struct Threaded {
     template <class What>
     void ask(What what)
     {
-        std::atomic<bool> over{
-            false}; // an order that a sanitizer sees, beside the lock of Qt that it does not
+        // An order that a sanitizer sees, beside the lock of Qt that it does not.
+        std::atomic<bool> over{false};
         const auto call = [&] {
             what();
             over = true;

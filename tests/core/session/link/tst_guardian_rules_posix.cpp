@@ -640,8 +640,8 @@ void TestGuardianRules::whatIsLetGoIsLetGo()
     QVERIFY(life("has let go").said.isEmpty());
     QVERIFY(life("left for good").said.isEmpty());
     QVERIFY(m_dismissed);
-    const QByteArray said =
-        life("no port").said; // a sanitizer may have its own word at the end of a program
+    // A sanitizer may have its own word at the end of a program.
+    const QByteArray said = life("no port").said;
     QVERIFY2(!said.contains("the program"), said.constData());
 }
 
