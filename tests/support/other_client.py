@@ -95,15 +95,13 @@ class Line:
         return True
 
     def packet(self, until):
-        """(word, payload), or None when the time is over. What is no header was cut off before one: it is passed over."""
-        while True:
-            while len(self.buffer) < 4:
-                if not self.fill(until):
-                    return None
-            word = struct.unpack_from("<I", self.buffer)[0]
-            if crc_holds(word):
-                break
-            del self.buffer[0]
+        """(word, payload), or None when the time is over or where a header should be there is none."""
+        while len(self.buffer) < 4:
+            if not self.fill(until):
+                return None
+        word = struct.unpack_from("<I", self.buffer)[0]
+        if not crc_holds(word):
+            return None
         size = word >> 4 & 0x1FFF if word & 15 in (DATA, RESPONSE) else 0
         while len(self.buffer) < 4 + size:
             if not self.fill(until):
@@ -111,6 +109,14 @@ class Line:
         payload = bytes(self.buffer[4:4 + size])
         del self.buffer[:4 + size]
         return word, payload
+
+    def skip_behind(self, packet, until):
+        """Whether it came. One in eighty places among samples looks like a header, none like a known BEACON."""
+        while packet not in self.buffer:
+            if not self.fill(until):
+                return False
+        del self.buffer[:self.buffer.index(packet) + len(packet)]
+        return True
 
 
 class Client:
@@ -141,6 +147,7 @@ class Client:
         """Everything at its largest, then what the board can, then a PING."""
         widest = struct.unpack("<I", header(0x0FFFFF85))[0] & 0x0FFFFFFF
         for _ in range(10):
+            self.line.buffer.clear()
             offer = self.exchange(header(widest), BEACON)
             if offer is None:
                 continue
@@ -156,9 +163,10 @@ class Client:
     def again(self):
         """After a lost packet: the agreed BEACON until it is echoed, then PING."""
         self.counts["recoveries"] += 1
-        self.line.buffer.clear()
+        beacon = struct.pack("<I", self.agreed)
         for _ in range(10):
-            if self.exchange(header(self.agreed & 0x0FFFFFFF), BEACON) == self.agreed:
+            self.line.send(beacon)
+            if self.line.skip_behind(beacon, time.monotonic() + REPLY_S):
                 reply = self.exchange(header(PING), PING)
                 if reply is not None and reply >> 4 & 3 == 3:
                     return
@@ -225,10 +233,13 @@ def record(client, size, seconds):
     while time.monotonic() < end:
         client.get(SPEED_MEAS)
     client.set_raw(DATALOG, datalog(size, 0, [], 0))
-    samples, lost, expected, total = 0, 0, None, 0
+    samples, lost, torn, expected, total = 0, 0, 0, None, 0
     for payload in client.records:
         if payload[-2:] != b"\x01\x00" or (len(payload) - 6) % 4:
-            raise Trouble(f"a datalog packet of another form, {len(payload)} bytes")
+            torn += 1  # the line lost some of it; then the next header was lost, too
+            if torn > client.counts["recoveries"]:
+                raise Trouble(f"a datalog packet of another form, {len(payload)} bytes")
+            continue
         stamp, blocks = struct.unpack_from("<I", payload)[0], (len(payload) - 6) // 4
         if expected is not None:
             lost += stamp - expected & 0xFFFFFFFF
