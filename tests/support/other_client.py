@@ -254,13 +254,21 @@ def run(client, options):
     if client.set_raw(DATALOG, datalog(2048, 0, [], 0)) is None:
         raise Trouble("the datalog cannot be stopped")
     describe(client)
-    _, status = client.request(START, motor=1, repeat=False)
-    print("START:", status)
     try:
+        start(client)
         return drive(client, options)
     finally:
         client.request(STOP, motor=1)
         client.wait_for(IDLE, 20)
+
+
+def start(client):
+    """Again where nothing came of it: a lost START must not be sent twice, but a motor at rest has not had it."""
+    for _ in range(4):
+        _, status = client.request(START, motor=1, repeat=False)
+        print("START:", status)
+        if status is not None or client.get(STATUS)[0] != IDLE:
+            return
 
 
 def drive(client, options):
