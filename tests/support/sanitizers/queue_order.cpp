@@ -4,10 +4,16 @@
 
 #include <QCoreApplication>
 #include <QObject>
+#include <QSemaphore>
+#include <QThread>
+#include <QThreadPool>
+#include <QThreadStorage>
 #include <sanitizer/tsan_interface.h>
 
 #include <atomic>
 #include <cstddef>
+#include <dlfcn.h>
+#include <utility>
 
 extern "C" int __sanitizer_install_malloc_and_free_hooks(
     void (*allocated)(const volatile void *, std::size_t), void (*freed)(const volatile void *));
@@ -30,13 +36,81 @@ void allocated(const volatile void *, std::size_t bytes)
 
 void freed(const volatile void *) { }
 
+/// Qt ends it in its thread behind all objects of that, and before anybody who waits for the thread goes on.
+struct LastOfThread {
+    ~LastOfThread() { __tsan_release(&order); }
+};
+
+QThreadStorage<LastOfThread *> &lastOfThread()
+{
+    static QThreadStorage<LastOfThread *> last;
+    return last;
+}
+
 bool delivered(void **)
 {
     __tsan_acquire(&order);
+    if (thread_local bool known = false; !std::exchange(known, true))
+        lastOfThread().setLocalData(new LastOfThread);
     return false; // the event goes its way
 }
 
+/// What this program's own definition hides.
+template <class Function>
+Function hidden(const char *symbol)
+{
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, symbol));
+}
+
 } // namespace
+
+// The functions of Qt that begin or await something, with their order told. The linker takes these for every call from this
+// program; an object is the first argument.
+
+void QThreadPool::start(std::function<void()> work, int priority)
+{
+    using Start = void (*)(QThreadPool *, std::function<void()>, int);
+    static const auto start = hidden<Start>("_ZN11QThreadPool5startESt8functionIFvvEEi");
+    std::function<void()> told = [work = std::move(work)] {
+        __tsan_acquire(&order);
+        work();
+        __tsan_release(&order);
+    };
+    __tsan_release(&order); // what is made is made
+    start(this, std::move(told), priority);
+}
+
+bool QThreadPool::waitForDone(int milliseconds)
+{
+    static const auto wait =
+        hidden<bool (*)(QThreadPool *, int)>("_ZN11QThreadPool11waitForDoneEi");
+    const bool done = wait(this, milliseconds);
+    __tsan_acquire(&order);
+    return done;
+}
+
+bool QThread::wait(QDeadlineTimer deadline)
+{
+    static const auto wait =
+        hidden<bool (*)(QThread *, QDeadlineTimer)>("_ZN7QThread4waitE14QDeadlineTimer");
+    const bool ended = wait(this, deadline);
+    __tsan_acquire(&order);
+    return ended;
+}
+
+void QSemaphore::acquire(int count)
+{
+    static const auto acquire = hidden<void (*)(QSemaphore *, int)>("_ZN10QSemaphore7acquireEi");
+    acquire(this, count);
+    __tsan_acquire(&order);
+}
+
+void QSemaphore::release(int count)
+{
+    static const auto release = hidden<void (*)(QSemaphore *, int)>("_ZN10QSemaphore7releaseEi");
+    __tsan_release(&order);
+    release(this, count);
+}
 
 void support::tellQueueOrder()
 {

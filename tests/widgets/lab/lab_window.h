@@ -124,4 +124,31 @@ struct LabWindow {
     }
 };
 
+/// The window on the program's own board of the older protocol, which records nothing.
+struct OlderBoardWindow {
+    facts::WindowRig rig;
+
+    /// @param key  with Ctrl, opens the page  @param buttons  what runs an experiment  @param sentence  says why it cannot
+    void greyWithTheReason(
+        Qt::Key key, std::initializer_list<const char *> buttons, const char *sentence)
+    {
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, key, Qt::ControlModifier);
+        session::Endpoint endpoint;
+        endpoint.board = "legacy";
+        endpoint.baud = 115200;
+        endpoint.protocol = drive::Protocol::Fcp;
+        rig.workbench.device().open(endpoint);
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+        for (const char *name : buttons) {
+            auto *run = rig.find<QPushButton>(name);
+            QTRY_VERIFY(!run->toolTip().isEmpty());
+            QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
+            QVERIFY(!run->isEnabled());
+        }
+        QVERIFY(!rig.workbench.experiments().obstacle().isEmpty());
+        QCOMPARE(rig.find<QLabel>(sentence)->text(), rig.workbench.experiments().obstacle());
+    }
+};
+
 } // namespace support

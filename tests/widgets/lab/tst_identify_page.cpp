@@ -62,10 +62,10 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.asks());
         QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
 
-        QVERIFY(bench.runToItsEnd("electricalRun"));
+        QVERIFY2(bench.runToItsEnd("electricalRun"), qPrintable(toldOf(bench)));
         QVERIFY2(bench.said("identifySentence").contains(QLatin1String("the motor is as it was")),
             qPrintable(bench.said("identifySentence")));
-        QVERIFY(bench.runToItsEnd("mechanicalRun"));
+        QVERIFY2(bench.runToItsEnd("mechanicalRun"), qPrintable(toldOf(bench)));
         QCOMPARE(bench.questions, 2); // the mechanics are another kind of motion
         QTRY_COMPARE(bench.state(), MotorState::Idle);
         const motor::MotorSheet measured = findingsOf(bench).measured();
@@ -121,23 +121,8 @@ private Q_SLOTS:
 
     void whatABoardCannotDoIsGreyWithTheReason()
     {
-        facts::WindowRig rig; // the old protocol, in the program's own simulated board
-        QApplication::setActiveWindow(&rig.window);
-        QTest::keyClick(&rig.window, Qt::Key_I, Qt::ControlModifier);
-        session::Endpoint endpoint;
-        endpoint.board = "legacy";
-        endpoint.baud = 115200;
-        endpoint.protocol = drive::Protocol::Fcp;
-        rig.workbench.device().open(endpoint);
-        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
-        for (const char *name : {"electricalRun", "mechanicalRun"}) {
-            auto *run = rig.find<QPushButton>(name);
-            QTRY_COMPARE(run->toolTip().isEmpty(), false);
-            QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
-            QVERIFY(!run->isEnabled());
-        }
-        QCOMPARE(
-            rig.find<QLabel>("identifySentence")->text(), rig.workbench.experiments().obstacle());
+        support::OlderBoardWindow old;
+        old.greyWithTheReason(Qt::Key_I, {"electricalRun", "mechanicalRun"}, "identifySentence");
     }
 };
 

@@ -1,25 +1,18 @@
 // Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves in
 // the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of it.
 #include "session/recording/recording_reader.h"
-#include "support/judged_line.h"
-#include "support/window_rig.h"
-#include "widgets/lab/experiments.h"
+#include "widgets/lab/lab_window.h"
 #include "widgets/lab/live_gain.h"
 #include "widgets/lab/plan_picture.h"
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
 #include "widgets/scope/scope_view.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialog>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTreeView>
 #include <QUndoStack>
 #include <QWheelEvent>
 
@@ -28,69 +21,30 @@ using namespace std::chrono_literals;
 
 namespace {
 
-simulation::BoardOptions boardWithEncoder()
-{
-    simulation::BoardOptions options;
-    options.motor = "servo24";
-    return options;
-}
-
-widgets::Settings settings()
-{
-    widgets::Settings settings = facts::WindowRig::quietSettings();
-    settings.port = QStringLiteral("/dev/ttyServo");
-    settings.protocol = QStringLiteral("mcp");
-    settings.samplesOnDiskGB = 0.0;
-    return settings;
-}
-
 constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
 
-/// The window, connected, and the page open.
-struct Bench {
-    support::JudgedWorld world;
-    facts::WindowRig rig;
-    support::WindowActs acts;
+/// A motor with an encoder, and the page open.
+struct Bench : support::LabWindow {
     int actions = 0; ///< of a person, since the test set it to 0
 
-    explicit Bench(const simulation::BoardOptions &board = boardWithEncoder())
-        : world(board, drive::Protocol::Mcp)
-        , rig(settings(), session::makeDiskSink, world.parts())
-        , acts(world, rig.window, rig.workbench.device())
+    Bench()
+        : LabWindow("servo24")
     {
-        rig.window.resize(1280, 720);
-        QApplication::setActiveWindow(&rig.window);
-        QTest::keyClick(&rig.window, Qt::Key_T, Qt::ControlModifier);
+        open(Qt::Key_T, Qt::ControlModifier);
     }
-    ~Bench() { world.act(judge::Act::Kind::Leave); }
 
-    widgets::Device &device() { return rig.workbench.device(); }
-    MotorState state() { return device().status(1).state; }
-    template <class T = QWidget>
-    T *find(const char *name) const
-    {
-        return rig.find<T>(name);
-    }
     QPushButton *run() const { return find<QPushButton>("stepRun"); }
-    QString said() const { return find<QLabel>("stepSentence")->text(); }
+    QString said() const { return LabWindow::said("stepSentence"); }
     const QAbstractItemModel &rows() const { return *find<QTreeView>("stepRuns")->model(); }
-    QString cell(int row, int column) const { return rows().index(row, column).data().toString(); }
+    QString cell(int row, int column) const { return LabWindow::cell("stepRuns", row, column); }
     widgets::LiveGain *kp() const { return rig.window.findChild<widgets::LiveGain *>(); }
 
     bool connectBoard()
     {
-        QTest::mouseClick(find<QPushButton>("connect"), Qt::LeftButton);
-        return QTest::qWaitFor([this] {
-            return device().identified() && state() == MotorState::Idle && kp()->digits();
-        });
+        return LabWindow::connectBoard()
+            && QTest::qWaitFor([this] { return kp()->digits().has_value(); });
     }
-    bool arm()
-    {
-        QTest::mouseClick(find<QCheckBox>("arm"), Qt::LeftButton, {},
-            QPoint(8, find<QCheckBox>("arm")->height() / 2));
-        acts.noteArming();
-        return QTest::qWaitFor([this] { return device().armed() && run()->isEnabled(); });
-    }
+    bool arm() { return LabWindow::arm("stepRun"); }
     /// Short ones.
     void plan(int from, int to, int repeat = 1)
     {
@@ -103,32 +57,15 @@ struct Bench {
     void press(const char *name)
     {
         ++actions;
-        QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton);
-        acts.noteArming();
+        LabWindow::press(name);
     }
-    void answer(const char *name)
-    {
-        auto *dialog = find<QDialog>("experimentQuestion");
-        QVERIFY(dialog);
-        QTest::mouseClick(dialog->findChild<QPushButton *>(QLatin1String(name)), Qt::LeftButton);
-        QTRY_VERIFY(!asks());
-        QApplication::setActiveWindow(&rig.window); // which a window manager does
-    }
-    bool asks() const { return find<QDialog>("experimentQuestion") != nullptr; }
-    bool running() { return rig.workbench.experiments().running(); }
     bool runToItsEnd()
     {
         const int before = rows().rowCount();
         press("stepRun");
         if (asks())
-            answer("experimentConfirm");
+            agree();
         return QTest::qWaitFor([&] { return rows().rowCount() > before; }, kSeriesMs);
-    }
-    std::int64_t held(const char *name)
-    {
-        const auto id = rig.workbench.registers().idOf(name);
-        const auto value = id ? rig.workbench.registers().known(*id) : std::nullopt;
-        return value ? std::get<std::int64_t>(*value) : 0;
     }
     /// As a person turns the wheel over a field, one notch.
     void wheel(QWidget *over, int notches)
@@ -376,7 +313,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.run()->isEnabled());
         bench.press("stepRun");
         QVERIFY(bench.asks());
-        bench.answer("experimentConfirm");
+        bench.agree();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.running() && bench.rows().rowCount() == 2, kSeriesMs);
         QTest::mouseClick(bench.find<QCheckBox>("arm"), Qt::LeftButton, {},
             QPoint(8, bench.find<QCheckBox>("arm")->height() / 2));
@@ -402,7 +339,7 @@ private Q_SLOTS:
         QVERIFY(bench.arm());
         bench.plan(1000, 1500, 20);
         bench.press("stepRun");
-        bench.answer("experimentConfirm");
+        bench.agree();
         QTRY_VERIFY_WITH_TIMEOUT(bench.said().startsWith(QLatin1String("Step 2 of 40")), kSeriesMs);
         if (byKey)
             QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
@@ -421,20 +358,8 @@ private Q_SLOTS:
 
     void aBoardThatRecordsNothingIsGreyWithTheReason()
     {
-        facts::WindowRig rig; // the old protocol, in the program's own simulated board
-        QApplication::setActiveWindow(&rig.window);
-        QTest::keyClick(&rig.window, Qt::Key_T, Qt::ControlModifier);
-        session::Endpoint endpoint;
-        endpoint.board = "legacy";
-        endpoint.baud = 115200;
-        endpoint.protocol = drive::Protocol::Fcp;
-        rig.workbench.device().open(endpoint);
-        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
-        auto *run = rig.find<QPushButton>("stepRun");
-        QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
-        QVERIFY(!run->isEnabled());
-        QVERIFY(!rig.workbench.experiments().obstacle().isEmpty());
-        QCOMPARE(rig.find<QLabel>("stepSentence")->text(), rig.workbench.experiments().obstacle());
+        support::OlderBoardWindow old;
+        old.greyWithTheReason(Qt::Key_T, {"stepRun"}, "stepSentence");
     }
 
 private:
