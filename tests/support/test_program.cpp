@@ -2,8 +2,6 @@
 // that its first argument names; all further arguments are the test's own.
 #include "test_program.h"
 
-#include "support/sanitizers/queue_order.h"
-
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -29,7 +27,6 @@ NamedTest::NamedTest(const char *source, TestMain main) { tests()[nameOf(source)
 
 int main(int argc, char *argv[])
 {
-    support::tellQueueOrder();
     for (int named = 0; named < std::min(argc, 2); ++named)
         if (const auto test = tests().find(nameOf(argv[named])); test != tests().end())
             return test->second(argc - named, argv + named);

@@ -1,5 +1,7 @@
-#include "support/sanitizers/queue_order.h"
-
+// ThreadSanitizer does not see the locks of Qt, because Debian's Qt is not instrumented: whatever a queued call or a job of a
+// pool carries looks like a race, and so does what is ended after its thread. This tells it the order that there is: what comes
+// before a call or a job is queued comes before what that does; what a thread or a job has done comes before the return of
+// those who waited for it. Linked into every program of a build with it, and into no other.
 #ifdef __SANITIZE_THREAD__
 
 #include <QCoreApplication>
@@ -121,10 +123,12 @@ void QSemaphore::release(int count)
     release(this, count);
 }
 
-void support::tellQueueOrder()
-{
+namespace {
+
+/// Before there is a second thread.
+const bool told = [] {
     if (__sanitizer_install_malloc_and_free_hooks(allocated, freed) == 0)
-        return;
+        return false;
     QObject object;
     QMetaObject::invokeMethod(
         &object, [] {}, Qt::QueuedConnection); // room in the queue
@@ -132,11 +136,9 @@ void support::tellQueueOrder()
     QMetaObject::invokeMethod(
         &object, [] {}, Qt::QueuedConnection);
     probing = false;
-    QInternal::registerCallback(QInternal::EventNotifyCallback, delivered);
-}
+    return QInternal::registerCallback(QInternal::EventNotifyCallback, delivered);
+}();
 
-#else
-
-void support::tellQueueOrder() { }
+} // namespace
 
 #endif

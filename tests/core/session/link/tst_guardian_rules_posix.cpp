@@ -581,7 +581,8 @@ void TestGuardianRules::aKilledProgramIsActedForAtOnceAndInARhythm()
     QVERIFY(killed.ended && killed.letGo);
     QVERIFY(killed.pieces.front().first - *killed.ended < 500ms);
     const Duration lasted = *killed.letGo - killed.pieces.front().first;
-    QVERIFY2(lasted > 1900ms && lasted < 3s, qPrintable(QString::number(lasted.count())));
+    // Twenty in a rhythm of 100 ms; on a busy machine the first is seen late.
+    QVERIFY2(lasted > 1500ms && lasted < 3s, qPrintable(QString::number(lasted.count())));
     std::vector<Duration> gaps;
     for (std::size_t i = 1; i < killed.pieces.size(); ++i)
         gaps.push_back(killed.pieces[i].first - killed.pieces[i - 1].first);
