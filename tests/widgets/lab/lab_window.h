@@ -128,18 +128,20 @@ struct LabWindow {
 struct OlderBoardWindow {
     facts::WindowRig rig;
 
-    /// @param key  with Ctrl, opens the page  @param buttons  what runs an experiment  @param sentence  says why it cannot
-    void greyWithTheReason(
-        Qt::Key key, std::initializer_list<const char *> buttons, const char *sentence)
+    void open(int key, Qt::KeyboardModifiers modifiers) ///< the page, and the board
     {
         QApplication::setActiveWindow(&rig.window);
-        QTest::keyClick(&rig.window, key, Qt::ControlModifier);
+        QTest::keyClick(&rig.window, Qt::Key(key), modifiers);
         session::Endpoint endpoint;
         endpoint.board = "legacy";
         endpoint.baud = 115200;
         endpoint.protocol = drive::Protocol::Fcp;
         rig.workbench.device().open(endpoint);
         QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+    }
+    /// @param buttons  what runs an experiment  @param sentence  says why it cannot
+    void greyWithTheReason(std::initializer_list<const char *> buttons, const char *sentence)
+    {
         for (const char *name : buttons) {
             auto *run = rig.find<QPushButton>(name);
             QTRY_VERIFY(!run->toolTip().isEmpty());

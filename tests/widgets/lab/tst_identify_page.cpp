@@ -122,7 +122,8 @@ private Q_SLOTS:
     void whatABoardCannotDoIsGreyWithTheReason()
     {
         support::OlderBoardWindow old;
-        old.greyWithTheReason(Qt::Key_I, {"electricalRun", "mechanicalRun"}, "identifySentence");
+        old.open(Qt::Key_I, Qt::ControlModifier);
+        old.greyWithTheReason({"electricalRun", "mechanicalRun"}, "identifySentence");
     }
 };
 

@@ -359,7 +359,8 @@ private Q_SLOTS:
     void aBoardThatRecordsNothingIsGreyWithTheReason()
     {
         support::OlderBoardWindow old;
-        old.greyWithTheReason(Qt::Key_T, {"stepRun"}, "stepSentence");
+        old.open(Qt::Key_T, Qt::ControlModifier);
+        old.greyWithTheReason({"stepRun"}, "stepSentence");
     }
 
 private:

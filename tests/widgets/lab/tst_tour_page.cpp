@@ -143,24 +143,17 @@ private Q_SLOTS:
 
     void aBoardThatRecordsNothingIsToldAtTheFirstStation()
     {
-        facts::WindowRig rig; // the old protocol, in the program's own simulated board
-        QApplication::setActiveWindow(&rig.window);
-        QTest::keyClick(&rig.window, Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        session::Endpoint endpoint;
-        endpoint.board = "legacy";
-        endpoint.baud = 115200;
-        endpoint.protocol = drive::Protocol::Fcp;
-        rig.workbench.device().open(endpoint);
-        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+        support::OlderBoardWindow old;
+        old.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         const auto told = [&] {
-            return rig.find<QTreeView>("tourSteps")
+            return old.rig.find<QTreeView>("tourSteps")
                 ->model()
                 ->index(Steps::Check, Steps::ResultColumn)
                 .data()
                 .toString();
         };
-        QTRY_COMPARE(told(), rig.workbench.experiments().obstacle());
-        QVERIFY(!rig.find<QPushButton>("tourRun")->isEnabled());
+        QTRY_COMPARE(told(), old.rig.workbench.experiments().obstacle());
+        QVERIFY(!old.rig.find<QPushButton>("tourRun")->isEnabled());
     }
 };
 
