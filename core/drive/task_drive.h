@@ -134,6 +134,9 @@ protected:
     std::optional<TimePoint> m_reconnectAt;
 
 private:
+    /// The last request of a wish only read. The watched take turns with such ones: a snapshot reads for seconds.
+    bool m_readLast = false;
+
     /// Takes the answer that belongs to a wish which has ended meanwhile.
     class EndedWish : public Task<P> {
         std::optional<Request> nextRequest(TimePoint) override { return std::nullopt; }
@@ -158,6 +161,7 @@ private:
     {
         return m_wish != nullptr && m_wish->permission() == Permission::Armed && recall(now);
     }
+    static bool acts(const WishTask<P> *wish) { return wish != nullptr && !wish->onlyReads(); }
     void sendNext(TimePoint now);
     bool giveToWish(TimePoint now);
     void close(TimePoint now);
@@ -452,6 +456,9 @@ void TaskDrive<P>::sendNext(TimePoint now)
         if (stopHoldsBack(now) || sendFirst(now) || give(m_vitals, now))
             return;
     }
+    if (open && std::exchange(m_readLast, false) && !acts(m_wishes.next(armed(), now))
+        && give(m_watch, now))
+        return;
     if (!giveToWish(now) && open)
         give(m_watch, now);
 }
@@ -461,6 +468,7 @@ bool TaskDrive<P>::giveToWish(TimePoint now)
 {
     while (WishTask<P> *wish = m_wishes.next(armed(), now)) {
         if (give(*wish, now, wish)) {
+            m_readLast = wish->onlyReads();
             wish->begin();
             return true;
         }

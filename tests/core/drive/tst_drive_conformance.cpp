@@ -104,10 +104,15 @@ public:
         return drive->armed();
     }
     template <class What>
+    WishId submit(What what)
+    {
+        drive->submit({++m_lastWish, std::move(what)}, now);
+        return m_lastWish;
+    }
+    template <class What>
     Ended ask(What what)
     {
-        const WishId id = ++m_lastWish;
-        drive->submit({id, std::move(what)}, now);
+        const WishId id = submit(std::move(what));
         return runUntil([&] { return ended.contains(id); }, 10s)
             ? ended.at(id)
             : Ended{id, Outcome::Unknown, "never", {}};
@@ -135,6 +140,7 @@ public:
     std::optional<MotorStatus> status;
     std::map<WishId, Ended> ended;
     std::map<RegisterId, Reading> values;
+    std::map<RegisterId, int> read; ///< how often it was read
     std::vector<StopWord> words;
 
 private:
@@ -178,8 +184,10 @@ private:
     void take(StopProgress &event) { words.push_back(event.word); }
     void take(RegistersRead &event)
     {
-        for (Reading &reading : event.readings)
+        for (Reading &reading : event.readings) {
+            ++read[reading.id];
             values[reading.id] = std::move(reading);
+        }
     }
     template <class Other>
     void take(Other &)
@@ -252,6 +260,24 @@ private Q_SLOTS:
         QVERIFY(result.before == before);
         QVERIFY(sameValue(wanted, result.readBack.value()));
         QVERIFY(result.verified == true);
+    }
+    /// A snapshot of a whole board takes seconds, and what a running experiment watches may end it.
+    void whatIsWatchedIsReadBesideMuchElse_data() { rows(); }
+    void whatIsWatchedIsReadBesideMuchElse()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet());
+        const RegisterId id = bench.gain();
+        constexpr int kReads = 12, kEach = 16;
+        QVERIFY(bench.ask(Watch{{id}, 1ms}).outcome == Outcome::Ok);
+        const int before = bench.read[id];
+        WishId last = 0;
+        for (int i = 0; i < kReads; ++i)
+            last = bench.submit(Read{std::vector<RegisterId>(kEach, id)});
+        QVERIFY(bench.runUntil([&] { return bench.ended.contains(last); }));
+        QVERIFY(bench.ended.at(last).outcome == Outcome::Ok);
+        const int watched = bench.read[id] - before - kReads * kEach;
+        QVERIFY2(watched >= kReads / 4, qPrintable(QString::number(watched)));
     }
     void whatIsNotThereIsRefused_data() { rows(); }
     void whatIsNotThereIsRefused()
