@@ -83,12 +83,16 @@ void Plant::advance(double dt_s)
     const double copper_j = m_sum.copper_j, inverter_j = m_sum.inverter_j;
     m_windings.prepare(h_s, m_winding.temperature_c(), m_parameters.inverter.switchResistance_ohm);
     m_legs.prepare(dt_s, m_bus.voltage_v());
-    m_bus.prepare(h_s);
-    for (int i = 0; i < steps; ++i) {
-        if (m_legs.bridge().on)
-            drive(h_s);
-        else
-            freewheel(h_s);
+    if (!m_legs.bridge().on && atRest() && m_rotor.stays()) {
+        rest(dt_s);
+    } else {
+        m_bus.prepare(h_s);
+        for (int i = 0; i < steps; ++i) {
+            if (m_legs.bridge().on)
+                drive(h_s);
+            else
+                freewheel(h_s);
+        }
     }
     m_winding.warm(m_sum.copper_j - copper_j, dt_s);
     m_heatsink.warm(m_sum.inverter_j - inverter_j, dt_s);
@@ -134,6 +138,16 @@ void Plant::freewheel(double h_s)
     m_windings.settle(end.current);
     m_phases = Phases::from(Stationary::from(m_windings.current(), m_frame));
     book(end.flow, h_s);
+}
+
+/// The capacitor alone goes on, which one step holds exactly.
+void Plant::rest(double dt_s)
+{
+    m_bus.prepare(dt_s);
+    m_bus.step(0.0);
+    m_hall.turn(0.0, dt_s);
+    m_windings.open();
+    m_phases = {};
 }
 
 void Plant::book(Legs::Flow flow, double h_s)

@@ -83,7 +83,7 @@ public:
     /// What the bridge does from now on; duties are cut to 0..1, not-a-number is 0.5.
     void setBridge(const Bridge &bridge) { m_legs.set(bridge); }
     /// Moves on by one control period, which is one PWM period too, and samples the converters at its end.
-    /// Cost: some 0.6 us for 62.5 us; up to 4 us while the diodes rectify.
+    /// Cost: some 0.6 us for 62.5 us; up to 4 us while the diodes rectify, little of it at rest with the bridge off.
     void advance(double dt_s);
 
     void setLoad(const LoadParameters &load) { m_rotor.setLoad(load); }
@@ -122,6 +122,7 @@ private:
     void turn(double h_s);
     void drive(double h_s);
     void freewheel(double h_s);
+    void rest(double dt_s);
     void book(Legs::Flow flow, double h_s); ///< heat, speed, bus: the end of every step
     void faceAngle(); ///< anew from the rotor's angle, so that no rounding adds up
     void sample();

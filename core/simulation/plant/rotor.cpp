@@ -48,6 +48,13 @@ double Rotor::drift(double step_s)
     return by_rad;
 }
 
+bool Rotor::stays() const
+{
+    return m_speed_radps == 0.0
+        && std::abs(m_load.drive_nm - m_cogging_nm * m_cog.sine)
+        <= m_coulomb_nm + std::abs(m_load.constant_nm);
+}
+
 void Rotor::kick(double torque_nm, double step_s)
 {
     const double before = m_speed_radps;

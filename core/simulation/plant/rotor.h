@@ -24,6 +24,8 @@ public:
     double drift(double step_s);
     /// The other half: torques change the speed.
     void kick(double torque_nm, double step_s);
+    /// True if a rotor that stands goes on to stand without current, for whatever time.
+    bool stays() const;
 
     double angle_rad() const { return m_angle_rad; } ///< 0 to 2 pi between periods
     double speed_radps() const { return m_speed_radps; }

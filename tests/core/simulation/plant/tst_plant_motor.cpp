@@ -53,6 +53,7 @@ private slots:
     void aBrakeStopsEitherDirectionAndTurnsNothing();
     void aDrivingLoadTurnsTheShaft();
     void coastingStopsAfterTheTimeThatFrictionNeeds();
+    void atRestTheBusDischargesAlone();
     void aFansTorqueGrowsWithTheSquare();
     void coggingPullsToItsDetents();
     void coggingRipplesTheSpeedAtItsOrder();
@@ -231,6 +232,23 @@ void TestPlantMotor::coastingStopsAfterTheTimeThatFrictionNeeds()
     const double tau_s = m.inertia_kgm2 / m.viscous_nms;
     const double expected_s = tau_s * std::log(1.0 + m.viscous_nms * 200.0 / m.coulomb_nm);
     QVERIFY(near(periods * kPeriod_s, expected_s, 1e-3));
+}
+
+void TestPlantMotor::atRestTheBusDischargesAlone()
+{
+    PlantParameters p = plain();
+    p.inverter.supplyAbsorbs = false;
+    Plant plant(p, 1);
+    plant.place(0.0, 2.0 * p.inverter.supply_v / (p.motor.flux_wb * p.motor.polePairs));
+    coast(plant, 0.1); // the diodes lift the bus above its supply
+    plant.place(0.0);
+    const double before_v = plant.trueBus_v();
+    QVERIFY(before_v > 1.2 * p.inverter.supply_v);
+    constexpr double kAt_s = 0.1;
+    coast(plant, kAt_s);
+    const double tau_s = p.inverter.bleeder_ohm * p.inverter.busCapacitance_f;
+    QVERIFY(near(plant.trueBus_v(), before_v * std::exp(-kAt_s / tau_s), 1e-9));
+    QVERIFY(plant.atRest());
 }
 
 void TestPlantMotor::aFansTorqueGrowsWithTheSquare()
