@@ -26,10 +26,16 @@ std::string broken(const char *what, double value, double bound, const char *uni
         + ' ' + unit + " that are allowed";
 }
 
+bool boundsBus(const Caps &caps) { return caps.leastBus_v > 0.0 || caps.mostBus_v > 0.0; }
+
 } // namespace
 
 void Envelope::set(const Caps &caps, TimePoint now)
 {
+    if (!boundsBus(m_caps))
+        m_busRead = now;
+    if (!(m_caps.mostTemperature_c > 0.0))
+        m_temperatureRead = now;
     m_caps = caps;
     m_heard = now;
 }
@@ -62,7 +68,7 @@ std::optional<std::string> Envelope::take(
         return samples(*block);
     } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
         for (const drive::Reading &one : read->readings)
-            if (auto found = reading(one, catalog))
+            if (auto found = reading(one, catalog, now))
                 return found;
     }
     return std::nullopt;
@@ -127,30 +133,51 @@ std::optional<std::string> Envelope::speed(double rpm)
 }
 
 std::optional<std::string> Envelope::reading(
-    const drive::Reading &reading, const catalog::Catalog &catalog) const
+    const drive::Reading &reading, const catalog::Catalog &catalog, TimePoint now)
 {
     const auto number = drive::asNumber(reading.value);
     if (reading.status != drive::ReadStatus::Ok || !number || reading.id == 0)
         return std::nullopt;
     const double value = *number * catalog.readScale(reading.id).factor;
     if (reading.id == m_watched.bus) {
+        m_busRead = now;
         if (m_caps.mostBus_v > 0.0 && value > m_caps.mostBus_v)
             return broken("a bus voltage", value, m_caps.mostBus_v, "V");
         if (m_caps.leastBus_v > 0.0 && value < m_caps.leastBus_v)
             return broken("a bus voltage", value, m_caps.leastBus_v, "V");
     }
-    if (reading.id == m_watched.temperature && m_caps.mostTemperature_c > 0.0
-        && value > m_caps.mostTemperature_c)
-        return broken("a temperature", value, m_caps.mostTemperature_c, "\u00b0C");
+    if (reading.id == m_watched.temperature) {
+        m_temperatureRead = now;
+        if (m_caps.mostTemperature_c > 0.0 && value > m_caps.mostTemperature_c)
+            return broken("a temperature", value, m_caps.mostTemperature_c, "\u00b0C");
+    }
     return std::nullopt;
 }
 
 std::optional<std::string> Envelope::silence(TimePoint now) const
 {
-    const auto at = silentAt();
-    if (!at || now < *at)
+    if (m_caps.silence == Duration::zero())
         return std::nullopt;
-    return "no samples came for " + text(toSeconds(m_caps.silence)) + " s";
+    const auto old = [&](TimePoint heard) { return now >= heard + m_caps.silence; };
+    const char *missing = old(m_heard)                             ? "no samples came"
+        : boundsBus(m_caps) && old(m_busRead)                      ? "the bus voltage was not read"
+        : m_caps.mostTemperature_c > 0.0 && old(m_temperatureRead) ? "the temperature was not read"
+                                                                   : nullptr;
+    return missing
+        ? std::optional(std::string(missing) + " for " + text(toSeconds(m_caps.silence)) + " s")
+        : std::nullopt;
+}
+
+std::optional<TimePoint> Envelope::silentAt() const
+{
+    if (m_caps.silence == Duration::zero())
+        return std::nullopt;
+    TimePoint oldest = m_heard;
+    if (boundsBus(m_caps))
+        oldest = std::min(oldest, m_busRead);
+    if (m_caps.mostTemperature_c > 0.0)
+        oldest = std::min(oldest, m_temperatureRead);
+    return oldest + m_caps.silence;
 }
 
 } // namespace lab

@@ -2,7 +2,8 @@
 // at with every packet of samples and every reading, in the thread of the link. It sends nothing.
 //
 // Bounds of speed and current are absolute and of one sample each: none is averaged away. Silence is a bound, too, because
-// a motor that nobody hears of is not under control. A bound of zero holds nothing.
+// a motor that nobody hears of is not under control: of samples, and of each polled figure that is bounded. A bound of zero
+// holds nothing.
 #pragma once
 
 #include "drive/event.h"
@@ -37,20 +38,17 @@ public:
     {
     }
 
-    /// From now on these bounds hold; silence counts from now.
+    /// From now on these bounds hold; silence of samples counts from now, of a reading from when it was first bounded.
     void set(const Caps &caps, TimePoint now);
 
     /// @param unitOf  factor of a polled register's number to its unit
     /// @return  which bound is broken, in words with its numbers; empty: none
     std::optional<std::string> take(
         const drive::Event &event, const catalog::Catalog &catalog, TimePoint now);
+    /// What has not come for too long.
     std::optional<std::string> silence(TimePoint now) const;
     /// When silence breaks it; empty: it does not.
-    std::optional<TimePoint> silentAt() const
-    {
-        return m_caps.silence == Duration::zero() ? std::nullopt
-                                                  : std::optional(m_heard + m_caps.silence);
-    }
+    std::optional<TimePoint> silentAt() const;
 
     std::optional<double> rpm() const { return m_rpm; } ///< the newest
     std::optional<double> amps() const { return m_amps; } ///< over the newest packet
@@ -60,7 +58,7 @@ private:
     std::optional<std::string> speed(double rpm);
     std::optional<double> turnedRpm(const capture::SampleBlock &block) const;
     std::optional<std::string> reading(
-        const drive::Reading &reading, const catalog::Catalog &catalog) const;
+        const drive::Reading &reading, const catalog::Catalog &catalog, TimePoint now);
 
     /// Where a signal is in the blocks of the stream.
     struct Column {
@@ -74,7 +72,7 @@ private:
     std::optional<Column> m_speed, m_current, m_currentD, m_angle;
     double m_sampleHz = 0.0;
     std::optional<double> m_rpm, m_amps;
-    TimePoint m_heard{};
+    TimePoint m_heard{}, m_busRead{}, m_temperatureRead{};
 };
 
 } // namespace lab

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void theWayToTheEnvelopeIsShort_data();
     void theWayToTheEnvelopeIsShort();
     void silenceBreaksIt();
+    void aBoundThatIsNotLookedAtBreaksIt();
     void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
     void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
     void aFaultEndsItAndIsNamed();
@@ -294,6 +295,24 @@ void TestRunner::silenceBreaksIt()
     bench.turn();
     QCOMPARE(bench.stops, 1);
     bench.pair.runFor(6s);
+}
+
+/// A bus that nobody reads may be at any voltage.
+void TestRunner::aBoundThatIsNotLookedAtBreaksIt()
+{
+    LabBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.pair.submit(Watch{});
+    const TimePoint since = bench.pair.now;
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
+    QVERIFY2(bench.runner->outcome().reason.starts_with("the bus voltage was not read for 0.5 s"),
+        bench.runner->outcome().reason.c_str());
+    QVERIFY2(bench.pair.now - since <= 510ms,
+        qPrintable(QString::number(toSeconds(bench.pair.now - since))));
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
 }
 
 /// Twice the least speed at which it starts: 0.3 of the greatest, where nothing else is told.
