@@ -218,8 +218,9 @@ void PlotStack::add(const capture::ChannelInfo &channel, int index, bool alone)
     alone = (alone && !onlyEmptyOne) || index == count();
     ScopePlot &target = alone ? insert(index) : plot(index);
     const int slot = slotFor(channel);
-    QCPAxis *axis = axisFor(target, QString::fromStdString(channel.unit)).axis;
-    target.traces.push_back({channel.id, channel, axis, slot, false});
+    ValueAxis &axis = axisFor(target, QString::fromStdString(channel.unit));
+    target.traces.push_back({channel.id, channel, axis.axis, slot, false});
+    takeHeldRange(target.traces.back(), axis);
     labelAxes(target);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "widgets/scope/scope_plot.h"
+#include "widgets/scope/value_range.h"
 
 #include <QMap>
 
@@ -55,6 +56,10 @@ public:
     void growAxes();
     void fitValues(); ///< all axes, exactly what is visible
     void fitAxis(ValueAxis &axis);
+    /// Of the axes that were set by hand, by the name of a signal on each; those of signals that were never shown, too.
+    QMap<QString, ValueRange> heldRanges() const;
+    /// Once their signals are shown; the other axes fit themselves.
+    void setHeldRanges(const QMap<QString, ValueRange> &ranges);
     /// The zeros of a plot's axes stand at one height by themselves where that takes little room; this way in any case.
     void setZerosAligned(int plot, bool aligned);
 
@@ -79,6 +84,7 @@ private:
     int ticksOf(const ScopePlot &plot) const; ///< of its value axes, at most
     int timeTicks() const;
     ValueAxis &axisFor(ScopePlot &plot, const QString &unit);
+    void takeHeldRange(const Trace &trace, ValueAxis &axis);
     void dropUnusedAxes(ScopePlot &plot);
     void styleAxis(QCPAxis &axis) const;
     void labelAxes(ScopePlot &plot);
@@ -94,6 +100,7 @@ private:
     std::map<catalog::RegisterId, int>
         m_slots; ///< a register keeps its colour, even while it is not shown
     QMap<QString, int> m_chosen; ///< slots that the user chose, by the name of the signal
+    QMap<QString, ValueRange> m_held; ///< of axes that wait for their signal, by its name
     QCPMarginGroup *m_margins = nullptr;
     QPalette m_palette;
     double m_origin = 0.0;

@@ -188,12 +188,20 @@ QRect ScopeView::plotRect(int plot) const
     return {m_plot->mapTo(this, rect.topLeft()), rect.size()};
 }
 
-ScopeView::ValueRange ScopeView::valueRangeOf(capture::ChannelId channel) const
+ValueRange ScopeView::valueRangeOf(capture::ChannelId channel) const
 {
     const Trace *trace = m_stack->trace(channel);
     if (!trace)
         return {};
     return {trace->valueAxis->range().lower, trace->valueAxis->range().upper};
+}
+
+QMap<QString, ValueRange> ScopeView::heldRanges() const { return m_stack->heldRanges(); }
+
+void ScopeView::setHeldRanges(const QMap<QString, ValueRange> &ranges)
+{
+    m_stack->setHeldRanges(ranges);
+    redraw();
 }
 
 int ScopeView::axisCount(int plot) const

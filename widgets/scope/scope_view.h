@@ -7,8 +7,10 @@
 #include "widgets/scope/drawing/marks.h"
 #include "widgets/scope/events/event_log.h"
 #include "widgets/scope/time_window.h"
+#include "widgets/scope/value_range.h"
 
 #include <QElapsedTimer>
+#include <QMap>
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
@@ -60,11 +62,11 @@ public:
     QString stale() const;
     QRect plotRect(int plot)
         const; ///< where its traces are drawn, in this widget's pixels; empty if there is none
-    struct ValueRange {
-        double from = 0.0, to = 1.0; ///< in the channel's unit
-    };
     ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
     int axisCount(int plot) const; ///< value axes of a plot
+    /// Of the axes that were set by hand, by the name of a signal on each.
+    QMap<QString, ValueRange> heldRanges() const;
+    void setHeldRanges(const QMap<QString, ValueRange> &ranges); ///< the other axes fit themselves
     std::optional<capture::ChannelId> selectedChannel() const; ///< the trace clicked in the legend
     bool overviewVisible() const;
     /// The step in which a channel's values are written out; 0 if it is not shown.

@@ -113,6 +113,30 @@ std::vector<NamedSignal> signalsOf(const QJsonArray &array)
     return all;
 }
 
+QJsonArray axesJson(const QMap<QString, ValueRange> &axes)
+{
+    QJsonArray array;
+    for (auto each = axes.begin(); each != axes.end(); ++each)
+        array.append(QJsonObject{{QStringLiteral("signal"), each.key()},
+            {QStringLiteral("from"), each->from}, {QStringLiteral("to"), each->to}});
+    return array;
+}
+
+QMap<QString, ValueRange> axesOf(const QJsonArray &array)
+{
+    constexpr double kAny = 1e12;
+    QMap<QString, ValueRange> axes;
+    for (qsizetype i = 0; i < std::min(array.size(), kMostSignals); ++i) {
+        const QJsonObject object = array[i].toObject();
+        const QString signal = object[QStringLiteral("signal")].toString();
+        const double from = object[QStringLiteral("from")].toDouble(kAny);
+        const double to = object[QStringLiteral("to")].toDouble(-kAny);
+        if (!signal.isEmpty() && from >= -kAny && from < to && to <= kAny)
+            axes[signal] = {from, to};
+    }
+    return axes;
+}
+
 QJsonArray measuresJson(const QList<NamedMeasure> &measures)
 {
     QJsonArray array;
@@ -175,6 +199,7 @@ QJsonObject workspaceJson(const Workspace &workspace)
     return {{kMark, kVersion}, {QStringLiteral("signals"), signalsJson(workspace.signalList)},
         {QStringLiteral("fastEvery"), double(workspace.fastEvery)},
         {QStringLiteral("span_s"), workspace.span},
+        {QStringLiteral("axes"), axesJson(workspace.axes)},
         {QStringLiteral("trigger"), triggerJson(workspace.trigger, workspace.triggerSource)},
         {QStringLiteral("measurements"), measuresJson(workspace.measures)},
         {QStringLiteral("formulas"), mathFormulasJson(workspace.formulas)},
@@ -191,6 +216,7 @@ Workspace workspaceOf(const QJsonObject &object)
         numberOf(object[QStringLiteral("fastEvery")], 1.0, kMostFastEvery, 1.0));
     workspace.span =
         numberOf(object[QStringLiteral("span_s")], kShortest_s, kLongest_s, workspace.span);
+    workspace.axes = axesOf(object[QStringLiteral("axes")].toArray());
     const QJsonObject trigger = object[QStringLiteral("trigger")].toObject();
     workspace.trigger = triggerOf(trigger);
     workspace.triggerSource = trigger[QStringLiteral("source")].toString();

@@ -1,5 +1,5 @@
 // A workspace: what the user has set up to work with, as plain values: which signals are where, how long the picture is, the
-// trigger, what is measured and computed, colours, notes, where the docks are. As text in JSON it is a file of its own, and
+// ranges of axes, the trigger, what is measured and computed, colours, notes, where the docks are. As text in JSON it is a file of its own, and
 // the last one is among the settings. Names stand for registers, so that it suits each board that has them.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "widgets/measuring/measure_text.h"
 #include "widgets/scope/signals/channel_plan.h"
 #include "widgets/scope/trigger/trigger_setup.h"
+#include "widgets/scope/value_range.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -25,6 +26,7 @@ struct Workspace {
     QString triggerSource; ///< name of a signal
     QList<NamedMeasure> measures;
     QList<MathFormula> formulas;
+    QMap<QString, ValueRange> axes; ///< that were set by hand, by the name of a signal on each
     QMap<QString, int> traceColors; ///< slots that the user chose, by the names of signals
     QString notes;
     QByteArray layout; ///< of the docks, as Qt saves it

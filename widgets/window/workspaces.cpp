@@ -37,6 +37,7 @@ Workspace Workspaces::now() const
     if (m_waitsForSource.isEmpty() && trigger.source())
         workspace.triggerSource = deviceText(trigger.source()->name);
     workspace.formulas = m_parts.workbench.math().formulas();
+    workspace.axes = m_parts.scope.heldRanges();
     workspace.traceColors = m_parts.scope.colors().chosen();
     workspace.measures = m_parts.tools.measures();
     workspace.notes = m_parts.tools.notes();
@@ -47,6 +48,7 @@ Workspace Workspaces::now() const
 void Workspaces::apply(const Workspace &workspace)
 {
     m_parts.scope.colors().setChosen(workspace.traceColors); // before anything is drawn
+    m_parts.scope.setHeldRanges(workspace.axes);
     m_parts.workbench.math().setFormulas(workspace.formulas);
     m_parts.tools.setNotes(workspace.notes);
     m_parts.tools.setMeasures(workspace.measures);

@@ -67,6 +67,7 @@ Workspace ofABench()
         {"BUS_VOLTAGE", widgets::Route::Polled, 1}, {"I_Q_MEAS", widgets::Route::Slow, 0}};
     workspace.fastEvery = 4;
     workspace.span = 2.5;
+    workspace.axes = {{QStringLiteral("I_A"), {-3.0, 3.5}}};
     workspace.trigger.type = widgets::TriggerType::Level;
     workspace.trigger.level = 0.25;
     workspace.trigger.mode = scope::Mode::Normal;
@@ -125,6 +126,10 @@ private Q_SLOTS:
         QTest::newRow("a word") << QByteArray(
             "{\"rotorscopeWorkspace\": 1, \"trigger\": {\"type\": \"egde\"}}")
                                 << "trigger.type";
+        QTest::newRow("upside down")
+            << QByteArray("{\"rotorscopeWorkspace\": 1, \"axes\": [{\"signal\": \"A\", "
+                          "\"from\": 2, \"to\": 2}]}")
+            << "axes";
         QTest::newRow("in a list")
             << QByteArray("{\"rotorscopeWorkspace\": 1, \"signals\": [{\"name\": \"A\", "
                           "\"route\": \"slow\"}, {\"name\": \"B\", \"route\": 7}]}")
@@ -164,6 +169,39 @@ private Q_SLOTS:
         QVERIFY(trigger.setup() == ofABench().trigger);
         QCOMPARE(bench.rig.find<QPlainTextEdit>("notes")->toPlainText(), ofABench().notes);
         QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()), QByteArray());
+    }
+
+    void axesSetByHandAreKeptAndOthersFitThemselves()
+    {
+        Bench bench(ofABench());
+        bench.connectBoard();
+        QTRY_COMPARE(bench.shown().size(), 3);
+        const widgets::ScopeView &scope = *bench.rig.window.scope();
+        const auto rangeOf = [&](const char *name) {
+            for (const capture::ChannelId id : scope.channels())
+                if (scope.nameOf(id) == QLatin1String(name))
+                    return scope.valueRangeOf(id);
+            return widgets::ValueRange();
+        };
+        QTRY_VERIFY(rangeOf("BUS_VOLTAGE").from > 10.0); // it has been drawn, and fits 23 V
+        const widgets::ValueRange held{-3.0, 3.5};
+        QVERIFY(rangeOf("I_A") == held);
+        QVERIFY(rangeOf("I_Q_MEAS") == held); // on the same axis
+        QVERIFY((scope.heldRanges()
+            == QMap<QString, widgets::ValueRange>{{QStringLiteral("I_A"), held}}));
+
+        Workspace free = ofABench();
+        free.axes.clear();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("free.workspace"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(widgets::toJson(free));
+        file.close();
+        bench.rig.files.answer = path;
+        bench.fileAction("Open a workspace")->trigger();
+        QVERIFY(scope.heldRanges().isEmpty());
+        QTRY_VERIFY(rangeOf("I_A") != held);
     }
 
     void aFileBringsItBack()

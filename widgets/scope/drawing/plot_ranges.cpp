@@ -134,6 +134,45 @@ void PlotStack::growAxes()
     }
 }
 
+QMap<QString, ValueRange> PlotStack::heldRanges() const
+{
+    QMap<QString, ValueRange> held = m_held;
+    for (const auto &plot : m_plots)
+        for (const ValueAxis &axis : plot->axes) {
+            const auto on = std::find_if(plot->traces.begin(), plot->traces.end(),
+                [&axis](const Trace &trace) { return trace.valueAxis == axis.axis; });
+            if (!axis.automatic && on != plot->traces.end())
+                held[QString::fromStdString(on->info.name)] = {
+                    axis.axis->range().lower, axis.axis->range().upper};
+        }
+    return held;
+}
+
+void PlotStack::setHeldRanges(const QMap<QString, ValueRange> &ranges)
+{
+    m_held = ranges;
+    for (const auto &plot : m_plots)
+        for (ValueAxis &axis : plot->axes) {
+            if (!axis.automatic)
+                axis.fitted = false;
+            axis.automatic = true;
+            for (const Trace &trace : plot->traces)
+                if (trace.valueAxis == axis.axis)
+                    takeHeldRange(trace, axis);
+        }
+}
+
+void PlotStack::takeHeldRange(const Trace &trace, ValueAxis &axis)
+{
+    const auto held = m_held.find(QString::fromStdString(trace.info.name));
+    if (held == m_held.end())
+        return;
+    axis.axis->setRange(held->from, held->to);
+    axis.automatic = false;
+    axis.fitted = true;
+    m_held.erase(held);
+}
+
 void PlotStack::fitAxis(ValueAxis &axis)
 {
     for (const auto &plot : m_plots) {
