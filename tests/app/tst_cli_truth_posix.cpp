@@ -122,7 +122,7 @@ void TestCliTruth::getPrintsWhatTheBoardGave()
         const QString name = line.section(QLatin1String(" = "), 0, 0);
         const auto *known = judge::findMcpRegister(name.toStdString());
         QVERIFY2(known != nullptr, qPrintable(line));
-        const auto &gave = bench.says.values(idOf(name.toUtf8().constData()));
+        const auto &gave = bench.says.given().of(idOf(name.toUtf8().constData()));
         QVERIFY2(!gave.empty(), qPrintable(name));
         const bool amps = known->digit == judge::McpRegister::Digit::Amps;
         const double truth = gave.back().number * (amps ? bench.ampsPerDigit() : 1.0);

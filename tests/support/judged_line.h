@@ -14,6 +14,7 @@
 #include "support/judged_drive.h"
 #include "support/ms_rules.h"
 #include "support/wire/fcp.h"
+#include "support/wire/fcp_board.h"
 #include "support/wire/mcb.h"
 #include "support/wire/mcp.h"
 #include "support/wire/mcp_board.h"
@@ -182,7 +183,17 @@ public:
         const std::lock_guard lock(m_mutex);
         return look(std::as_const(m_says));
     }
+    /// What a board of MCP or of the older protocol gave for a register, the oldest first. @param id  with its motor
+    std::deque<judge::GivenValues::Value> given(std::uint16_t id)
+    {
+        const std::lock_guard lock(m_mutex);
+        return (mcp() ? m_says.given() : m_olderSays.given()).of(id);
+    }
     bool mcp() const { return m_protocol == drive::Protocol::Mcp; }
+    bool older() const
+    {
+        return m_protocol == drive::Protocol::Fcp || m_protocol == drive::Protocol::PowerPc;
+    }
     const simulation::BoardOptions &options() const { return m_options; }
     /// By which the clock may have gone apart from the board's samples since the port was opened.
     Duration drift()
@@ -254,6 +265,13 @@ private:
             return std::make_unique<judge::WireMcb>();
         return std::make_unique<judge::WireFcp>();
     }
+    void hear(ByteView bytes, TimePoint at, bool arrives)
+    {
+        if (mcp())
+            m_says.says(bytes, at, arrives);
+        else if (older())
+            m_olderSays.says(bytes, at, arrives);
+    }
     void makeBoard()
     {
         if (m_protocol == drive::Protocol::Mcb) {
@@ -280,6 +298,7 @@ private:
     BoardHistory m_history; ///< behind the mutex, as the three
     TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
     judge::McpBoard m_says; ///< these, too
+    judge::FcpBoard m_olderSays;
     std::vector<TimePoint> m_setPoints;
     int m_resets = 0, m_openings = 0;
     TimePoint m_linkChanged{};
@@ -307,6 +326,7 @@ public:
         if (other) {
             m_world.m_options.motor = std::exchange(m_world.m_nextMotor, {});
             m_world.m_says = {};
+            m_world.m_olderSays = {};
         }
         if (!m_world.m_board || other)
             m_world.makeBoard();
@@ -352,7 +372,10 @@ public:
         if (!cut)
             m_world.m_board->receive(bytes, m_world.m_boardTime);
         const std::lock_guard lock(m_world.m_mutex);
-        m_world.m_says.asks(bytes, !cut);
+        if (m_world.mcp())
+            m_world.m_says.asks(bytes, !cut);
+        else if (m_world.older())
+            m_world.m_olderSays.asks(bytes, !cut);
     }
     bool sent(TimePoint) const override { return true; }
     void advance(TimePoint now) override
@@ -378,8 +401,7 @@ public:
         const Bytes later = m_world.m_board->takeOutput();
         {
             const std::lock_guard lock(m_world.m_mutex);
-            if (m_world.mcp())
-                m_world.m_says.says(later, now, !cut);
+            m_world.hear(later, now, !cut);
             std::vector<judge::Motor> truth;
             std::vector<simulation::MotorTruth> motors;
             for (int motor = 1; motor <= m_world.m_options.motors; ++motor) {
@@ -422,9 +444,9 @@ private:
             m_world.m_early = m_world.m_board->takeOutput();
             m_world.m_board->reset();
             const std::lock_guard lock(m_world.m_mutex);
-            if (m_world.mcp())
-                m_world.m_says.says(m_world.m_early, m_world.now(), !m_world.cut);
+            m_world.hear(m_world.m_early, m_world.now(), !m_world.cut);
             m_world.m_says.reset();
+            m_world.m_olderSays.reset();
             m_world.m_drift = {};
             ++m_world.m_resets;
         }

@@ -124,7 +124,7 @@ private:
                 const auto [sent, read] =
                     m_moment.world().ofBoard([&](const judge::McpBoard &board) {
                         judge::Extremes values;
-                        for (const auto &value : board.values(trace.id))
+                        for (const auto &value : board.given().of(trace.id))
                             if (value.at + kLately > now)
                                 values.include(value.number);
                         return std::pair(board.since(trace.id, now - kLately), values);

@@ -1,9 +1,12 @@
 // Whether the values of registers that a window shows are those that the board holds: in the rows of the tree that are on the
-// screen, and in the fields of forms. A value without a mark is one that the board gave lately; an older one is greyed.
+// screen, in the fields of forms, and in the legend where signals are read in turn. A value without a mark is one that the board gave lately; an older one is greyed.
 #pragma once
 
 #include "support/screen/screen_moment.h"
+#include "support/screen/text_catcher.h"
+#include "support/wire/fcp_board.h"
 #include "support/wire/mcp_registers.h"
+#include "widgets/scope/scope_view.h"
 
 #include <QLineEdit>
 #include <QTreeView>
@@ -22,14 +25,20 @@ public:
 
     void look()
     {
-        if (!m_moment.world().mcp())
+        if (!m_moment.world().mcp() && !m_moment.world().older())
             return;
         theTreeIs();
         theFieldsAre();
+        if (m_moment.world().older())
+            theLegendIs();
     }
 
 private:
     using Digit = judge::McpRegister::Digit;
+    struct Known {
+        std::uint16_t id = 0; ///< with its motor
+        double factor = 1.0; ///< of a digit to what is shown
+    };
 
     void theTreeIs()
     {
@@ -86,6 +95,24 @@ private:
         }
     }
 
+    /// All that is drawn is read in turn.
+    void theLegendIs()
+    {
+        const auto *view = m_moment.find<widgets::ScopeView>("scope");
+        if (view == nullptr || !view->isVisible() || !m_moment.heard || m_moment.more > Duration{}
+            || !view->stale().isEmpty())
+            return;
+        TextCatcher texts(view->shapesSize());
+        const_cast<widgets::ScopeView *>(view)->drawShapes(texts);
+        for (const capture::ChannelId channel : view->channels()) {
+            const QString name = view->nameOf(channel), begins = name + QStringLiteral("  ");
+            for (const QString &text : texts.caught())
+                if (text.startsWith(begins))
+                    valueIs(name.contains(QLatin1Char('@')) ? name : name + QStringLiteral("@1"),
+                        text.mid(begins.size()), false);
+        }
+    }
+
     /// @param text  shown without a mark
     void valueIs(QString name, const QString &text, bool raw)
     {
@@ -94,43 +121,58 @@ private:
             ? name.section(QLatin1Char('@'), 1).toInt()
             : m_moment.chosenMotor();
         name = name.section(QLatin1Char('@'), 0, 0);
-        const auto *known = judge::findMcpRegister(name.toStdString());
-        if (!shown || known == nullptr)
+        const auto known = knownAs(name.toStdString(), motor, raw);
+        if (!shown || !known)
             return;
-        const auto factor = raw ? std::optional(1.0) : factorOf(*known);
-        if (!factor)
-            return;
-        const auto id = static_cast<std::uint16_t>(known->bare | motor);
-        const TimePoint now = m_moment.world().now();
-        const Duration old = kOld + m_moment.moreOfValues;
         ++m_moment.statements;
-        const std::string wrong =
-            m_moment.world().ofBoard([&](const judge::McpBoard &board) -> std::string {
-                const auto &values = board.values(id);
-                if (values.empty())
-                    return "the board never gave it";
-                if (values.back().at + old < now)
-                    return "the board gave it " + seconds(now - values.back().at)
-                        + " ago, and it has no mark";
-                std::string gave;
-                for (auto value = values.rbegin(); value != values.rend(); ++value) {
-                    if (shown->is(value->number * *factor))
-                        return {};
-                    const std::string number = std::to_string(value->number * *factor);
-                    if (gave.find(number) == std::string::npos)
-                        gave += number + ", " + seconds(now - value->at) + " ago; ";
-                    if (value->at + old < now)
-                        break;
-                }
-                return "the board gave " + gave;
-            });
+        const std::string wrong = wrongOf(*shown, *known);
         if (!wrong.empty())
             m_moment.finds(name, text, wrong);
+    }
+    /// @return  what is not so; empty: it is
+    std::string wrongOf(const ScreenMoment::Number &shown, const Known &known) const
+    {
+        const TimePoint now = m_moment.world().now();
+        const Duration old = kOld + m_moment.moreOfValues;
+        const auto values = m_moment.world().given(known.id);
+        if (values.empty())
+            return "the board never gave it";
+        if (values.back().at + old < now)
+            return "the board gave it " + seconds(now - values.back().at)
+                + " ago, and it has no mark";
+        std::string gave;
+        for (auto value = values.rbegin(); value != values.rend(); ++value) {
+            if (shown.is(value->number * known.factor))
+                return {};
+            const std::string number = std::to_string(value->number * known.factor);
+            if (gave.find(number) == std::string::npos)
+                gave += number + ", " + seconds(now - value->at) + " ago; ";
+            if (value->at + old < now)
+                break;
+        }
+        return "the board gave " + gave;
     }
     static std::string seconds(Duration time)
     {
         return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count())
             + " ms";
+    }
+    /// Empty: not to the judge.
+    std::optional<Known> knownAs(std::string_view name, int motor, bool raw) const
+    {
+        if (m_moment.world().older()) {
+            const auto *known = judge::findFcpRegister(name);
+            if (known == nullptr || !(raw || known->plain))
+                return {};
+            return Known{static_cast<std::uint16_t>(known->number << 3 | motor), 1.0};
+        }
+        const auto *known = judge::findMcpRegister(name);
+        const auto factor = known == nullptr ? std::nullopt
+            : raw                            ? std::optional(1.0)
+                                             : factorOf(*known);
+        if (!factor)
+            return {};
+        return Known{static_cast<std::uint16_t>(known->bare | motor), *factor};
     }
     std::optional<double> factorOf(const judge::McpRegister &known) const
     {

@@ -167,7 +167,7 @@ void McpBoard::answer(ByteView payload, TimePoint at)
     if (from + 1 != payload.size())
         return; // not the answer to this
     for (const auto &[id, number] : all)
-        m_values[id].push_back({at, number});
+        m_given.add(id, number, at);
 }
 
 void McpBoard::packet(ByteView payload, TimePoint at)
@@ -218,16 +218,7 @@ void McpBoard::forgetOld(TimePoint now)
         }
     while (!m_lost.empty() && m_lost.front().first + kKept < now)
         m_lost.pop_front();
-    for (auto &[id, values] : m_values)
-        while (values.size() > 1 && values[1].at + kKept < now) // what stood then counts, too
-            values.pop_front();
-}
-
-const std::deque<McpBoard::Value> &McpBoard::values(std::uint16_t id) const
-{
-    static const std::deque<Value> kNone;
-    const auto found = m_values.find(id);
-    return found == m_values.end() ? kNone : found->second;
+    m_given.forgetOld(now);
 }
 
 const std::deque<McpBoard::Sample> &McpBoard::samplesOf(std::uint16_t id) const

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/bytes.h"
-#include "base/time.h"
+#include "support/wire/given_values.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,12 +36,8 @@ struct Extremes {
 
 class McpBoard {
 public:
-    static constexpr Duration kKept = std::chrono::seconds(20);
+    static constexpr Duration kKept = GivenValues::kKept;
 
-    struct Value {
-        TimePoint at;
-        double number = 0.0; ///< signed as its width has it; of a real number its value
-    };
     struct Sample {
         std::int64_t tick = 0; ///< control periods
         std::int16_t digits = 0;
@@ -54,9 +50,7 @@ public:
     /// @param arrives  false: lost on the way
     void says(ByteView bytes, TimePoint at, bool arrives);
 
-    /// What the board gave for a register, the oldest first.
-    /// @param id  with its motor
-    const std::deque<Value> &values(std::uint16_t id) const;
+    const GivenValues &given() const { return m_given; }
     const std::deque<Sample> &samplesOf(std::uint16_t id) const;
     /// When the newest samples of it arrived; empty: none did.
     std::optional<TimePoint> sampledAt(std::uint16_t id) const;
@@ -97,7 +91,7 @@ private:
     bool m_askedArrives = true, m_saidArrives = true; ///< of the packet that is not whole
     std::vector<std::uint16_t> m_due; ///< registers that the next answer is about
     std::map<unsigned, Config> m_configs; ///< by mark
-    std::map<std::uint16_t, std::deque<Value>> m_values;
+    GivenValues m_given;
     std::map<std::uint16_t, Track> m_tracks;
     std::int64_t m_lastTick = -1;
     std::uint64_t m_samples = 0;
