@@ -26,6 +26,9 @@ std::string broken(const char *what, double value, double bound, const char *uni
         + ' ' + unit + " that are allowed";
 }
 
+/// Than samples: of a board that says nothing the samples are told.
+constexpr Duration kReadsLater = std::chrono::milliseconds(100);
+
 bool boundsBus(const Caps &caps) { return caps.leastBus_v > 0.0 || caps.mostBus_v > 0.0; }
 
 } // namespace
@@ -158,14 +161,17 @@ std::optional<std::string> Envelope::silence(TimePoint now) const
 {
     if (m_caps.silence == Duration::zero())
         return std::nullopt;
-    const auto old = [&](TimePoint heard) { return now >= heard + m_caps.silence; };
-    const char *missing = old(m_heard)                             ? "no samples came"
-        : boundsBus(m_caps) && old(m_busRead)                      ? "the bus voltage was not read"
-        : m_caps.mostTemperature_c > 0.0 && old(m_temperatureRead) ? "the temperature was not read"
-                                                                   : nullptr;
-    return missing
-        ? std::optional(std::string(missing) + " for " + text(toSeconds(m_caps.silence)) + " s")
-        : std::nullopt;
+    const auto missing = [](const char *what, Duration time) {
+        return std::optional(std::string(what) + " for " + text(toSeconds(time)) + " s");
+    };
+    if (now >= m_heard + m_caps.silence)
+        return missing("no samples came", m_caps.silence);
+    const Duration unread = m_caps.silence + kReadsLater;
+    if (boundsBus(m_caps) && now >= m_busRead + unread)
+        return missing("the bus voltage was not read", unread);
+    if (m_caps.mostTemperature_c > 0.0 && now >= m_temperatureRead + unread)
+        return missing("the temperature was not read", unread);
+    return std::nullopt;
 }
 
 std::optional<TimePoint> Envelope::silentAt() const
@@ -174,9 +180,9 @@ std::optional<TimePoint> Envelope::silentAt() const
         return std::nullopt;
     TimePoint oldest = m_heard;
     if (boundsBus(m_caps))
-        oldest = std::min(oldest, m_busRead);
+        oldest = std::min(oldest, m_busRead + kReadsLater);
     if (m_caps.mostTemperature_c > 0.0)
-        oldest = std::min(oldest, m_temperatureRead);
+        oldest = std::min(oldest, m_temperatureRead + kReadsLater);
     return oldest + m_caps.silence;
 }
 

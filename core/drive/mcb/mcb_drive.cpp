@@ -93,8 +93,10 @@ private:
     /// A set-point that travels and is being read back: the answer to its write.
     struct Travelling {
         mcb::Words before, wanted;
+        bool rests = false; ///< all were put to rest since: nothing is put back
     };
     void setInFrames(std::uint16_t address, mcb::WordView words);
+    bool tookAlong(std::uint16_t address, const mcb::Words &words) const;
     Link::Done confirmed(const Link::Done &read, const Travelling &travelling);
     void restSetPoints();
     void endSetPoints();
@@ -366,16 +368,30 @@ void McbDrive::setInFrames(std::uint16_t address, mcb::WordView words)
     m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
 }
 
+/// Whether the last frame had these words for the register.
+bool McbDrive::tookAlong(std::uint16_t address, const mcb::Words &words) const
+{
+    const mcb::Words &sent = m_link.cyclicSent();
+    std::size_t at = 0;
+    for (const mcb::MappedRegister &entry : m_link.mapping().rx) {
+        const std::size_t count = mcb::wordsOf(entry.size);
+        if (entry.address == address)
+            return words.size() >= count && sent.size() >= at + count
+                && std::equal(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count),
+                    sent.begin() + static_cast<std::ptrdiff_t>(at));
+        at += count;
+    }
+    return false;
+}
+
 Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travelling)
 {
     const mcb::Words &wanted = travelling.wanted;
     Link::Done write = read;
     if (read.end == Link::End::NotSent) {
-        const mcb::Words output = m_setPoints.output(m_link.mapping().rx);
-        const mcb::Words &sent = m_link.cyclicSent();
-        if (sent.size() >= output.size() && std::equal(output.begin(), output.end(), sent.begin()))
+        if (tookAlong(read.request.address, wanted))
             write.end = Link::End::Unknown; // the question did not leave, but the value did
-        else
+        else if (!travelling.rests)
             setInFrames(read.request.address, travelling.before);
     }
     if (read.end != Link::End::Ok)
@@ -385,8 +401,9 @@ Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travell
     if (!same) { // the drive has its own mind: it is left with it
         write.end = Link::End::Refused;
         write.code = kOtherValueRead;
-        setInFrames(read.request.address,
-            mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
+        if (!travelling.rests)
+            setInFrames(read.request.address,
+                mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
     }
     return write;
 }
@@ -395,6 +412,8 @@ void McbDrive::restSetPoints()
 {
     m_setPoints.rest();
     m_link.setCyclicOutput({});
+    if (m_confirming)
+        m_confirming->rests = true;
 }
 
 void McbDrive::endSetPoints()

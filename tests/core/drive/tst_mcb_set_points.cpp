@@ -103,6 +103,7 @@ private Q_SLOTS:
     void disarmingHoldsThem();
     void whatNoFrameHadNoneHasAfterwards_data();
     void whatNoFrameHadNoneHasAfterwards();
+    void aStopPutsNothingBack();
     void aResetEndsThem();
     void aProgramThatWasKilledRepeatsNothing();
     void aLostLinkEndsThem();
@@ -411,6 +412,37 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
         QVERIFY(!bench.sent.empty());
         for (const mcb::Frame &frame : bench.sent)
             QCOMPARE(bench.velocitySent(frame), left ? 20.0 : 10.0);
+        const Outcome outcome = pair.ended.at(ramp).front().outcome;
+        QCOMPARE(outcome == Outcome::NotSent, !left);
+        notSent += left ? 0 : 1;
+    }
+    QVERIFY(notSent > 0 && notSent < kInstants);
+}
+
+/// At any instant of a set-point's way: neither it nor the one before comes behind the Stop.
+void TestMcbSetPoints::aStopPutsNothingBack()
+{
+    constexpr int kInstants = 60;
+    int notSent = 0;
+    for (int i = 0; i < kInstants; ++i) {
+        Bench bench;
+        bench.pair.look = 250us;
+        QVERIFY(bench.travels());
+        McbPair &pair = bench.pair;
+        QVERIFY(bench.turnAt(600));
+        bench.keep = true;
+        const WishId ramp = pair.submit(SpeedRamp{1, 1200, 0ms});
+        pair.runFor(i * 250us);
+        const bool left = std::any_of(bench.sent.begin(), bench.sent.end(),
+            [&](const mcb::Frame &frame) { return bench.velocitySent(frame) == 20.0; });
+        bench.sent.clear();
+        pair.stopped = true;
+        pair.drive->stop(pair.now);
+        pair.runFor(20ms);
+        QVERIFY(!bench.sent.empty());
+        for (const mcb::Frame &frame : bench.sent)
+            QCOMPARE(bench.velocitySent(frame), 0.0);
+        QVERIFY(pair.runUntilEnded(ramp));
         const Outcome outcome = pair.ended.at(ramp).front().outcome;
         QCOMPARE(outcome == Outcome::NotSent, !left);
         notSent += left ? 0 : 1;
