@@ -3197,6 +3197,11 @@
         <comment>list of registers</comment>
         <translation>Warten für einen Motor, der nicht gezeigt wird: %1.</translation>
     </message>
+    <message>
+        <source>Apply (%1)</source>
+        <comment>so many edits</comment>
+        <translation>Anwenden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>widgets::EventLane</name>

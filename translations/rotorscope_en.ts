@@ -3196,6 +3196,11 @@
         <comment>list of registers</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Apply (%1)</source>
+        <comment>so many edits</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::EventLane</name>

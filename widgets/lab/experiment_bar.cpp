@@ -1,13 +1,14 @@
 #include "widgets/lab/experiment_bar.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/flow_layout.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 
+#include <QBoxLayout>
 #include <QDialog>
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QShortcut>
 
@@ -88,19 +89,23 @@ void ExperimentBar::makeRow(const char *prefix)
     m_progress->setObjectName(named("Progress"));
     m_progress->setAccessibleName(tr("Progress of the experiment"));
     m_progress->setTextVisible(false);
-    QSizePolicy place = m_progress->sizePolicy();
-    place.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(place);
     m_progress->hide();
-    m_progress->setFixedWidth(100);
     m_progress->setMaximumHeight(10);
+    m_place = new QWidget(this); // nothing moves when the progress comes
+    m_place->setFixedSize(100, m_cancel->sizeHint().height());
+    auto *place = new QVBoxLayout(m_place);
+    place->setContentsMargins(0, 0, 0, 0);
+    place->addWidget(m_progress, 0, Qt::AlignVCenter);
     m_sentence = new SteadyLabel(this, 2);
     m_sentence->setObjectName(named("Sentence"));
     m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_row = new QHBoxLayout(this);
+    auto *buttons = new QWidget(this);
+    m_flow = new FlowLayout(kHalfGrid, buttons);
+    m_flow->addWidget(m_cancel);
+    m_flow->addWidget(m_place);
+    m_row = new QBoxLayout(QBoxLayout::LeftToRight, this);
     m_row->setContentsMargins(0, 0, 0, 0);
-    m_row->addWidget(m_cancel);
-    m_row->addWidget(m_progress);
+    m_row->addWidget(buttons);
     m_row->addWidget(m_sentence, 1);
 }
 
@@ -117,7 +122,10 @@ int ExperimentBar::add(Button button)
         keys->setAutoRepeat(false); // one that is held is no wish for another run
         connect(keys, &QShortcut::activated, this, [this, which] { this->run(which); });
     }
-    m_row->insertWidget(which, run);
+    for (QWidget *behind : {static_cast<QWidget *>(m_cancel), m_place})
+        m_flow->removeWidget(behind);
+    for (QWidget *next : {static_cast<QWidget *>(run), static_cast<QWidget *>(m_cancel), m_place})
+        m_flow->addWidget(next);
     QWidget *before = which == 0 ? nullptr : m_runs.back();
     if (before)
         setTabOrder(before, run);
@@ -127,11 +135,35 @@ int ExperimentBar::add(Button button)
     return which;
 }
 
-void ExperimentBar::addAside(QWidget *widget) { m_row->addWidget(widget); }
+void ExperimentBar::addAside(QWidget *widget) { m_flow->addWidget(widget); }
+
+/// The sentence beside the buttons where there is room for some words, else below them.
+void ExperimentBar::fold()
+{
+    constexpr int kWords = 24; // letters
+    int line = 0;
+    for (int i = 0; i < m_flow->count(); ++i)
+        line += m_flow->itemAt(i)->sizeHint().width() + kHalfGrid;
+    const bool beside = width() >= line + kWords * fontMetrics().averageCharWidth();
+    m_flow->parentWidget()->setMinimumWidth(beside ? line : 0);
+    m_row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+QSize ExperimentBar::minimumSizeHint() const
+{
+    return {m_flow->minimumSize().width(), QWidget::minimumSizeHint().height()};
+}
+
+void ExperimentBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fold();
+}
 
 void ExperimentBar::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    fold();
     refresh();
 }
 

@@ -14,12 +14,13 @@
 
 #include <functional>
 
+class QBoxLayout;
 class QDialog;
-class QHBoxLayout;
 class QProgressBar;
 
 namespace widgets {
 
+class FlowLayout;
 class MotionGate;
 class MotorButton;
 class SteadyLabel;
@@ -69,7 +70,8 @@ public:
     ExperimentBar(const Parts &parts, const char *prefix, QWidget *page);
 
     int add(Button button); ///< its number, from 0
-    void addAside(QWidget *widget); ///< on the right
+    void addAside(QWidget *widget); ///< behind the others
+    QSize minimumSizeHint() const override;
     void setLook(Look look) { m_look = std::move(look); }
 
     void run(int which); ///< as its button does
@@ -91,9 +93,11 @@ Q_SIGNALS:
     void ended(int which, bool complete); ///< and what came of it is shown
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
 
 private:
+    void fold();
     void makeRow(const char *prefix);
     Result<Run, QString> wanted(int which) const;
     bool settled(int which) const;
@@ -122,7 +126,9 @@ private:
     QString m_told; ///< how the last one ended
     QString m_more; ///< what has to be known of it
 
-    QHBoxLayout *m_row = nullptr;
+    QBoxLayout *m_row = nullptr;
+    FlowLayout *m_flow = nullptr; ///< of the buttons
+    QWidget *m_place = nullptr; ///< of the progress
     MotorButton *m_cancel = nullptr;
     QProgressBar *m_progress = nullptr;
     SteadyLabel *m_sentence = nullptr;

@@ -25,6 +25,7 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     , m_model(model)
     , m_applyAction(apply)
     , m_revertAction(revert)
+    , m_wide(room == Room::Wide)
     , m_told(new QLabel(this))
     , m_revert(new QPushButton(tr("Revert"), this))
     , m_apply(new QPushButton(this))
@@ -34,13 +35,15 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     m_told->setObjectName(QStringLiteral("editsTold"));
     m_revert->setObjectName(QStringLiteral("revertEdits"));
     m_apply->setObjectName(QStringLiteral("applyEdits"));
-    setLineIcon(*m_revert, "revert");
-    setLineIcon(*m_apply, "apply");
     connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    const bool wide = room == Room::Wide;
+    const bool wide = m_wide;
+    if (wide) { // else words go before signs
+        setLineIcon(*m_revert, "revert");
+        setLineIcon(*m_apply, "apply");
+    }
     m_told->setFixedHeight((wide ? 1 : kLines) * m_told->fontMetrics().lineSpacing());
     m_told->setAlignment(Qt::AlignLeft | (wide ? Qt::AlignVCenter : Qt::AlignTop));
     if (wide) {
@@ -55,7 +58,7 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     }
     int widest = 0; // however many wait
     for (const int count : {1, kMostNamed}) {
-        m_apply->setText(tr("Apply %n edit(s)", nullptr, count));
+        m_apply->setText(applyText(count));
         widest = std::max(widest, m_apply->sizeHint().width());
     }
     m_apply->setFixedWidth(widest);
@@ -67,10 +70,18 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     refresh();
 }
 
+QString EditBar::applyText(int count) const
+{
+    return count == 0 ? tr("Apply")
+        : m_wide      ? tr("Apply %n edit(s)", nullptr, count)
+                      : tr("Apply (%1)", "so many edits").arg(QString::number(count));
+}
+
 void EditBar::refresh()
 {
     const int count = m_edits.pendingCount();
-    m_apply->setText(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
+    m_apply->setText(applyText(count));
+    m_apply->setAccessibleName(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
     for (const auto &[button, action] :
         {std::pair(m_apply, m_applyAction), std::pair(m_revert, m_revertAction)}) {
         // Else the next field would get the focus, and take the undo key for its own text.

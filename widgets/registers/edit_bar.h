@@ -28,9 +28,12 @@ public:
     bool hasHeightForWidth() const override { return false; } ///< what is told has its lines
 
 private:
+    QString applyText(int count) const;
+
     RegisterEdits &m_edits;
     const RegisterModel &m_model;
     QAction *m_applyAction, *m_revertAction;
+    bool m_wide;
     QLabel *m_told;
     QPushButton *m_revert, *m_apply;
     QString m_sentence; ///< how the last write ended

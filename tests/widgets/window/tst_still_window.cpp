@@ -329,6 +329,30 @@ private Q_SLOTS:
         QVERIFY2(edge > 20, qPrintable(QString::number(edge)));
     }
 
+    /// Whatever stands below the scope: a window that grew would have its Stop beside the screen.
+    void noToolMakesALowScreensWindowWider()
+    {
+        QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
+        QCoreApplication::installTranslator(&m_german);
+        open({960, 515});
+        m_rig->window.finishTools();
+        int tools = 0;
+        for (QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>()) {
+            const QByteArray name = dock->objectName().toLatin1() + "Open";
+            auto *action = m_rig->window.findChild<QAction *>(QString::fromLatin1(name));
+            if (action == nullptr)
+                continue;
+            ++tools;
+            action->trigger();
+            settle();
+            QVERIFY2(m_rig->window.width() == 960, name.constData());
+            const auto *stop = m_rig->find<QWidget>("stop");
+            QCOMPARE(stop->visibleRegion().boundingRect().size(), stop->size());
+            dock->close();
+        }
+        QVERIFY(tools >= 12);
+    }
+
     /// 1920 x 1080 at a scale of 2, with a title bar.
     void theWholeWindowFitsALowScreen()
     {
