@@ -53,7 +53,8 @@ std::string McbStreamControl::refuse(const Stream &stream) const
     return {};
 }
 
-void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId> &ids)
+void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId> &ids,
+    const std::map<std::uint16_t, mcb::Info> &told)
 {
     m_wanted = stream;
     m_running = true;
@@ -64,7 +65,7 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
     layout.ticksAreControlPeriods = false;
     layout.fastStep = static_cast<std::uint32_t>(m_period / kTick);
     for (const RegisterId id : ids) {
-        const mcb::Info info = *m_board.infoOf(mcbAddressOf(id));
+        const mcb::Info info = told.at(mcbAddressOf(id));
         const catalog::Scale scale = m_board.catalog->streamScale(id);
         capture::StreamSignal signal{id, m_board.catalog->nameOf(id), scale.unit, scale.factor,
             info.type == mcb::Type::UInt32 ? kHalf32 : 0.0};
@@ -245,7 +246,8 @@ std::optional<McbRequest> McbStreamTask::nextRequest(TimePoint)
         break;
     }
     const mcb::Mapping wanted = mapping();
-    if (!wanted.possible()) { // the set-points went with a reset, and there is nothing else
+    // The set-points went with a reset, and there is nothing else; or a signal is not known any more.
+    if (!wanted.possible() || wanted.tx.size() != m_ids.size()) {
         fail(Outcome::NotSent, "the drive was reset");
         return std::nullopt;
     }
@@ -277,8 +279,10 @@ void McbStreamTask::onInfo(std::uint16_t address, const McbAnswer &answer)
     const std::string name = m_control.m_board.catalog->nameOf(mcbIdOf(address));
     if (!answer.ok || answer.words.size() < 2)
         return fail(Outcome::Refused, name + ": " + mcbWordOf(answer.code));
-    if (mcb::infoOf({answer.words[0], answer.words[1], 0, 0})
-        != *m_control.m_board.infoOf(address)) {
+    // What is known may have changed meanwhile: after a reset all is asked anew, and answers are lost there, too.
+    const mcb::Info *had = m_control.m_board.infoOf(address);
+    m_told[address] = mcb::infoOf({answer.words[0], answer.words[1], 0, 0});
+    if (had == nullptr || m_told[address] != *had) {
         markBoardChanged();
         fail(Outcome::Refused, name + ": has another type than it had");
     }
@@ -313,7 +317,7 @@ void McbStreamTask::onResponse(const McbAnswer &answer, TimePoint)
     case Step::Map:
         if (!answer.ok)
             return fail(Outcome::Refused, mcbWordOf(answer.code));
-        m_control.begin(m_stream, m_ids);
+        m_control.begin(m_stream, m_ids, m_told);
         break;
     }
     if (!finished() && m_steps.empty())

@@ -41,7 +41,9 @@ private:
     friend class McbStreamTask;
 
     std::string refuse(const Stream &stream) const;
-    void begin(const Stream &stream, const std::vector<RegisterId> &ids);
+    /// @param told  the type of each signal
+    void begin(const Stream &stream, const std::vector<RegisterId> &ids,
+        const std::map<std::uint16_t, mcb::Info> &told);
     void add(capture::SampleBlock block);
 
     const McbFacts &m_board;
@@ -98,6 +100,7 @@ private:
     Stream m_stream;
     std::vector<RegisterId> m_ids; ///< fast, then slow, each once
     std::deque<Planned> m_steps; ///< the first one is asked
+    std::map<std::uint16_t, mcb::Info> m_told; ///< by address, what the drive said to Info
     bool m_planned = false, m_unmapped = false;
 };
 
