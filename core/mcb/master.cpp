@@ -85,8 +85,10 @@ void Master::cancel(TimePoint now)
         return;
     const bool asked = m_operation->sent > 0;
     if (asked && m_operation->request.command == Command::Write
-        && m_operation->request.address == kStateRegister)
-        return; // the length of the next frame hangs on its answer
+        && m_operation->request.address == kStateRegister) {
+        m_cancelled = true; // the length of the next frame hangs on its answer: no step behind that
+        return;
+    }
     end(asked ? End::Unknown : End::NotSent, now, {}, 0, Cause::Cancelled);
     m_drain = 0; // a new request makes a slave drop what it had to say
 }
@@ -98,6 +100,7 @@ void Master::switchOn(const Mapping &mapping, Duration period, TimePoint now, bo
     m_mapping = mapping;
     m_period = std::max<Duration>(period, 1us);
     m_step = 0;
+    m_cancelled = false;
     begin({Command::Write, m_steps[0].address, m_steps[0].words, true});
     work(now);
 }

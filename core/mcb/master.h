@@ -222,6 +222,7 @@ private:
     Way m_way = Way::None;
     std::vector<MappingStep> m_steps;
     std::size_t m_step = 0;
+    bool m_cancelled = false; ///< no further step on the way into the cyclic state
     Mapping m_mapping;
     std::size_t m_words = 0; ///< of a frame now
     Duration m_period{};

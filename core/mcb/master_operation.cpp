@@ -175,7 +175,11 @@ void Master::end(End end, TimePoint now, Words words, std::uint32_t code, Cause 
 
 void Master::nextStep(Done done, TimePoint now)
 {
-    if (done.end == End::Ok && ++m_step < m_steps.size()) {
+    const bool more = done.end == End::Ok && ++m_step < m_steps.size();
+    if (more && m_cancelled) {
+        done.end = End::Unknown;
+        done.cause = Cause::Cancelled;
+    } else if (more) {
         begin({Command::Write, m_steps[m_step].address, m_steps[m_step].words, true});
         return;
     }

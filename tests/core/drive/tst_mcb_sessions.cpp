@@ -259,6 +259,7 @@ void TestMcbSessions::whatFailedOnceDoesNotFailAgain_data()
     QTest::newRow("a set-point put back behind a Stop") << quint64{75923};
     QTest::newRow("the same in another session") << quint64{131041};
     QTest::newRow("a type asked that is not known any more") << quint64{743371};
+    QTest::newRow("a mapping goes on behind a Stop") << quint64{772186};
 }
 
 void TestMcbSessions::whatFailedOnceDoesNotFailAgain()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace judge {
 
@@ -191,7 +192,9 @@ void WireMcb::take(ByteView bytes)
         return;
     const auto frame = wordsOf(bytes);
     const auto asked = m_read.find(addressOf(frame));
-    if (commandOf(frame) == 3 && (frame[0] & 1U) == 0 && asked != m_read.end() && asked->second)
+    if (commandOf(frame) == 3 && (frame[0] & 1U) == 0 && asked != m_read.end()
+        && std::exchange(
+            asked->second, false)) // one that comes again may be the answer to something else
         m_holds[addressOf(frame)] = valueOf(frame);
 }
 

@@ -43,7 +43,8 @@ private:
     std::vector<Entry> m_rx; ///< of the mapping that was last switched on
     std::size_t m_words = 0; ///< of a frame with it
     std::map<unsigned, Words> m_holds; ///< by address, of the drive
-    std::map<unsigned, bool> m_read; ///< whether the last question about it was for its value
+    /// Whether the last question about it was for its value, and has no answer yet.
+    std::map<unsigned, bool> m_read;
     Bytes m_heard; ///< since the last frame left
     std::size_t m_length = 0; ///< of that
 };
