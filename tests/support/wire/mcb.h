@@ -33,7 +33,7 @@ private:
     std::vector<Entry> entriesOf(unsigned count) const;
     void travels(const std::vector<unsigned> &words, std::vector<Sent> &all);
     bool changes(const Entry &entry, const Words &words);
-    void take(ByteView frame);
+    void take(ByteView bytes);
 
     bool m_continues = false; ///< a value in fragments is under way
     bool m_sought = false; ///< the length of its frames, since it was last made to cycle
