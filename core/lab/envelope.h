@@ -41,7 +41,7 @@ public:
     /// From now on these bounds hold; silence of samples counts from now, of a reading from when it was first bounded.
     void set(const Caps &caps, TimePoint now);
 
-    /// @param unitOf  factor of a polled register's number to its unit
+    /// @param catalog  of the board: units of what is polled
     /// @return  which bound is broken, in words with its numbers; empty: none
     std::optional<std::string> take(
         const drive::Event &event, const catalog::Catalog &catalog, TimePoint now);

@@ -131,9 +131,9 @@ DEFECTS = [
         ("widgets/scope/drawing/waveform_plottable.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
     ("the legend tells other values", "tst_monkey@1-13", "untrue", [
         ("widgets/scope/trace_legend.cpp", "paddedReading(trace, *value, mParentPlot->locale())", "paddedReading(trace, *value * 1.5 + 3.0, mParentPlot->locale())")]),
-    ("values of the older protocol are others", "tst_monkey@2-10", "untrue", [
+    ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
         ("core/drive/fcp/fcp_reads.cpp", "        reading.value = std::move(value).value_or(Value());\n",
-         "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value))\n            *digits += 3;\n")]),
+         "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
     ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
         ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),
     ("a recording's size is told wrong", "tst_monkey@7-31", "untrue", [

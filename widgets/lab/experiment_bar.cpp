@@ -140,11 +140,11 @@ void ExperimentBar::addAside(QWidget *widget) { m_flow->addWidget(widget); }
 /// The sentence beside the buttons where there is room for some words, else below them.
 void ExperimentBar::fold()
 {
-    constexpr int kWords = 24; // letters
+    constexpr int kLetters = 24;
     int line = 0;
     for (int i = 0; i < m_flow->count(); ++i)
         line += m_flow->itemAt(i)->sizeHint().width() + kHalfGrid;
-    const bool beside = width() >= line + kWords * fontMetrics().averageCharWidth();
+    const bool beside = width() >= line + kLetters * fontMetrics().averageCharWidth();
     m_flow->parentWidget()->setMinimumWidth(beside ? line : 0);
     m_row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }

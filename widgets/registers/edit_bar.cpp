@@ -39,14 +39,13 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    const bool wide = m_wide;
-    if (wide) { // else words go before signs
+    if (m_wide) { // else words go before signs
         setLineIcon(*m_revert, "revert");
         setLineIcon(*m_apply, "apply");
     }
-    m_told->setFixedHeight((wide ? 1 : kLines) * m_told->fontMetrics().lineSpacing());
-    m_told->setAlignment(Qt::AlignLeft | (wide ? Qt::AlignVCenter : Qt::AlignTop));
-    if (wide) {
+    m_told->setFixedHeight((m_wide ? 1 : kLines) * m_told->fontMetrics().lineSpacing());
+    m_told->setAlignment(Qt::AlignLeft | (m_wide ? Qt::AlignVCenter : Qt::AlignTop));
+    if (m_wide) {
         layout->addWidget(m_told, 0, 0);
         layout->addWidget(m_revert, 0, 1);
         layout->addWidget(m_apply, 0, 2);
@@ -62,7 +61,8 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
         widest = std::max(widest, m_apply->sizeHint().width());
     }
     m_apply->setFixedWidth(widest);
-    m_revert->setSizePolicy(wide ? QSizePolicy::Minimum : QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_revert->setSizePolicy(
+        m_wide ? QSizePolicy::Minimum : QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(&edits, &RegisterEdits::told, this, &EditBar::tell);
     connect(&edits, &RegisterEdits::changed, this, &EditBar::refresh);
     connect(apply, &QAction::changed, this, &EditBar::refresh);

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <functional>
 
 using namespace drive;
 using namespace std::chrono_literals;
@@ -103,7 +104,6 @@ private Q_SLOTS:
     void disarmingHoldsThem();
     void whatNoFrameHadNoneHasAfterwards_data();
     void whatNoFrameHadNoneHasAfterwards();
-    void aStopPutsNothingBack();
     void aResetEndsThem();
     void aProgramThatWasKilledRepeatsNothing();
     void aLostLinkEndsThem();
@@ -379,15 +379,23 @@ void TestMcbSetPoints::disarmingHoldsThem()
 
 void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards_data()
 {
-    QTest::addColumn<bool>("disconnects");
-    QTest::newRow("disarmed") << false;
-    QTest::newRow("disconnected") << true;
+    QTest::addColumn<std::function<void(McbPair &)>>("act");
+    QTest::addColumn<bool>("rests"); // neither it nor the one before comes behind a Stop
+    using Act = std::function<void(McbPair &)>;
+    QTest::newRow("disarmed") << Act([](McbPair &pair) { pair.drive->disarm(); }) << false;
+    QTest::newRow("disconnected") << Act([](McbPair &pair) { pair.drive->disconnect(pair.now); })
+                                  << false;
+    QTest::newRow("stopped") << Act([](McbPair &pair) {
+        pair.stopped = true;
+        pair.drive->stop(pair.now);
+    }) << true;
 }
 
 /// At any instant of a set-point's way: between it and the next exchange it is taken back.
 void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
 {
-    QFETCH(const bool, disconnects);
+    QFETCH(const std::function<void(McbPair &)>, act);
+    QFETCH(const bool, rests);
     int notSent = 0;
     constexpr int kInstants = 60;
     for (int i = 0; i < kInstants; ++i) {
@@ -402,47 +410,13 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
         const bool left = std::any_of(bench.sent.begin(), bench.sent.end(),
             [&](const mcb::Frame &frame) { return bench.velocitySent(frame) != 10.0; });
         bench.sent.clear();
-        if (disconnects)
-            pair.drive->disconnect(pair.now);
-        else
-            pair.drive->disarm();
+        act(pair);
         pair.exchange();
         QVERIFY(pair.runUntilEnded(ramp));
         pair.runFor(20ms);
         QVERIFY(!bench.sent.empty());
         for (const mcb::Frame &frame : bench.sent)
-            QCOMPARE(bench.velocitySent(frame), left ? 20.0 : 10.0);
-        const Outcome outcome = pair.ended.at(ramp).front().outcome;
-        QCOMPARE(outcome == Outcome::NotSent, !left);
-        notSent += left ? 0 : 1;
-    }
-    QVERIFY(notSent > 0 && notSent < kInstants);
-}
-
-/// At any instant of a set-point's way: neither it nor the one before comes behind the Stop.
-void TestMcbSetPoints::aStopPutsNothingBack()
-{
-    constexpr int kInstants = 60;
-    int notSent = 0;
-    for (int i = 0; i < kInstants; ++i) {
-        Bench bench;
-        bench.pair.look = 250us;
-        QVERIFY(bench.travels());
-        McbPair &pair = bench.pair;
-        QVERIFY(bench.turnAt(600));
-        bench.keep = true;
-        const WishId ramp = pair.submit(SpeedRamp{1, 1200, 0ms});
-        pair.runFor(i * 250us);
-        const bool left = std::any_of(bench.sent.begin(), bench.sent.end(),
-            [&](const mcb::Frame &frame) { return bench.velocitySent(frame) == 20.0; });
-        bench.sent.clear();
-        pair.stopped = true;
-        pair.drive->stop(pair.now);
-        pair.runFor(20ms);
-        QVERIFY(!bench.sent.empty());
-        for (const mcb::Frame &frame : bench.sent)
-            QCOMPARE(bench.velocitySent(frame), 0.0);
-        QVERIFY(pair.runUntilEnded(ramp));
+            QCOMPARE(bench.velocitySent(frame), rests ? 0.0 : left ? 20.0 : 10.0);
         const Outcome outcome = pair.ended.at(ramp).front().outcome;
         QCOMPARE(outcome == Outcome::NotSent, !left);
         notSent += left ? 0 : 1;
