@@ -8,6 +8,13 @@ namespace widgets {
 
 using Kind = Answer::Kind;
 
+namespace {
+
+constexpr auto kUnconfirmed = "leaveQuestion", kLeaveRunning = "leaveRunning",
+               kNotIdle = "disconnectQuestion";
+
+} // namespace
+
 Leaving::Leaving(
     Device &device, std::function<TimePoint()> clock, QuestionPrompt &prompt, QObject *parent)
     : QObject(parent)
@@ -17,6 +24,7 @@ Leaving::Leaving(
 {
     connect(&m_shutdown, &Shutdown::confirmed, this, &Leaving::go);
     connect(&m_shutdown, &Shutdown::notConfirmed, this, &Leaving::ask);
+    connect(&device, &Device::statusChanged, this, &Leaving::endQuestionsAtRest);
 }
 
 void Leaving::before(Act act)
@@ -30,7 +38,7 @@ void Leaving::before(Act act)
 
 void Leaving::ask()
 {
-    m_prompt.ask({.name = "leaveQuestion",
+    m_prompt.ask({.name = kUnconfirmed,
         .title = tr("Stop motors"),
         .text = stopNotConfirmedText(),
         .more = m_device.portOpen()
@@ -44,7 +52,7 @@ void Leaving::ask()
 
 void Leaving::confirm()
 {
-    m_prompt.ask({.name = "leaveRunning",
+    m_prompt.ask({.name = kLeaveRunning,
         .title = tr("Leave running?"),
         .text = tr("Leave the motors as they are?"),
         .more = tr("They may go on turning, and nothing will watch them."),
@@ -61,20 +69,35 @@ void Leaving::go()
     goOn();
 }
 
+/// What was to be left may be left now; a board that came back behind a pulled cable says so by itself.
+void Leaving::endQuestionsAtRest()
+{
+    if (!m_shutdown.restIsSeen())
+        return;
+    bool asked = false;
+    for (const char *name : {kUnconfirmed, kLeaveRunning, kNotIdle}) {
+        asked = asked || m_prompt.asks(name);
+        m_prompt.withdraw(name);
+    }
+    if (asked)
+        go();
+}
+
 void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
 {
-    const auto stopAndLeave = [this, disconnect] {
-        before({tr("Stopping the motors before the port is closed\u2026"),
-            tr("Disconnect all the same\u2026"), disconnect});
-    };
+    Act act{tr("Stopping the motors before the port is closed\u2026"),
+        tr("Disconnect all the same\u2026"), disconnect};
     if (!m_shutdown.mayTurn() || !m_device.answering() || m_device.allIdle())
-        return stopAndLeave();
-    m_prompt.ask({.name = "disconnectQuestion",
+        return before(std::move(act));
+    m_act = std::move(act);
+    m_prompt.ask({.name = kNotIdle,
         .title = tr("Disconnect"),
         .text = tr("A motor is not idle."),
         .more = tr("Without a connection nothing watches it, and this program cannot stop it."),
-        .answers = {{Kind::Go, tr("Stop motors, then disconnect"), stopAndLeave},
-            {Kind::Force, tr("Leave running"), disconnect}, {Kind::Stay, tr("Stay connected")}},
+        .answers = {{Kind::Go, tr("Stop motors, then disconnect"),
+                        [this] { before(std::exchange(m_act, {})); }},
+            {Kind::Force, tr("Leave running"), [this] { go(); }},
+            {Kind::Stay, tr("Stay connected")}},
         .usual = 2});
 }
 

@@ -1,5 +1,6 @@
 // Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
-// turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running.
+// turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running. Where the
+// evidence comes while the question waits, the question is over.
 #pragma once
 
 #include "widgets/base/question.h"
@@ -34,6 +35,7 @@ private:
     void ask();
     void confirm();
     void go();
+    void endQuestionsAtRest();
 
     Device &m_device;
     QuestionPrompt &m_prompt;

@@ -55,7 +55,7 @@ void Shutdown::begin()
 
 void Shutdown::check()
 {
-    if (!underWay() || !m_device.answering() || mayTurn())
+    if (!underWay() || !restIsSeen())
         return;
     m_deadline.stop();
     Q_EMIT confirmed();

@@ -21,6 +21,8 @@ public:
 
     /// A motor may turn: the connection must not be left without a stop, or the user's word.
     bool mayTurn() const;
+    /// The board answers, and no motor of it may turn.
+    bool restIsSeen() const { return m_device.answering() && !mayTurn(); }
     /// The user's choice: motors that may turn stay as they are. Until the next arming or connection.
     void leaveAsTheyAre() { m_rest.leftAsTheyAre(); }
 

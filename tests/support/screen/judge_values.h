@@ -63,7 +63,7 @@ private:
                 const bool marked = brush.style() != Qt::NoBrush && brush.color() == grey;
                 const bool edited = cell.data(Qt::BackgroundRole).isValid();
                 if (!marked && !edited)
-                    valueIs(name, cell.data().toString(), raw);
+                    valueIs("tree", name, cell.data().toString(), raw);
             }
         }
     }
@@ -91,7 +91,7 @@ private:
             const bool marked = shows->palette().color(QPalette::Active, QPalette::Text)
                 == m_moment.window().palette().color(QPalette::Disabled, QPalette::Text);
             if (!edited && !marked)
-                valueIs(name.section(QLatin1Char('_'), 1), text, raw);
+                valueIs("field", name.section(QLatin1Char('_'), 1), text, raw);
         }
     }
 
@@ -108,13 +108,15 @@ private:
             const QString name = view->nameOf(channel), begins = name + QStringLiteral("  ");
             for (const QString &text : texts.caught())
                 if (text.startsWith(begins))
-                    valueIs(name.contains(QLatin1Char('@')) ? name : name + QStringLiteral("@1"),
+                    valueIs("legend",
+                        name.contains(QLatin1Char('@')) ? name : name + QStringLiteral("@1"),
                         text.mid(begins.size()), false);
         }
     }
 
+    /// @param where  it is shown
     /// @param text  shown without a mark
-    void valueIs(QString name, const QString &text, bool raw)
+    void valueIs(const char *where, QString name, const QString &text, bool raw)
     {
         const auto shown = ScreenMoment::number(text);
         const int motor = name.contains(QLatin1Char('@'))
@@ -127,7 +129,7 @@ private:
         ++m_moment.statements;
         const std::string wrong = wrongOf(*shown, *known);
         if (!wrong.empty())
-            m_moment.finds(name, text, wrong);
+            m_moment.finds(name + QStringLiteral(" in the ") + QLatin1String(where), text, wrong);
     }
     /// @return  what is not so; empty: it is
     std::string wrongOf(const ScreenMoment::Number &shown, const Known &known) const

@@ -101,14 +101,53 @@ private Q_SLOTS:
         QVERIFY(m_questions.answer(QStringLiteral("Try again")));
         QCOMPARE(m_stops->size(), 1);
         QTRY_VERIFY(m_questions.asks("leaveQuestion"));
-        m_device->portChanged(session::PortState::Open, {});
-        facts::feed(
-            *m_device, {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None}});
+        QCOMPARE(m_left, 0);
+    }
+
+    /// "A motor may still be turning" is not so any more where the board came back and says that it stands.
+    void aQuestionEndsWhereTheMotorIsSeenAtRest()
+    {
+        notConfirmed();
+        connectAgain();
+        m_now += 1s;
+        tell(MotorState::Stopping);
+        QVERIFY(m_questions.asks("leaveQuestion"));
+        QCOMPARE(m_left, 0);
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.open.empty());
+        QCOMPARE(m_left, 1);
+        tell(MotorState::Idle);
+        QCOMPARE(m_left, 1); // once
+    }
+    void theSecondQuestionEndsThenToo()
+    {
+        notConfirmed();
+        QVERIFY(m_questions.answer(QStringLiteral("go all the same")));
+        connectAgain();
         m_now += 1s;
         tell(MotorState::Idle);
-        QCOMPARE(m_left, 0); // nothing waits for it: the question does
-        QVERIFY(m_questions.answer(QStringLiteral("Try again")));
+        QVERIFY(m_questions.open.empty());
         QCOMPARE(m_left, 1);
+    }
+    void whoStayedIsNotMadeToLeaveLater()
+    {
+        notConfirmed();
+        QVERIFY(m_questions.answer(QStringLiteral("Stay")));
+        connectAgain();
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QCOMPARE(m_left, 0);
+    }
+    void aMotorThatCameToRestIsNotAskedAbout()
+    {
+        tell(MotorState::Running);
+        m_leaving->beforeDisconnecting([this] { ++m_left; });
+        QVERIFY(m_questions.asks("disconnectQuestion"));
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.open.empty());
+        QCOMPARE(m_left, 1);
+        QCOMPARE(m_stops->size(), 0);
     }
 
     void whatIsToldDependsOnThePort()
