@@ -63,11 +63,14 @@ void McpBoard::reset()
 
 void McpBoard::asks(ByteView bytes, bool arrives)
 {
-    // A blind stop drops a payload whose header has left; no request begins like what comes then.
-    if (const std::uint32_t word = little(bytes, 0, 4); m_askedWanted > 0 && m_asked.empty()
-        && bytes.size() == 4 && (word % 16 == kBeacon || word % 16 == kPing)
-        && WireMcp::checkOf(word) == word >> 28)
+    // A blind stop drops a payload whose header has left, and a board that begins anew behind a header takes the payload
+    // for headers: what comes then begins a packet, and no request begins like it.
+    if (const std::uint32_t word = little(bytes, 0, 4); bytes.size() == 4
+        && (word % 16 == kBeacon || word % 16 == kPing) && WireMcp::checkOf(word) == word >> 28) {
+        m_asked.clear();
         m_askedWanted = 0;
+        m_askedArrives = true;
+    }
     for (const std::uint8_t byte : bytes) {
         m_asked.push_back(byte);
         m_askedArrives = m_askedArrives && arrives;
