@@ -16,6 +16,7 @@
 #include "support/wire/fcp.h"
 #include "support/wire/fcp_board.h"
 #include "support/wire/mcb.h"
+#include "support/wire/mcb_board.h"
 #include "support/wire/mcp.h"
 #include "support/wire/mcp_board.h"
 
@@ -183,11 +184,14 @@ public:
         const std::lock_guard lock(m_mutex);
         return look(std::as_const(m_says));
     }
-    /// What a board of MCP or of the older protocol gave for a register, the oldest first. @param id  with its motor
+    /// What the board gave for a register, the oldest first. @param id  with its motor
     std::deque<judge::GivenValues::Value> given(std::uint16_t id)
     {
         const std::lock_guard lock(m_mutex);
-        return (mcp() ? m_says.given() : m_olderSays.given()).of(id);
+        return (mcp()     ? m_says.given()
+                : older() ? m_olderSays.given()
+                          : m_servoSays.given())
+            .of(id);
     }
     bool mcp() const { return m_protocol == drive::Protocol::Mcp; }
     bool older() const
@@ -271,6 +275,8 @@ private:
             m_says.says(bytes, at, arrives);
         else if (older())
             m_olderSays.says(bytes, at, arrives);
+        else
+            m_servoSays.says(bytes, at, arrives);
     }
     void makeBoard()
     {
@@ -299,6 +305,7 @@ private:
     TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
     judge::McpBoard m_says; ///< these, too
     judge::FcpBoard m_olderSays;
+    judge::McbBoard m_servoSays;
     std::vector<TimePoint> m_setPoints;
     int m_resets = 0, m_openings = 0;
     TimePoint m_linkChanged{};
@@ -327,6 +334,7 @@ public:
             m_world.m_options.motor = std::exchange(m_world.m_nextMotor, {});
             m_world.m_says = {};
             m_world.m_olderSays = {};
+            m_world.m_servoSays = {};
         }
         if (!m_world.m_board || other)
             m_world.makeBoard();
@@ -376,6 +384,8 @@ public:
             m_world.m_says.asks(bytes, !cut);
         else if (m_world.older())
             m_world.m_olderSays.asks(bytes, !cut);
+        else
+            m_world.m_servoSays.asks(bytes, !cut);
     }
     bool sent(TimePoint) const override { return true; }
     void advance(TimePoint now) override
@@ -447,6 +457,7 @@ private:
             m_world.hear(m_world.m_early, m_world.now(), !m_world.cut);
             m_world.m_says.reset();
             m_world.m_olderSays.reset();
+            m_world.m_servoSays.reset();
             m_world.m_drift = {};
             ++m_world.m_resets;
         }

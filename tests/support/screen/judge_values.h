@@ -5,6 +5,7 @@
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
 #include "support/wire/fcp_board.h"
+#include "support/wire/mcb_board.h"
 #include "support/wire/mcp_registers.h"
 #include "widgets/scope/scope_view.h"
 
@@ -25,11 +26,9 @@ public:
 
     void look()
     {
-        if (!m_moment.world().mcp() && !m_moment.world().older())
-            return;
         theTreeIs();
         theFieldsAre();
-        if (m_moment.world().older())
+        if (!m_moment.world().mcp())
             theLegendIs();
     }
 
@@ -95,7 +94,7 @@ private:
         }
     }
 
-    /// All that is drawn is read in turn.
+    /// What is drawn is read in turn, or travels with every exchange.
     void theLegendIs()
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
@@ -167,6 +166,12 @@ private:
             if (known == nullptr || !(raw || known->plain))
                 return {};
             return Known{static_cast<std::uint16_t>(known->number << 3 | motor), 1.0};
+        }
+        if (!m_moment.world().mcp()) {
+            const auto *known = raw ? nullptr : judge::findMcbRegister(name);
+            if (known == nullptr)
+                return {};
+            return Known{static_cast<std::uint16_t>(known->address << 3 | motor), known->factor};
         }
         const auto *known = judge::findMcpRegister(name);
         const auto factor = known == nullptr ? std::nullopt

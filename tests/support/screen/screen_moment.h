@@ -62,7 +62,7 @@ public:
             : 1;
     }
 
-    /// A number at the beginning of a text, and how many decimals it has.
+    /// A number at the beginning of a text, and how many decimals it has (below 0: so many digits are left out).
     struct Number {
         double value = 0.0;
         int decimals = 0;
@@ -75,13 +75,15 @@ public:
     static std::optional<Number> number(QString text)
     {
         static const QRegularExpression first(
-            QStringLiteral("^[\\s\u2007]*([-\u2212]?[0-9]+(?:\\.([0-9]+))?)"));
+            QStringLiteral("^[\\s\u2007]*([-\u2212]?[0-9]+(?:\\.([0-9]+))?)(?:e([-+]?[0-9]+))?"));
         const auto match = first.match(text);
         if (!match.hasMatch())
             return {};
         QString digits = match.captured(1);
         digits.replace(QChar(0x2212), QLatin1Char('-'));
-        return Number{digits.toDouble(), static_cast<int>(match.captured(2).size())};
+        const int power = match.captured(3).toInt();
+        return Number{digits.toDouble() * std::pow(10.0, power),
+            static_cast<int>(match.captured(2).size()) - power};
     }
 
 private:
