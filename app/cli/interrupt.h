@@ -18,7 +18,7 @@ public:
     int number() const { return m_number; }
 
 Q_SIGNALS:
-    void raised();
+    void raised(); ///< at each of them
 
 private:
     void raise(int number);

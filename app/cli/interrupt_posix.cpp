@@ -76,9 +76,8 @@ Interrupt::~Interrupt()
 
 void Interrupt::raise(int number)
 {
-    if (m_number != 0)
-        return;
-    m_number = number;
+    if (m_number == 0)
+        m_number = number;
     Q_EMIT raised();
 }
 

@@ -38,6 +38,8 @@ void Leaving::before(Act act)
 
 void Leaving::ask()
 {
+    if (m_prompt.asks(kUnconfirmed) || m_prompt.asks(kLeaveRunning))
+        return; // asked to end again, by a signal
     m_prompt.ask({.name = kUnconfirmed,
         .title = tr("Stop motors"),
         .text = stopNotConfirmedText(),
