@@ -1,5 +1,6 @@
 #include "drive/fcp/fcp_commands.h"
 
+#include "drive/fcp/fcp_writes.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
 
@@ -22,6 +23,17 @@ fcp::CommandId commandOf(MotorAction action)
         break;
     }
     return fcp::CommandId::FaultAck;
+}
+
+/// At rest the references of torque and flux read as 0, whatever a start goes to.
+std::string refuseTorqueStart(const FcpFacts &board)
+{
+    if (auto why = refuseTorqueControl(board); !why.empty())
+        return why;
+    return board.user.maxCurrentAmps > 0.0
+        ? "in torque control this board does not tell to which current a start goes; take your own "
+          "limit of current away first"
+        : "";
 }
 
 } // namespace
@@ -55,17 +67,17 @@ std::string FcpCommandTask::refuseStart() const
 {
     for (const Reading &reading : m_found) {
         std::string why;
+        const auto number = asNumber(reading.value);
         if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
-            for (const fcp::RevUpStage &stage :
-                revUpStages(*raw).value_or(std::vector<fcp::RevUpStage>()))
-                if (why.empty())
-                    why = refuseSpeed(m_board, m_command.motor, stage.speed_rpm);
-        } else if (const auto number = asNumber(reading.value);
-                   number && fcpNumber(reading.id) == kControlMode) {
-            if (*number == static_cast<double>(kTorqueModeNumber))
-                why = refuseTorqueControl(m_board);
-        } else if (const auto speed = asNumber(reading.value)) {
-            why = refuseSpeed(m_board, m_command.motor, *speed);
+            if (const auto stages = revUpStages(*raw))
+                why = refuseStages(m_board, m_command.motor, *stages);
+        } else if (number && fcpNumber(reading.id) == kControlMode) {
+            if (*number != static_cast<double>(kTorqueModeNumber))
+                continue;
+            if (why = refuseTorqueStart(m_board); !why.empty())
+                return why;
+        } else if (number) {
+            why = refuseSpeed(m_board, m_command.motor, *number);
         }
         if (!why.empty())
             return m_board.catalog->nameOf(reading.id) + " is " + why;

@@ -23,7 +23,8 @@ std::string refuseAddress(const FcpFacts &board, RegisterId id)
 
 constexpr std::uint8_t kFinalSpeed = 0x5B;
 
-/// Beyond what a stage may ask for: its speed, and where the scale is known its current.
+} // namespace
+
 std::string refuseStages(
     const FcpFacts &board, int motor, const std::vector<fcp::RevUpStage> &stages)
 {
@@ -37,8 +38,6 @@ std::string refuseStages(
     }
     return {};
 }
-
-} // namespace
 
 std::optional<ReadStatus> FcpProtocol::refuseRead(const FcpFacts &board, RegisterId id)
 {

@@ -7,6 +7,10 @@
 
 namespace drive {
 
+/// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
+std::string refuseStages(
+    const FcpFacts &board, int motor, const std::vector<fcp::RevUpStage> &stages);
+
 class FcpWriteTask final : public StepwiseWrite<FcpProtocol> {
 public:
     using StepwiseWrite::StepwiseWrite;

@@ -92,8 +92,6 @@ std::string refuseStages(const McpFacts &board, int motor, ByteView raw)
     for (const mcp::RevUpStage &stage : *stages) {
         if (std::abs(static_cast<double>(stage.rpm)) > kGreatestWireRpm)
             return "beyond the 32767 rpm that this protocol can hold";
-        if (board.user == UserLimits{})
-            continue;
         if (auto why = refuseSpeed(board, motor, stage.rpm); !why.empty())
             return why;
         if (amps > 0.0)

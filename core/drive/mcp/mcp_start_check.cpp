@@ -3,10 +3,21 @@
 #include "drive/control_mode.h"
 #include "drive/mcp/mcp_limits.h"
 #include "drive/set_point_check.h"
+#include "drive/values.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
 
 namespace drive {
+
+namespace {
+
+/// Where it is not 0 the motor follows what is no set-point: an open loop, a potentiometer.
+bool isSource(const catalog::RegisterInfo &info)
+{
+    return info.name == "OPENLOOP" || info.name == "FOC_SPEED_SOURCE_SELECT";
+}
+
+} // namespace
 
 std::vector<RegisterId> StartCheck::wanted() const
 {
@@ -17,7 +28,7 @@ std::vector<RegisterId> StartCheck::wanted() const
     for (const catalog::RegisterInfo &info : catalog.registers())
         if (info.readable() && !info.stub
             && (info.setPoint != catalog::SetPoint::None || info.id == mcp::reg::kControlMode.bits
-                || info.id == mcp::reg::kRevupData.bits))
+                || info.id == mcp::reg::kRevupData.bits || isSource(info)))
             ids.push_back(catalog.withMotor(info, m_motor));
     return ids;
 }
@@ -54,6 +65,8 @@ std::string StartCheck::refusal() const
         const auto *info = m_board.catalog->find(reading.id);
         if (reading.status != ReadStatus::Ok || info == nullptr)
             continue;
+        if (isSource(*info) && asNumber(reading.value).value_or(0.0) != 0.0)
+            return info->name + " is on, and then no limit of your own holds; turn it off first";
         std::string why;
         if (const auto *raw = std::get_if<Bytes>(&reading.value))
             why = refuseStages(m_board, m_motor, *raw);

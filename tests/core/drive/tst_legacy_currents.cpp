@@ -2,6 +2,7 @@
 // and one connection, and a new scale moves nothing.
 #include "support/fcp_bench.h"
 
+#include "drive/control_mode.h"
 #include "drive/values.h"
 #include "fcp/request.h"
 
@@ -21,6 +22,7 @@ class TestFcpCurrents : public QObject {
 private Q_SLOTS:
     void currentsNeedTheirScale();
     void aCurrentInAmpereIsWhatFlows();
+    void aStartInTorqueControlIsWithinOnesOwnLimit();
     void aNewScaleMovesNothing();
     void theScaleIsForOneMotorAndOneConnection();
     void whatIsNoScaleIsRefused();
@@ -98,6 +100,31 @@ void TestFcpCurrents::aCurrentInAmpereIsWhatFlows()
     bench.runFor(100ms);
     QVERIFY(count > 50);
     QVERIFY2(std::abs(sum / count - 1.5) < 0.015, std::to_string(sum / count).c_str());
+}
+
+void TestFcpCurrents::aStartInTorqueControlIsWithinOnesOwnLimit()
+{
+    Bench bench("legacy");
+    bench.submit(CurrentScale{1, 40.0});
+    bench.drive->arm();
+    bench.exchange();
+    QVERIFY(bench.start());
+    QVERIFY(bench.runUntilEnded(bench.submit(CurrentReference{1, 1.0, 0.0})));
+    bench.drive->stop(bench.now);
+    QVERIFY(bench.runUntilState(MotorState::Idle));
+    bench.runFor(3s);
+    bench.drive->arm();
+    const auto refusal = [&](double amps) {
+        bench.submit(UserLimits{0.0, amps});
+        const WishId start = bench.submit(Command{MotorAction::Start, 1});
+        bench.runUntilEnded(start);
+        return bench.outcome(start) == Outcome::Refused ? bench.ended[start].front().reason : "";
+    };
+    QVERIFY(refusal(2.9).starts_with("in torque control this board does not tell"));
+    QVERIFY(bench.runUntilEnded(
+        bench.submit(Write{{{bench.id("CONTROL_MODE"), kSpeedModeNumber}}, Reach::Everything})));
+    QVERIFY(refusal(0.1).starts_with("REVUP_DATA is beyond your own limit"));
+    QCOMPARE(refusal(2.9), std::string());
 }
 
 void TestFcpCurrents::aNewScaleMovesNothing()

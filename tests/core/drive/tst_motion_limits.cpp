@@ -55,6 +55,8 @@ private Q_SLOTS:
     void ownLimitsOutliveTheConnection();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused();
+    void aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit();
+    void stagesOfTheStartUpAreWithinTheLimits();
     void setPointsOfEveryFamilyAreBounded_data();
     void setPointsOfEveryFamilyAreBounded();
     void everyProfileTellsItsLimits();
@@ -287,6 +289,49 @@ void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused()
         const std::string why = session.ended[start].front().reason;
         QVERIFY2(why.find("your own limit") != std::string::npos, why.c_str());
     }
+}
+
+void TestMotionLimits::aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit()
+{
+    simulation::BoardOptions options;
+    options.profile = "hso";
+    Session session(true, options);
+    const RegisterId source = session.id("FOC_SPEED_SOURCE_SELECT"); // a potentiometer
+    QVERIFY(session.runUntilEnded(
+        session.submit(Write{{{source, std::int64_t{1}}}, Reach::Everything})));
+    session.runUntilEnded(session.submit(UserLimits{3900.0, 0.0}));
+    const WishId start = session.submit(Command{MotorAction::Start, 1});
+    const std::string why = reasonOf(session, start);
+    QVERIFY(session.outcome(start) == Outcome::Refused);
+    QVERIFY2(why.starts_with("FOC_SPEED_SOURCE_SELECT is on"), why.c_str());
+}
+
+void TestMotionLimits::stagesOfTheStartUpAreWithinTheLimits()
+{
+    Session session;
+    const RegisterId id = session.id("REVUP_DATA");
+    session.runUntilEnded(session.submit(Read{{id}}));
+    const Bytes held = std::get<Bytes>(session.values.at(id).value);
+    std::string why;
+    const auto ends = [&](double rpm, double amps) {
+        Bytes raw = held; // of a stage: rpm, digits, ms
+        const auto digits = static_cast<std::int16_t>(std::lround(
+            amps / session.identified->catalog->readScale(session.id("I_Q_REF")).factor));
+        const Bytes stage = ByteWriter()
+                                .u32(static_cast<std::uint32_t>(static_cast<std::int32_t>(rpm)))
+                                .u16(static_cast<std::uint16_t>(digits))
+                                .take();
+        std::copy(stage.begin(), stage.end(), raw.begin());
+        const WishId wish = session.submit(Write{{{id, raw}}, Reach::Parameters});
+        why = reasonOf(session, wish);
+        return session.outcome(wish);
+    };
+    const MotionBounds bounds = boundsOf(session.identified->limits.at(0), {}, false);
+    const std::size_t before = session.requests.size();
+    QVERIFY(ends(bounds.rpm + 60.0, 0.5) == Outcome::Refused);
+    QVERIFY(ends(600.0, bounds.amps * 1.1) == Outcome::Refused);
+    QVERIFY(!changedSomething(session, before));
+    QVERIFY2(ends(600.0, bounds.amps * 0.5) == Outcome::Ok, why.c_str());
 }
 
 void TestMotionLimits::setPointsOfEveryFamilyAreBounded_data()
