@@ -70,9 +70,14 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
         withdraw();
     });
     connect(&device, &Device::motorChanged, this, &MotionGate::withdraw);
-    connect(&device, &Device::stopWished, this, [this] {
+    const auto stopped = [this] {
         forgetStarts(); // what the board still holds may surprise: the next start is asked about
         withdraw();
+    };
+    connect(&device, &Device::stopWished, this, stopped);
+    connect(&device, &Device::stopAdvanced, this, [stopped](const drive::StopProgress &progress) {
+        if (progress.word == drive::StopWord::Requested)
+            stopped(); // also where a person asked for none: a window that hung, an experiment
     });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
         if (armed)
@@ -344,7 +349,8 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     drive::MotionScene scene;
     scene.state = status.state;
     scene.startedBefore = m_started.contains(motor);
-    scene.bounds = m_device.bounds(motor);
+    // A ceiling that stands in for a limit in expert mode makes no step a small one.
+    scene.bounds = drive::realBoundsOf(m_device.limits(motor), m_device.userLimits());
     if (const auto agreed = m_agreedSteps.find(motor); agreed != m_agreedSteps.end()) {
         scene.agreedRpm = agreed->second.rpm;
         scene.agreedAmps = agreed->second.amps;

@@ -177,6 +177,41 @@ private Q_SLOTS:
             qPrintable(lines));
     }
 
+    /// The drive was stopped by the session: a window that hung, an experiment that broke a bound.
+    void afterAStopThatNobodyPressedAStartIsAskedAbout()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        bench.link.drive->stop(bench.link.now);
+        QVERIFY(bench.link.runUntilState(MotorState::Idle));
+        bench.link.runFor(3s);
+        bench.arm();
+        bench.look();
+        bench.asked.clear();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 1U);
+    }
+
+    void whereNothingBoundsAStepItIsAskedAbout()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        drive::Identified board = *bench.link.identified;
+        board.limits[0].maxSpeedRpm = 0.0;
+        facts::feed(bench.device, {board});
+        drive::Ended agreed;
+        QObject::connect(&bench.device, &widgets::Device::wishMade, &bench.panel,
+            [&](const drive::Wish &wish) { agreed.id = wish.id; });
+        bench.device.becomeExpert(1);
+        agreed.outcome = drive::Outcome::Ok; // the simulated board does tell its limit
+        facts::feed(bench.device, {agreed});
+        QVERIFY(bench.device.expert(1));
+        bench.look();
+        bench.asked.clear();
+        bench.gate.want(QStringLiteral("Ramp"), GateBench::speed(26000));
+        QCOMPARE(bench.asked.size(), 1U);
+    }
+
     void aStartWhoseOutcomeComesAfterTheStopIsNoEarlierOne()
     {
         GateBench bench;
