@@ -6265,6 +6265,10 @@
         <source>Nothing to redo.</source>
         <translation>Nichts zu wiederholen.</translation>
     </message>
+    <message>
+        <source>Nothing was written: the board was disarmed meanwhile.</source>
+        <translation>Nichts wurde geschrieben: Die Freigabe wurde inzwischen zurückgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>

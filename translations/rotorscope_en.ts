@@ -6264,6 +6264,10 @@
         <source>Nothing to redo.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing was written: the board was disarmed meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>

@@ -62,7 +62,10 @@ RegisterEdits::RegisterEdits(Device &device, RegisterModel &model, QObject *pare
     connect(&device, &Device::linkStateChanged, this, &RegisterEdits::linkChanged);
     connect(&device, &Device::identityChanged, this, &RegisterEdits::linkChanged);
     connect(&device, &Device::portStateChanged, this, &RegisterEdits::linkChanged);
-    connect(&device, &Device::armedStateChanged, this, &RegisterEdits::changed);
+    connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
+        m_disarmed = m_disarmed || !armed;
+        Q_EMIT changed();
+    });
     connect(&model, &RegisterModel::editsChanged, this, &RegisterEdits::changed);
     connect(&m_steps, &QUndoStack::indexChanged, this, &RegisterEdits::changed);
 }
@@ -225,6 +228,7 @@ void RegisterEdits::keepOrSend()
     if (m_snapshots == nullptr || m_writes.size() < 2)
         return send();
     m_stage = Stage::Keeping;
+    m_disarmed = false;
     Q_EMIT changed();
     m_snapshots->take();
 }
@@ -236,6 +240,8 @@ void RegisterEdits::kept()
     m_stage = Stage::Idle;
     if (const QString hint = writeHint(); !hint.isEmpty())
         return notSent(hint);
+    if (m_disarmed) // whoever armed since then did not ask for this
+        return notSent(tr("Nothing was written: the board was disarmed meanwhile."));
     // The motor may have started meanwhile.
     const QList<WriteLine> lines = m_confirmed ? QList<WriteLine>() : cautious(m_writes);
     if (lines.isEmpty())

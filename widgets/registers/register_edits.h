@@ -101,6 +101,7 @@ private:
     QUndoStack m_steps;
     Stage m_stage = Stage::Idle;
     Verb m_verb = Verb::Apply;
+    bool m_disarmed = false; ///< since the snapshot before the write began
     bool m_confirmed = false; ///< the user has said yes to this very list
     std::vector<drive::RegisterWrite> m_writes;
     QStringList m_aside; ///< told while the write is under way

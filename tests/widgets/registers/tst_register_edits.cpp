@@ -30,6 +30,12 @@ std::size_t setsIn(const EditBench &bench)
     return support::count(bench.link.requests, mcp::CommandId::SetRegister);
 }
 
+/// A snapshot that takes as long as the test wants.
+struct SlowSnapshot : widgets::KeepBeforeWriting {
+    int asked = 0;
+    void take() override { ++asked; }
+};
+
 } // namespace
 
 class TestRegisterEdits : public QObject {
@@ -140,6 +146,32 @@ private Q_SLOTS:
         bench.edits.undo();
         QVERIFY(!bench.edits.underWay());
         QVERIFY(bench.edits.undoHint().contains(QStringLiteral("Arm")));
+    }
+
+    /// The yes was to a drive that was armed then; who arms it again means something else.
+    void aWriteThatWaitsForItsSnapshotEndsWithTheArming()
+    {
+        EditBench bench;
+        SlowSnapshot snapshot;
+        bench.edits.keepBeforeWriting(snapshot);
+        for (const bool disarmed : {true, false}) {
+            bench.arm();
+            bench.type("SPEED_KP", disarmed ? QStringLiteral("77") : QStringLiteral("78"));
+            bench.type("SPEED_KI", disarmed ? QStringLiteral("87") : QStringLiteral("88"));
+            const std::size_t before = setsIn(bench);
+            snapshot.asked = 0;
+            bench.edits.apply();
+            QCOMPARE(snapshot.asked, 1);
+            if (disarmed) {
+                bench.device.setArmed(false);
+                bench.arm();
+            }
+            Q_EMIT snapshot.taken();
+            QVERIFY(bench.settle());
+            QCOMPARE(setsIn(bench) > before, !disarmed);
+            if (disarmed)
+                QVERIFY(bench.told.last().contains(QStringLiteral("disarmed meanwhile")));
+        }
     }
 
     void undoOfFiftyRandomEditsRestoresEveryByte()
