@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data();
     void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall();
     void anotherBoardIsToldInThePicture();
+    void theSpeedIsThatOfTheNextBoardsSensor();
 
 private:
     void lookAtTheFirstPicture();
@@ -353,6 +354,54 @@ void TestBoardsSession::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall()
         [&] { lost = lost || device().link().state == drive::LinkState::Lost; });
     connectByAuto(QStringLiteral("sim"), QByteArray("MCP over ASPEP"));
     QVERIFY(!lost);
+    m_rig.reset();
+}
+
+/// Firmware takes a sensor's speed that it does not have, and sends zeros.
+void TestBoardsSession::theSpeedIsThatOfTheNextBoardsSensor()
+{
+    m_rig = std::make_unique<facts::WindowRig>();
+    QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    const auto names = [this] {
+        QStringList all;
+        for (const auto &signal : m_rig->workbench.signalPlan().wanted())
+            all.append(QString::fromStdString(device().catalog()->nameOf(signal.id))
+                + QLatin1Char(' ') + QString::number(static_cast<int>(signal.route)));
+        return all;
+    };
+    const auto meet = [&](const char *sensor) {
+        drive::Identified board = facts::identified();
+        board.identity.controlBoard = sensor;
+        board.identity.speedSignals = {sensor};
+        std::vector<catalog::RegisterInfo> registers = board.catalog->registers();
+        for (const auto &[name, id] :
+            {std::pair("STOPLL_ROT_SPEED", 0xB90U), std::pair("ENCODER_SPEED", 0xB10U)}) {
+            registers.push_back(facts::makeRegister(id, name, "Measurements"));
+            registers.back().streaming = catalog::Streaming::Fast;
+        }
+        board.catalog = std::make_shared<const catalog::Catalog>(
+            std::move(registers), 1, std::vector<catalog::Scales>(1));
+        device().portChanged(session::PortState::Open, {});
+        facts::feed(device(),
+            {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None}, board});
+    };
+    meet("STOPLL_ROT_SPEED");
+    const QStringList pll = names();
+    QVERIFY2(pll.last().startsWith(QStringLiteral("STOPLL_ROT_SPEED")),
+        qPrintable(pll.join(QLatin1Char(','))));
+    device().portChanged(session::PortState::Closed, {});
+    meet("ENCODER_SPEED");
+    QCOMPARE(names(),
+        QStringList(pll).replaceInStrings(
+            QStringLiteral("STOPLL_ROT_SPEED"), QStringLiteral("ENCODER_SPEED")));
+    // And over a restart: a workspace keeps what it is, not what it was called.
+    const auto kept = m_rig->workbench.signalPlan().named();
+    QCOMPARE(QString::fromStdString(kept.back().name), QStringLiteral("main-speed@1"));
+    device().portChanged(session::PortState::Closed, {});
+    m_rig = std::make_unique<facts::WindowRig>();
+    m_rig->workbench.signalPlan().setNamed(kept);
+    meet("STOPLL_ROT_SPEED");
+    QCOMPARE(names(), pll);
     m_rig.reset();
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 using Kind = capture::ChannelInfo::Kind;
 
+constexpr std::string_view kMainSpeed = "main-speed@"; ///< in names, before the motor's number
+
 /// As far as boards tell themselves apart: two of one kind do not.
 bool isSame(const drive::Identity &one, const drive::Identity &other)
 {
@@ -71,32 +73,56 @@ std::optional<capture::ChannelId> SignalPlan::channelOf(catalog::RegisterId id) 
 
 std::vector<NamedSignal> SignalPlan::named() const
 {
-    const auto catalog = m_device.catalog();
-    if (!m_names.empty() || !catalog)
+    if (!m_names.empty() || !m_catalog)
         return m_names;
     std::vector<NamedSignal> names;
-    for (const WantedSignal &signal : m_wanted)
-        names.push_back({catalog->nameOf(signal.id), signal.route, signal.plot});
+    for (const WantedSignal &signal : m_wanted) {
+        const std::string name = nameOf(signal.id);
+        // That a board cannot stream its speed is no wish for the next one.
+        const bool only = m_catalog->find(signal.id)->streaming == catalog::Streaming::Polled;
+        const Route route = only && name.starts_with(kMainSpeed) ? Route::Fast : signal.route;
+        names.push_back({name, route, signal.plot});
+    }
     return names;
+}
+
+std::optional<catalog::RegisterId> SignalPlan::mainSpeed(int motor) const
+{
+    const auto at = static_cast<std::size_t>(motor - 1);
+    const bool told = at < m_speeds.size() && !m_speeds[at].empty();
+    const catalog::RegisterInfo *info = m_catalog->find(told ? m_speeds[at] : "SPEED_MEAS");
+    if (info == nullptr || motor < 1 || motor > m_catalog->motors())
+        return {};
+    return m_catalog->withMotor(*info, motor);
+}
+
+/// The speed of the main sensor is no name of a register: the next board may have another sensor, and its firmware sends
+/// zeros for those that it does not have.
+std::string SignalPlan::nameOf(catalog::RegisterId id) const
+{
+    const int motor = std::max(1, m_catalog->motorOf(id));
+    return mainSpeed(motor) == id ? std::string(kMainSpeed) + std::to_string(motor)
+                                  : m_catalog->nameOf(id);
 }
 
 void SignalPlan::setNamed(std::vector<NamedSignal> names)
 {
     m_names = std::move(names);
-    const auto catalog = m_device.catalog();
-    if (!catalog || m_fromFile || m_names.empty())
+    if (!m_catalog || m_fromFile || m_names.empty())
         return;
-    resolveNames(*catalog);
+    resolveNames();
     replan();
 }
 
-void SignalPlan::resolveNames(const catalog::Catalog &catalog)
+void SignalPlan::resolveNames()
 {
     std::vector<WantedSignal> wanted;
     QStringList missing;
     for (const NamedSignal &signal : std::exchange(m_names, {})) {
-        const auto id = catalog.resolve(signal.name);
-        const bool polled = id && catalog.find(*id)->streaming == catalog::Streaming::Polled;
+        const bool main = signal.name.starts_with(kMainSpeed);
+        const auto id = main ? mainSpeed(std::atoi(signal.name.c_str() + kMainSpeed.size()))
+                             : m_catalog->resolve(signal.name);
+        const bool polled = id && m_catalog->find(*id)->streaming == catalog::Streaming::Polled;
         if (id)
             wanted.push_back({*id, polled ? Route::Polled : signal.route, signal.plot});
         else
@@ -114,23 +140,13 @@ void SignalPlan::resolveNames(const catalog::Catalog &catalog)
 
 void SignalPlan::addDefaults()
 {
-    const auto catalog = m_device.catalog();
-    if (!catalog)
+    if (!m_catalog)
         return;
-    const auto motor = static_cast<std::size_t>(m_device.motor() - 1);
-    const auto &identified = m_device.identified();
-    std::string speed = identified && motor < identified->identity.speedSignals.size()
-        ? identified->identity.speedSignals[motor]
-        : std::string();
-    if (speed.empty())
-        speed = "SPEED_MEAS";
-    const std::pair<std::string, int> defaults[] = {
-        {"I_A", 0}, {"I_B", 0}, {"I_Q_MEAS", 0}, {speed, 1}};
-    for (const auto &[name, plot] : defaults) {
-        const catalog::RegisterInfo *info = catalog->find(name);
-        if (info)
-            add(info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id, plot);
-    }
+    for (const char *name : {"I_A", "I_B", "I_Q_MEAS"})
+        if (const catalog::RegisterInfo *info = m_catalog->find(std::string_view(name)))
+            add(m_catalog->withMotor(*info, m_device.motor()), 0);
+    if (const auto speed = mainSpeed(m_device.motor()))
+        add(*speed, 1);
 }
 
 void SignalPlan::add(quint32 id, int plot)
@@ -237,10 +253,12 @@ void SignalPlan::boardChanged()
     const auto catalog = m_device.catalog();
     if (!catalog || m_replaying) // a recording streams what it streams
         return;
+    m_names = named(); // another board has other numbers for its registers
     meet();
-    std::erase_if(
-        m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
-    resolveNames(*catalog);
+    m_catalog = catalog;
+    m_speeds = m_device.identified()->identity.speedSignals;
+    m_wanted.clear();
+    resolveNames();
     m_streamWish = 0;
     m_newBoard = true;
     for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))

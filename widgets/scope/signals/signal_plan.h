@@ -62,7 +62,10 @@ Q_SIGNALS:
 private:
     void opened(const session::Endpoint &endpoint);
     void meet();
-    void resolveNames(const catalog::Catalog &catalog);
+    /// Of the main sensor, at the full rate where the board streams it; empty: the board has none.
+    std::optional<catalog::RegisterId> mainSpeed(int motor) const;
+    std::string nameOf(catalog::RegisterId id) const;
+    void resolveNames();
     void replan(); ///< now
     void replanSoon();
     void sendStream();
@@ -72,6 +75,8 @@ private:
     capture::Capture &m_capture;
     std::vector<WantedSignal> m_wanted;
     std::vector<NamedSignal> m_names; ///< that wait for a board
+    std::shared_ptr<const catalog::Catalog> m_catalog; ///< whose registers are wanted
+    std::vector<std::string> m_speeds; ///< of the main sensors of its motors
     ChannelPlan m_plan;
     unsigned m_fastEvery = 1;
     std::optional<drive::Identity> m_met; ///< the board that the samples are of
