@@ -134,6 +134,8 @@ DEFECTS = [
     ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
         ("core/drive/fcp/fcp_reads.cpp", "        reading.value = std::move(value).value_or(Value());\n",
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
+    ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
+        ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
     ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
         ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),
     ("a recording's size is told wrong", "tst_monkey@7-31", "untrue", [
