@@ -142,6 +142,7 @@ void MainWindow::showWithin(const QSize &screen)
 {
     constexpr QSize kFrame(16, 48);
     const QSize room = screen - kFrame;
+    m_tools->docks().setRoom(room);
     if (width() > room.width() || height() > room.height())
         setWindowState(Qt::WindowMaximized);
     show();

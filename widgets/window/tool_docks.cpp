@@ -59,12 +59,34 @@ void ToolDocks::open(std::size_t index)
     const bool first = !anyOpen();
     Tool &tool = m_tools[index];
     const Form *form = formOf(tool);
+    if (!fits(*tool.dock))
+        floatBelow(*tool.dock);
     tool.dock->show();
     tool.dock->raise();
     if (first)
         m_window.resizeDocks(
             {tool.dock}, {int(m_window.height() * form->heightShare())}, Qt::Vertical);
     tool.form->focusFirst();
+}
+
+/// Into the window without making it higher than its screen.
+bool ToolDocks::fits(const QDockWidget &dock) const
+{
+    const bool beside = std::any_of(m_tools.begin(), m_tools.end(),
+        [](const Tool &tool) { return !tool.dock->isHidden() && !tool.dock->isFloating(); });
+    return dock.isFloating() || beside
+        || m_window.minimumSizeHint().height() + dock.minimumSizeHint().height() <= m_room.height();
+}
+
+/// At the window's lower edge, where it would stand in it: what is above it has the Stop.
+void ToolDocks::floatBelow(QDockWidget &dock) const
+{
+    dock.setFloating(true);
+    const QSize size = dock.sizeHint()
+                           .boundedTo({m_window.width(), m_window.height() * 2 / 3})
+                           .expandedTo(dock.minimumSizeHint());
+    dock.resize(size);
+    dock.move(m_window.geometry().bottomLeft() - QPoint(0, size.height()));
 }
 
 void ToolDocks::closeAll()

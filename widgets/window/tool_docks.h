@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QList>
+#include <QSize>
 #include <QStringList>
 
 #include <functional>
@@ -33,6 +34,8 @@ public:
     QList<QAction *> actions() const { return m_actions; }
     QAction *closing() const { return m_close; } ///< closes all that are open
     bool anyOpen() const;
+    /// What the window has of its screen. A tool that would make the window higher floats.
+    void setRoom(const QSize &room) { m_room = room; }
     /// Closes all others. In this order side by side, or as tabs where the window is too narrow for that.
     void showOnly(const QStringList &names);
 
@@ -54,6 +57,8 @@ private:
     Form *formOf(Tool &tool);
     void fill(Tool &tool);
     void open(std::size_t index);
+    bool fits(const QDockWidget &dock) const;
+    void floatBelow(QDockWidget &dock) const;
     void closeAll();
 
     QMainWindow &m_window;
@@ -61,6 +66,7 @@ private:
     std::vector<Tool> m_tools;
     QList<QAction *> m_actions;
     QAction *m_close;
+    QSize m_room{QWIDGETSIZE_MAX, QWIDGETSIZE_MAX};
 };
 
 } // namespace widgets

@@ -330,11 +330,12 @@ private Q_SLOTS:
     }
 
     /// Whatever stands below the scope: a window that grew would have its Stop beside the screen.
-    void noToolMakesALowScreensWindowWider()
+    void noToolMakesALowScreensWindowLarger()
     {
         QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
         QCoreApplication::installTranslator(&m_german);
         open({960, 515});
+        m_rig->window.showWithin({976, 563}); // with a frame around it
         m_rig->window.finishTools();
         int tools = 0;
         for (QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>()) {
@@ -345,7 +346,11 @@ private Q_SLOTS:
             ++tools;
             action->trigger();
             settle();
-            QVERIFY2(m_rig->window.width() == 960, name.constData());
+            QVERIFY2(m_rig->window.size() == QSize(960, 515), name.constData());
+            const auto *own =
+                dock->findChild<QWidget *>(dock->objectName() + QStringLiteral("Stop"));
+            QVERIFY2(
+                dock->isFloating() && own->isVisible() && dock->height() <= 515, name.constData());
             const auto *stop = m_rig->find<QWidget>("stop");
             QCOMPARE(stop->visibleRegion().boundingRect().size(), stop->size());
             dock->close();
