@@ -17,7 +17,8 @@ private Q_SLOTS:
         int heard = 0;
         for (const int signal : {SIGTERM, SIGINT, SIGTERM}) {
             std::raise(signal);
-            QTRY_COMPARE(raised.size(), ++heard);
+            ++heard;
+            QTRY_COMPARE(raised.size(), heard);
             QCOMPARE(interrupt.number(), SIGTERM);
         }
     }
