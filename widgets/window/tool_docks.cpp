@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -60,7 +61,7 @@ void ToolDocks::open(std::size_t index)
     Tool &tool = m_tools[index];
     const Form *form = formOf(tool);
     if (!fits(*tool.dock))
-        floatBelow(*tool.dock);
+        floatBelow(tool);
     tool.dock->show();
     tool.dock->raise();
     if (first)
@@ -79,14 +80,16 @@ bool ToolDocks::fits(const QDockWidget &dock) const
 }
 
 /// At the window's lower edge, where it would stand in it: what is above it has the Stop.
-void ToolDocks::floatBelow(QDockWidget &dock) const
+void ToolDocks::floatBelow(const Tool &tool) const
 {
-    dock.setFloating(true);
-    const QSize size = dock.sizeHint()
-                           .boundedTo({m_window.width(), m_window.height() * 2 / 3})
-                           .expandedTo(dock.minimumSizeHint());
-    dock.resize(size);
-    dock.move(m_window.geometry().bottomLeft() - QPoint(0, size.height()));
+    tool.dock->setFloating(true);
+    const int bar = 2 * tool.dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const QSize form = tool.form->sizeHint().expandedTo(tool.form->minimumSizeHint());
+    const QSize whole = tool.dock->sizeHint().expandedTo(form + QSize(bar, 0));
+    const QSize size = whole.boundedTo({m_window.width(), m_window.height() * 2 / 3})
+                           .expandedTo(tool.dock->minimumSizeHint());
+    tool.dock->resize(size);
+    tool.dock->move(m_window.geometry().bottomLeft() - QPoint(0, size.height()));
 }
 
 void ToolDocks::closeAll()

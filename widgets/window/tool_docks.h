@@ -58,7 +58,7 @@ private:
     void fill(Tool &tool);
     void open(std::size_t index);
     bool fits(const QDockWidget &dock) const;
-    void floatBelow(QDockWidget &dock) const;
+    void floatBelow(const Tool &tool) const;
     void closeAll();
 
     QMainWindow &m_window;
