@@ -240,7 +240,7 @@ void RegisterEdits::kept()
     m_stage = Stage::Idle;
     if (const QString hint = writeHint(); !hint.isEmpty())
         return notSent(hint);
-    if (m_disarmed) // whoever armed since then did not ask for this
+    if (m_disarmed) // it was armed again for something else
         return notSent(tr("Nothing was written: the board was disarmed meanwhile."));
     // The motor may have started meanwhile.
     const QList<WriteLine> lines = m_confirmed ? QList<WriteLine>() : cautious(m_writes);

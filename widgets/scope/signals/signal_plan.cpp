@@ -79,7 +79,8 @@ std::vector<NamedSignal> SignalPlan::named() const
     for (const WantedSignal &signal : m_wanted) {
         const std::string name = nameOf(signal.id);
         // That a board cannot stream its speed is no wish for the next one.
-        const bool only = m_catalog->find(signal.id)->streaming == catalog::Streaming::Polled;
+        const catalog::RegisterInfo *info = m_catalog->find(signal.id);
+        const bool only = info && info->streaming == catalog::Streaming::Polled;
         const Route route = only && name.starts_with(kMainSpeed) ? Route::Fast : signal.route;
         names.push_back({name, route, signal.plot});
     }
