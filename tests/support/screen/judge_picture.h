@@ -81,6 +81,15 @@ private:
         std::vector<judge::Extremes> sent{}; ///< by column, from m_left on
     };
 
+    /// Between the cursors a trace is tinted a little.
+    static bool isOf(QRgb pixel, QRgb color)
+    {
+        constexpr int kTint = 14; // of 255
+        return std::abs(qRed(pixel) - qRed(color)) <= kTint
+            && std::abs(qGreen(pixel) - qGreen(color)) <= kTint
+            && std::abs(qBlue(pixel) - qBlue(color)) <= kTint;
+    }
+
     std::optional<Trace> traceOf(const widgets::ScopeView &view, capture::ChannelId channel) const
     {
         Trace trace;
@@ -264,10 +273,10 @@ private:
                         const QPoint at(int((trace.plot.x() + x + dx) * ratio),
                             int((trace.plot.y() + row) * ratio));
                         const QRgb pixel = picture.pixel(at) | 0xFF000000U;
-                        const bool own = pixel == trace.color;
+                        const bool own = isOf(pixel, trace.color);
                         const bool any = own
                             || std::any_of(m_traces.begin(), m_traces.end(),
-                                [pixel](const Trace &other) { return other.color == pixel; });
+                                [pixel](const Trace &other) { return isOf(pixel, other.color); });
                         if (any)
                             painted.inked[std::size_t(row)] = true;
                         if (own && painted.top < 0)
