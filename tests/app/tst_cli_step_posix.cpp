@@ -24,16 +24,21 @@ using support::Simulator;
     } while (false)
 
 /// It ended so; or otherwise, and as it should where the machine did not let it run: then there is nothing more to be seen.
-#define COMPARE_END(program, expected)                                                             \
+#define COMPARE_OUTCOME(program, expected, text, ...)                                              \
     do {                                                                                           \
-        const CliRun came = (program).run();                                                       \
-        if (came.status != (expected) && (program).starved()) {                                    \
+        const auto asExpected = [](const CliRun &it) {                                             \
+            return it.status == (expected) && it.err.contains(QLatin1String(text));                \
+        };                                                                                         \
+        const CliRun came = (program).outcome(asExpected __VA_OPT__(, ) __VA_ARGS__);              \
+        if (!asExpected(came) && (program).starved()) {                                            \
             QVERIFY2(came.endedEarly(), qPrintable(came.err + came.out));                          \
             qWarning("%s", qPrintable(came.err));                                                  \
             return;                                                                                \
         }                                                                                          \
         COMPARE_STATUS(came, expected);                                                            \
+        QVERIFY2(came.err.contains(QLatin1String(text)), qPrintable(came.err));                    \
     } while (false)
+#define COMPARE_END(program, expected) COMPARE_OUTCOME(program, expected, "")
 
 namespace {
 
@@ -180,16 +185,19 @@ private Q_SLOTS:
         COMPARE_END(program, 0);
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
         QCOMPARE(board.cli("get SPEED_RAMP").out, before.out);
-        COMPARE_STATUS(board.cli("ramp 1800 0"), 0);
-        COMPARE_STATUS(board.cli("start"), 0);
         const auto turns = [&] {
             const QString last =
                 board.cli("get --raw SPEED_MEAS").out.trimmed().section(QLatin1Char(' '), -1);
             return std::abs(last.toInt() - 1800) < 60;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(turns(), kPatience_ms);
-        program.begin();
-        COMPARE_END(program, 0);
+        const auto onARunningOne = [&] {
+            COMPARE_STATUS(board.cli("ramp 1800 0"), 0);
+            COMPARE_STATUS(board.cli("start"), 0);
+            QTRY_VERIFY_WITH_TIMEOUT(turns(), kPatience_ms);
+            program.begin();
+        };
+        onARunningOne();
+        COMPARE_OUTCOME(program, 0, "", onARunningOne);
         QVERIFY(board.cli("info").out.contains(QStringLiteral("RUN")));
         QVERIFY(board.cli("get SPEED_REF").out.contains(QStringLiteral("1800 rpm")));
         COMPARE_STATUS(board.cli("stop"), 0);
@@ -200,11 +208,8 @@ private Q_SLOTS:
         ExperimentProgram program(
             kServo, "step speed --from 1000 --to 1500 --repeat 1 --hold 100 --max-rpm 1500");
         program.begin();
-        COMPARE_END(program, 6);
-        const CliRun run = program.run();
-        QVERIFY(run.out.isEmpty());
-        QVERIFY2(program.starved() || run.err.contains(QStringLiteral("1500 rpm that are allowed")),
-            qPrintable(run.err));
+        COMPARE_OUTCOME(program, 6, "1500 rpm that are allowed");
+        QVERIFY(program.run().out.isEmpty());
         QVERIFY(program.board().cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
@@ -222,17 +227,18 @@ private Q_SLOTS:
         QFETCH(const bool, port);
         QFETCH(const QString, reason);
         ExperimentProgram program(kServo, "step speed --from 1000 --to 1500 -o");
-        program.begin();
-        if (program.recorded(kSomeSamples)) {
+        const auto untilItsBoardIsGone = [&] {
+            program.begin();
+            if (!program.recorded(kSomeSamples))
+                return;
             if (port)
                 program.board().vanish();
             else
                 program.board().freeze();
-        }
-        COMPARE_END(program, 3);
-        const CliRun run = program.run();
-        QVERIFY2(run.err.contains(reason) && run.err.contains(QStringLiteral("Stop NOT confirmed")),
-            qPrintable(run.err));
+        };
+        untilItsBoardIsGone();
+        COMPARE_OUTCOME(program, 3, "Stop NOT confirmed", untilItsBoardIsGone);
+        QVERIFY2(program.run().err.contains(reason), qPrintable(program.run().err));
     }
 
     /// Nobody restores its set-point: whoever starts the motor again is told where it goes.
