@@ -475,6 +475,7 @@ private Q_SLOTS:
         auto *edit = dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"));
         auto *button = dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"));
         QVERIFY(!button->isEnabled());
+        QVERIFY(edit->accessibleName().contains(QStringLiteral("\"MOTOR 1\""))); // the label's
         QVERIFY(edit->y() < button->mapTo(dialog, QPoint()).y()); // above the buttons
         QTest::keyClicks(edit, QStringLiteral("motor 1"));
         QVERIFY(!button->isEnabled());

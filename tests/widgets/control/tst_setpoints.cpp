@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <bit>
@@ -134,6 +135,8 @@ private Q_SLOTS:
         QCOMPARE(edit.accessibleDescription(), edit.echo());
         QTest::keyClick(&edit, Qt::Key_Return);
         QCOMPARE(committed.size(), std::size_t{1});
+        QCOMPARE(QToolTip::text(), edit.echo().toHtmlEscaped()); // why
+        QToolTip::hideText();
         edit.setLimits(30000000.0, 6.0, QStringLiteral("rpm")); // now it is good
         QVERIFY(edit.palette().color(QPalette::Base) != widgets::kRefusedColor);
     }

@@ -7,12 +7,14 @@
 
 #include <QAbstractProxyModel>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPainter>
 #include <QTest>
+#include <QToolTip>
 #include <QTranslator>
 
 #include <bit>
@@ -78,6 +80,16 @@ private Q_SLOTS:
         QVERIFY(tree->fontMetrics().horizontalAdvance(QStringLiteral("SPEED_KP")) > 54);
         QVERIFY(drawn("SPEED_KP") != drawn("SPEED_KI"));
         QVERIFY(drawn("SPEED_KP") == drawn("SPEED_KP"));
+        QStyleOptionViewItem narrow;
+        narrow.initFrom(tree);
+        narrow.widget = tree;
+        narrow.rect = QRect(0, 0, 54, 20);
+        QHelpEvent pointed(QEvent::ToolTip, QPoint(10, 10), QPoint(10, 10));
+        tree->itemDelegate()->helpEvent(&pointed, bench.panel.findChild<QTreeView *>(), narrow,
+            cellOf(bench, "SPEED_KP", RegisterModel::NameColumn));
+        QVERIFY2(
+            QToolTip::text().startsWith(QStringLiteral("SPEED_KP")), qPrintable(QToolTip::text()));
+        QToolTip::hideText();
     }
 
     void aNumberIsShownAsDigitsAndInHexadecimal()

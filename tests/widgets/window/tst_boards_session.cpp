@@ -8,6 +8,7 @@
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall();
     void anotherBoardIsToldInThePicture();
     void theSpeedIsThatOfTheNextBoardsSensor();
+    void theToolsShareWhatTheyAreTold();
 
 private:
     void lookAtTheFirstPicture();
@@ -102,6 +104,26 @@ void TestBoardsSession::everyBoardIsDrivenInTheSameWindow()
         if (QTest::currentTestFailed())
             break;
     }
+    m_rig.reset();
+}
+
+/// An inertia that is typed into one form stands in the other; the page of snapshots has the Save of the menu.
+void TestBoardsSession::theToolsShareWhatTheyAreTold()
+{
+    m_rig = std::make_unique<facts::WindowRig>();
+    QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    connectByAuto(QStringLiteral("sim"), "MCP over ASPEP");
+    for (const char *tool : {"gainsDockOpen", "revUpDockOpen", "snapshotsDockOpen"})
+        m_rig->find<QAction>(tool)->trigger();
+    auto *typed = m_rig->find<QLineEdit>("labInertia");
+    QTRY_VERIFY(typed->isEnabled());
+    typed->setFocus();
+    QTest::keyClicks(typed, QStringLiteral("512.5"));
+    QTest::keyClick(typed, Qt::Key_Return);
+    QTRY_COMPARE(
+        m_rig->find<QLineEdit>("revUpInertia")->placeholderText(), QStringLiteral("512.5"));
+    const auto *save = m_rig->find<QPushButton>("snapshotSave");
+    QVERIFY(save != nullptr && save->isEnabled());
     m_rig.reset();
 }
 

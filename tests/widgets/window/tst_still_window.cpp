@@ -315,9 +315,11 @@ private Q_SLOTS:
         widgets::applyTheme(widgets::Theme::Dark);
         QMenu menu;
         menu.addAction(QStringLiteral("Grid"))->setCheckable(true);
+        menu.addAction(QStringLiteral("Grid"))->setEnabled(false);
         menu.popup(QPoint(100, 100));
         QVERIFY(QTest::qWaitForWindowExposed(&menu));
         const QRect entry = menu.actionGeometry(menu.actions().first());
+        const QRect off = menu.actionGeometry(menu.actions().last());
         const QImage seen = menu.grab().toImage();
         menu.close();
         widgets::applyTheme(widgets::Theme::Light);
@@ -327,6 +329,19 @@ private Q_SLOTS:
             for (int y = entry.top(); y <= entry.bottom(); ++y)
                 edge += std::abs(qGray(seen.pixel(x, y)) - ground) > 24 ? 1 : 0;
         QVERIFY2(edge > 20, qPrintable(QString::number(edge)));
+        const auto brightest = [&seen](const QRect &words) {
+            int most = 0; // behind the place of a box
+            for (int x = words.left() + 24; x < words.right(); ++x)
+                for (int y = words.top(); y <= words.bottom(); ++y)
+                    most = std::max(most, qGray(seen.pixel(x, y)));
+            return most;
+        };
+        // An entry that can be chosen is told from one that cannot, and that can still be read.
+        QVERIFY2(brightest(entry) > brightest(off) + 40 && brightest(off) > ground + 40,
+            qPrintable(QStringLiteral("%1 %2 on %3")
+                           .arg(brightest(entry))
+                           .arg(brightest(off))
+                           .arg(ground)));
     }
 
     /// Whatever stands below the scope: a window that grew would have its Stop beside the screen.

@@ -275,6 +275,7 @@ private slots:
     void aSensorAloneHasNoObserverBesideIt();
     void sensorsAreSwitchedWithinTheMarginOnly();
     void profilerBuildsShowWhatTheyWereGiven();
+    void stagesAreKeptInTenthsOfAHertz();
     void theStructuresTellTheMotor();
 };
 
@@ -648,6 +649,23 @@ void TestRegisters::profilerBuildsShowWhatTheyWereGiven()
     QCOMPARE(ByteReader(bench.ask(readRequest(current))).f32(), 2.5F);
     QCOMPARE(bench.command(3), Bytes{0});
     QCOMPARE(bench.ask(write), Bytes{4}); // only while nothing runs
+}
+
+/// What firmware makes of speeds that its arithmetic cannot hold, as it was measured.
+void TestRegisters::stagesAreKeptInTenthsOfAHertz()
+{
+    BoardBench bench{BoardOptions{}};
+    QVERIFY(bench.connect());
+    for (const auto &[wrote, keeps] : std::initializer_list<std::pair<std::int32_t, std::int32_t>>{
+             {1000, 996}, {-1000, -996}, {0x18110A03, -167'826}}) {
+        ByteWriter write;
+        write.u16(1U << 3).u16(mcp::reg::kRevUpData.withMotor(1).bits).u16(40);
+        for (int stage = 0; stage < 5; ++stage)
+            write.s32(wrote).s16(0).u16(100);
+        QCOMPARE(bench.ask(write.take()), Bytes{0});
+        const Bytes answer = bench.ask(readRequest(mcp::reg::kRevUpData.withMotor(1)));
+        QCOMPARE(ByteReader(ByteView(answer).subspan(2)).s32(), keeps);
+    }
 }
 
 void TestRegisters::theStructuresTellTheMotor()
