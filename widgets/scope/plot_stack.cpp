@@ -360,6 +360,26 @@ bool PlotStack::adoptChannels()
     return changed;
 }
 
+bool PlotStack::age(std::chrono::milliseconds now, bool waits)
+{
+    // Longer than a polled value is drawn (2 s). Arrivals are counted, not times: a board's clock and ours drift apart.
+    constexpr std::chrono::milliseconds kCounts{2500};
+    bool changed = false;
+    for (const auto &plot : m_plots) {
+        for (Trace &trace : plot->traces) {
+            const capture::Channel *channel = m_capture.channel(trace.channel);
+            const capture::Index end = channel ? channel->end() : 0;
+            if (!waits || end != trace.end || !trace.info.isBoards()) {
+                trace.end = end;
+                trace.cameAt = now;
+            }
+            const bool old = now - trace.cameAt > kCounts;
+            changed = std::exchange(trace.old, old) != old || changed;
+        }
+    }
+    return changed;
+}
+
 void PlotStack::select(std::optional<capture::ChannelId> channel)
 {
     for (const auto &plot : m_plots) {

@@ -7,6 +7,7 @@
 
 #include <qcustomplot.h>
 
+#include <chrono>
 #include <vector>
 
 namespace widgets {
@@ -17,6 +18,10 @@ struct Trace {
     QCPAxis *valueAxis = nullptr;
     int colorSlot = 0;
     bool selected = false;
+    // How long nothing came: see PlotStack::age().
+    capture::Index end = 0; ///< of its samples, when some came last
+    std::chrono::milliseconds cameAt{};
+    bool old = false; ///< its last value counts no more
 };
 
 /// The step in which a trace's values are written out: as long as they keep it, their digits keep their places.

@@ -241,6 +241,12 @@ void ScopeView::captureChanged()
         drawWithin(m_calm ? kCalmFrameMs : kFrameMs);
 }
 
+void ScopeView::age(std::chrono::milliseconds now, bool waits)
+{
+    if (m_stack->age(now, waits))
+        redraw();
+}
+
 void ScopeView::setCalm(bool calm) { m_calm = calm; }
 
 void ScopeView::redraw() { drawWithin(kFrameMs); }

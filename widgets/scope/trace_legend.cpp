@@ -13,13 +13,13 @@ constexpr double kSpace = 6.0;
 constexpr double kBelow = 2.0; ///< between the last line and the plot
 
 /// As wide as the longest number that its axis can show, so that entries do not dance while values change.
-QString paddedReading(const Trace &trace, double value, const QLocale &locale)
+QString paddedReading(const Trace &trace, std::optional<double> value, const QLocale &locale)
 {
     const double step = readingStep(trace);
     const QCPRange range = trace.valueAxis->range();
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     const auto width = valueLabel(-largest, step, locale).size();
-    const QString text = valueLabel(value, step, locale);
+    const QString text = value ? valueLabel(*value, step, locale) : QStringLiteral("\u2013");
     // Figure spaces are as wide as digits; a sign is about as wide as one.
     return QString(std::max<qsizetype>(width - text.size(), 0), QChar(0x2007)) + text;
 }
@@ -67,8 +67,9 @@ std::vector<TraceLegend::Entry> TraceLegend::entries() const
         QFont font = mParentPlot->font();
         font.setBold(trace.selected);
         QString text = QString::fromStdString(trace.info.name);
-        if (const auto value = m_capture.lastValue(trace.channel))
-            text += QStringLiteral("  ") + paddedReading(trace, *value, mParentPlot->locale());
+        if (const auto last = m_capture.lastValue(trace.channel))
+            text += QStringLiteral("  ")
+                + paddedReading(trace, trace.old ? std::nullopt : last, mParentPlot->locale());
         if (!trace.info.unit.empty())
             text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
         const double wide = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void singleSamplesAreDrawnAsSteps();
     void aPeakOfOneSampleIsNeverLost();
     void theLegendCoversNoTrace();
+    void theLegendShowsNoValueThatCountsNoMore();
     void labelsSayWhatADivisionIsWorth();
     void smallTicksAreRoundNumbersAndFew();
     void anAxisOfValuesHasThreeNumbersWhereTheyHaveRoom();
@@ -151,6 +152,33 @@ void TestScopeView::aPeakOfOneSampleIsNeverLost()
     for (int dx = -1; dx <= 1; ++dx)
         tall = std::max(tall, int(rowsOf(image, x + dx, color).size()));
     QVERIFY(tall > area.height() / 2);
+}
+
+void TestScopeView::theLegendShowsNoValueThatCountsNoMore()
+{
+    Bench bench({signal(1, "A")});
+    bench.capture.appendPolled(2, "S2", "V", 0.5, 24.0);
+    for (const int id : {1, 2})
+        bench.view.addChannel(bench.id(catalog::RegisterId(id)));
+    const auto legend = [&bench](const char *name) {
+        bench.picture();
+        support::TextCatcher texts(bench.view.shapesSize());
+        bench.view.drawShapes(texts);
+        return texts.caught().filter(QLatin1String(name) + QStringLiteral("  ")).value(0);
+    };
+    using namespace std::chrono_literals;
+    bench.record(100, 5);
+    bench.view.age(0ms, true);
+    bench.view.age(2000ms, true);
+    QVERIFY2(legend("S2").contains(QStringLiteral("24")), qPrintable(legend("S2")));
+    bench.record(100, 5); // nothing came of the other one
+    bench.view.age(3000ms, true);
+    QVERIFY2(legend("S2").contains(QChar(0x2013)) && !legend("S2").contains(QStringLiteral("24")),
+        qPrintable(legend("S2")));
+    QVERIFY2(legend("S1").contains(QLatin1Char('5')), qPrintable(legend("S1")));
+    bench.view.age(
+        9000ms, false); // a file has no newer ones to come
+    QVERIFY2(legend("S2").contains(QStringLiteral("24")), qPrintable(legend("S2")));
 }
 
 void TestScopeView::theLegendCoversNoTrace()
