@@ -9283,6 +9283,14 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
+    <message>
+        <source>The register whose write is waited for</source>
+        <translation>Das Register, auf dessen Schreiben gewartet wird</translation>
+    </message>
+    <message>
+        <source>Any register</source>
+        <translation>Jedes Register</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ValueEdit</name>

@@ -9275,6 +9275,14 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>&amp;Close</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The register whose write is waited for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any register</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ValueEdit</name>

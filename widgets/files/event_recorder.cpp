@@ -188,14 +188,14 @@ void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
         return value ? deviceText(shownText(*info, *value, catalog->readScale(write.id)))
                      : QStringLiteral("?");
     };
-    QString text =
-        tr("%1: %2 \u2192 %3", "a register, its value before and after")
-            .arg(deviceText(catalog->nameOf(write.id)), shown(write.before), shown(write.readBack));
+    const QString name = deviceText(catalog->nameOf(write.id));
+    QString text = tr("%1: %2 \u2192 %3", "a register, its value before and after")
+                       .arg(name, shown(write.before), shown(write.readBack));
     if (write.outcome != drive::Outcome::Ok)
         text = tr("%1 (%2)", "a command and how it ended").arg(text, outcomeText(write.outcome));
     note(EventKind::Write, seconds, text);
     if (write.outcome == drive::Outcome::Ok)
-        Q_EMIT written(seconds, write.id);
+        Q_EMIT written(seconds, name);
 }
 
 void EventRecorder::acted(const drive::MotionRecord &record)

@@ -43,7 +43,7 @@ Q_SIGNALS:
     // The same for a trigger that waits for it; `seconds` on the session's axis.
     void stateChanged(double seconds, widgets::EventKind kind, quint32 which); ///< State or Fault
     void faulted(double seconds, int motor, const QString &fault); ///< its name, fit to be shown
-    void written(double seconds, quint32 registerId);
+    void written(double seconds, const QString &name); ///< of a register
 
 private:
     struct Asked {

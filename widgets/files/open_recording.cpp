@@ -134,18 +134,18 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
     events.setEvents(std::move(all));
 }
 
-std::optional<double> ReplayedWrites::take(const session::ReplayedEntry &entry)
+std::optional<ReplayedWrites::Write> ReplayedWrites::take(const session::ReplayedEntry &entry)
 {
     const auto *happening = std::get_if<record::Happening>(&entry.entry);
     if (!happening || (happening->name != "write" && happening->name != "ended"))
         return {};
     std::string wish;
-    bool taken = false; // one of its registers; what is told of each begins with how it ended
+    QStringList taken; // what is told of each register begins with how it ended
     for (const auto &[key, value] : happening->fields) {
         if (key == "wish")
             wish = value;
-        else if (key != "outcome" && key != "reason")
-            taken = taken || value == "ok" || value.starts_with("ok,");
+        else if (key != "outcome" && key != "reason" && (value == "ok" || value.starts_with("ok,")))
+            taken.append(deviceText(key));
     }
     if (happening->name == "write") {
         m_asked[wish] = entry.seconds;
@@ -156,7 +156,7 @@ std::optional<double> ReplayedWrites::take(const session::ReplayedEntry &entry)
         return {};
     const double seconds = asked->second;
     m_asked.erase(asked);
-    return taken ? std::optional(seconds) : std::nullopt;
+    return taken.isEmpty() ? std::nullopt : std::optional(Write{seconds, taken});
 }
 
 void addReplayed(EventLog &events, const session::ReplayedEntry &entry)

@@ -45,8 +45,12 @@ void addReplayed(EventLog &events, const session::ReplayedEntry &entry);
 /// Of a replay: the writes that the board took, at the time they were asked for, as those of a connection.
 class ReplayedWrites {
 public:
-    /// Seconds of the write that this entry says was taken; empty if it says no such thing.
-    std::optional<double> take(const session::ReplayedEntry &entry);
+    struct Write {
+        double seconds = 0.0; ///< when it was asked for
+        QStringList names; ///< of the registers that took it
+    };
+    /// The write that this entry says was taken; empty if it says no such thing.
+    std::optional<Write> take(const session::ReplayedEntry &entry);
 
 private:
     std::map<std::string, double> m_asked; ///< by the number of the wish

@@ -95,7 +95,7 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     layout->addWidget(m_bar = makeBar());
     layout->addWidget(parts.record.line());
     layout->addWidget(new ReplayBar(workbench.device(), workbench.replay(), this));
-    auto *trigger = new TriggerBar(parts.trigger, scope, this);
+    auto *trigger = new TriggerBar(parts.trigger, scope, workbench.device(), this);
     layout->addWidget(trigger);
     connect(&workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(&scope, 1);

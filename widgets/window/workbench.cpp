@@ -169,7 +169,7 @@ void Workbench::connectTrigger()
                 kind == EventKind::Fault ? Kind::Fault : Kind::StateChange, seconds, which);
         });
     connect(&m_recorder, &EventRecorder::written, this,
-        [this](double seconds, quint32 id) { m_trigger.event(Kind::RegisterWrite, seconds, id); });
+        [this](double seconds, const QString &name) { m_trigger.written(seconds, {name}); });
     // When its bytes left, on the axis of the samples; a polled reference comes much later.
     connect(
         m_setPoints.get(), &session::SetPointTap::left, this,
@@ -192,8 +192,8 @@ void Workbench::connectReplay()
     connect(m_replay.get(), &session::Replay::happened, this,
         [this, writes = ReplayedWrites()](const session::ReplayedEntry &entry) mutable {
             addReplayed(m_events, entry);
-            if (const auto seconds = writes.take(entry))
-                m_trigger.event(scope::EventTrigger::Kind::RegisterWrite, *seconds, 0);
+            if (const auto write = writes.take(entry))
+                m_trigger.written(write->seconds, write->names);
             if (std::holds_alternative<record::Note>(entry.entry))
                 Q_EMIT noteReplayed(entry.seconds);
         });

@@ -1,5 +1,6 @@
 #include "widgets/window/workspace.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/trace_colors.h"
 
 #include <QCoreApplication>
@@ -58,7 +59,7 @@ QJsonObject triggerJson(const TriggerSetup &setup, const QString &source)
         {QStringLiteral("upper"), setup.upper}, {QStringLiteral("hysteresis"), setup.hysteresis},
         {QStringLiteral("least_s"), setup.least}, {QStringLiteral("most_s"), setup.most},
         {QStringLiteral("outside"), setup.outside}, {QStringLiteral("time_s"), setup.time},
-        {QStringLiteral("count"), setup.count},
+        {QStringLiteral("count"), setup.count}, {QStringLiteral("written"), setup.written},
         {QStringLiteral("mode"), wordOf(kModes, setup.mode)},
         {QStringLiteral("preTrigger"), setup.preTrigger},
         {QStringLiteral("holdOff_s"), setup.holdOff}, {QStringLiteral("length_s"), setup.length}};
@@ -67,7 +68,7 @@ QJsonObject triggerJson(const TriggerSetup &setup, const QString &source)
 TriggerSetup triggerOf(const QJsonObject &object)
 {
     constexpr double kAny = 1e12, kLongest_s = 3600.0;
-    constexpr int kMostEdges = 1'000'000;
+    constexpr int kMostEdges = 1'000'000, kMostName = 100;
     TriggerSetup setup;
     const auto number = [&object](const char *name, double least, double most, double otherwise) {
         return numberOf(object[QLatin1String(name)], least, most, otherwise);
@@ -82,6 +83,8 @@ TriggerSetup triggerOf(const QJsonObject &object)
     setup.outside = object[QStringLiteral("outside")].toBool(setup.outside);
     setup.time = number("time_s", 0.0, kLongest_s, setup.time);
     setup.count = static_cast<int>(number("count", 1.0, kMostEdges, setup.count));
+    setup.written =
+        plainName(deviceText(object[QStringLiteral("written")].toString().left(kMostName)));
     setup.mode = enumOf(kModes, object[QStringLiteral("mode")], setup.mode);
     setup.preTrigger = number("preTrigger", 0.0, 1.0, setup.preTrigger);
     setup.holdOff = number("holdOff_s", 0.0, kLongest_s, setup.holdOff);

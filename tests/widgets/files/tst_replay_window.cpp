@@ -170,8 +170,15 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::remainder(at - first.from - 0.05 + 0.5 / 16000.0, 0.1)) < 1e-6);
     }
 
+    void aWriteThatWasTakenTriggers_data()
+    {
+        QTest::addColumn<QString>("written");
+        QTest::newRow("any register") << QString();
+        QTest::newRow("this one") << QStringLiteral("SPEED_KP");
+    }
     void aWriteThatWasTakenTriggers()
     {
+        QFETCH(const QString, written);
         auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
         m_rig->workbench.replay().setSpeed(4.0);
         replay();
@@ -179,6 +186,7 @@ private Q_SLOTS:
         widgets::TriggerSetup setup = trigger->trigger().setup();
         setup.mode = scope::Mode::Normal;
         setup.type = widgets::TriggerType::RegisterWrite;
+        setup.written = written;
         setup.length = 0.05;
         trigger->setSetup(setup);
         QTRY_VERIFY(!trigger->trigger().history().records().empty());

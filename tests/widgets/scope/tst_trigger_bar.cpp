@@ -2,6 +2,7 @@
 // past, references. Where a trigger is found is core's own business and tested there.
 #include "support/trigger_test.h"
 #include "widgets/base/value_edit.h"
+#include "widgets/files/event_recorder.h"
 #include "widgets/files/record_table.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_ghosts.h"
@@ -48,6 +49,7 @@ private Q_SLOTS:
     void valuesThatMakeNoSenseAreSaid();
     void everyTypeIsSearchedFor();
     void stateChangesAndWritesTrigger();
+    void theWriteOfOneRegisterIsWaitedFor();
     void aSetPointTriggersWhenItIsSent();
     void allThatIsSetIsReadable();
     void theSettingsAreLeftWithoutEsc();
@@ -350,6 +352,39 @@ void TestTriggerBar::stateChangesAndWritesTrigger()
     facts::feed(m_rig->device(), {status});
     flat(100);
     QCOMPARE(control().trigger().history().records().size(), std::size_t{2});
+}
+
+void TestTriggerBar::theWriteOfOneRegisterIsWaitedFor()
+{
+    normal();
+    auto *type = m_rig->find<QComboBox>("triggerType");
+    auto *which = m_rig->find<QComboBox>("triggerWritten");
+    const auto choose = [](QComboBox *box, int index) {
+        QVERIFY(index >= 0);
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+    };
+    QVERIFY(!which->isVisible());
+    choose(type, type->findData(int(TriggerType::RegisterWrite)));
+    QVERIFY(which->isVisible());
+    QCOMPARE(which->currentText(), QStringLiteral("Any register"));
+    const auto write = [this] {
+        flat(100);
+        Q_EMIT m_rig->workbench.eventRecorder().written(
+            static_cast<double>(m_rig->tick - 10) / 1000.0, QStringLiteral("BUS_VOLTAGE@1"));
+        flat(100);
+        return control().trigger().history().records().size();
+    };
+    QCOMPARE(write(), std::size_t{1});
+    // One that this board does not have stays chosen: a workspace of another board has named it.
+    setup([](TriggerSetup &setup) { setup.written = QStringLiteral("SPEED_KI"); });
+    QCOMPARE(which->currentText(), QStringLiteral("SPEED_KI"));
+    QCOMPARE(write(), std::size_t{1});
+    // The first motor's number is told only where there are several.
+    setup([](TriggerSetup &setup) { setup.written = QStringLiteral("BUS_VOLTAGE"); });
+    QCOMPARE(write(), std::size_t{2});
+    choose(which, 0);
+    QVERIFY(control().trigger().setup().written.isEmpty());
 }
 
 void TestTriggerBar::aSetPointTriggersWhenItIsSent()

@@ -72,6 +72,7 @@ Workspace ofABench()
     workspace.trigger.level = 0.25;
     workspace.trigger.mode = scope::Mode::Normal;
     workspace.trigger.length = 0.5;
+    workspace.trigger.written = QStringLiteral("SPEED_KI");
     workspace.triggerSource = QStringLiteral("I_Q_MEAS");
     workspace.measures = {{QStringLiteral("I_A"), scope::Quantity::Overshoot, {}},
         {QStringLiteral("I_A"), scope::Quantity::Phase, QStringLiteral("I_Q_MEAS")}};

@@ -128,6 +128,14 @@ void Trigger::event(scope::EventTrigger::Kind kind, double seconds, quint32 whic
     advance();
 }
 
+void Trigger::written(double seconds, const QStringList &names)
+{
+    const bool waited = std::any_of(names.begin(), names.end(),
+        [this](const QString &name) { return plainName(name) == m_setup.written; });
+    if (m_setup.written.isEmpty() || waited)
+        event(scope::EventTrigger::Kind::RegisterWrite, seconds, 0);
+}
+
 void Trigger::advance()
 {
     if (const capture::Channel *source = sourceChannel(); source && m_running)

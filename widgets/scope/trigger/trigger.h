@@ -45,6 +45,8 @@ public Q_SLOTS:
     void force(); ///< a trigger now
     void levelToMiddle(); ///< of what the source did lately, with a hysteresis that suits its noise
     void event(scope::EventTrigger::Kind kind, double seconds, quint32 which);
+    /// @param names  of the registers of one write
+    void written(double seconds, const QStringList &names);
     void setPinned(scope::RecordId id, bool pinned);
     void setLabel(scope::RecordId id, const QString &label);
     /// The samples of all records are gone: so are the records, pinned ones too, for they would show others' samples.

@@ -1,5 +1,7 @@
 #include "widgets/scope/trigger/trigger_bar.h"
 
+#include "widgets/base/device.h"
+#include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
@@ -54,13 +56,16 @@ QString stateSign(scope::AcquisitionState state)
 }
 } // namespace
 
-TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *parent)
+TriggerBar::TriggerBar(
+    TriggerControl &control, ScopeView &scope, const Device &device, QWidget *parent)
     : QWidget(parent)
     , m_control(control)
     , m_scope(scope)
+    , m_device(device)
     , m_mode(new SnugComboBox(kMostLetters, this))
     , m_type(new SnugComboBox(kMostLetters, this))
     , m_source(new SnugComboBox(kNameLetters, this))
+    , m_written(new SnugComboBox(kNameLetters, this))
     , m_way(new QComboBox(this))
     , m_level(new ValueEdit(this))
     , m_single(new QToolButton(this))
@@ -73,6 +78,7 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     connect(&control, &TriggerControl::changed, this, &TriggerBar::follow);
     connect(&control, &TriggerControl::stateChanged, this, &TriggerBar::showState);
     connect(&scope, &ScopeView::channelsChanged, this, &TriggerBar::fillSources);
+    connect(&device, &Device::identityChanged, this, &TriggerBar::fillWritten);
     follow();
 }
 
@@ -89,6 +95,7 @@ void TriggerBar::makeBar()
            "Normal: keeps the last record. Single: one record"));
     choice(m_type, "triggerType", tr("What the trigger waits for"));
     choice(m_source, "triggerSource", tr("The trace that is watched"));
+    choice(m_written, "triggerWritten", tr("The register whose write is waited for"));
     choice(m_way, "triggerWay", {});
     m_way->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_mode->setAccessibleName(tr("Mode of the trigger"));
@@ -117,7 +124,7 @@ void TriggerBar::makeBar()
     auto *fields = new QWidget(this); // two lines where the words are long and the screen is small
     auto *flow = new FlowLayout(kHalfGrid, fields);
     for (QWidget *widget : std::initializer_list<QWidget *>{
-             m_mode, m_single, m_force, m_type, m_source, m_way, m_level, m_more})
+             m_mode, m_single, m_force, m_type, m_source, m_written, m_way, m_level, m_more})
         flow->addWidget(widget);
     layout->addWidget(fields, 1);
     m_state->setMinimumHeight(m_mode->sizeHint().height()); // beside the first line
@@ -136,6 +143,10 @@ void TriggerBar::makeBar()
     });
     connect(m_source, &QComboBox::activated, this,
         [this](int index) { m_control.trigger().setSource(m_source->itemData(index).toUInt()); });
+    connect(m_written, &QComboBox::activated, this, [this](int index) {
+        change([this, index](
+                   TriggerSetup &setup) { setup.written = m_written->itemData(index).toString(); });
+    });
     connect(m_way, &QComboBox::activated, this, [this](int index) {
         change([index](TriggerSetup &setup) { setup.way = static_cast<TriggerWay>(index); });
     });
@@ -251,6 +262,36 @@ void TriggerBar::fillSources()
     m_source->setCurrentIndex(source ? m_source->findData(source->id) : -1);
 }
 
+/// Those of the board that can be written, and the chosen one though this board may not have it.
+void TriggerBar::fillWritten()
+{
+    const TriggerSetup &setup = m_control.trigger().setup();
+    if (!fieldsOf(setup.type).written)
+        return;
+    QStringList names;
+    if (const auto catalog = m_device.catalog())
+        for (const catalog::RegisterInfo &info : catalog->registers()) {
+            const int motors = info.perMotor ? catalog->motors() : 1;
+            for (int motor = 1; info.writable() && !info.stub && motor <= motors; ++motor)
+                names.append(deviceText(catalog->nameOf(catalog->withMotor(info, motor))));
+        }
+    const auto isChosen = [&](const QString &name) { return plainName(name) == setup.written; };
+    if (!setup.written.isEmpty() && std::none_of(names.begin(), names.end(), isChosen))
+        names.append(setup.written);
+    names.sort();
+    names.prepend(tr("Any register"));
+    QStringList shown;
+    for (int i = 0; i < m_written->count(); ++i)
+        shown.append(m_written->itemText(i));
+    if (shown != names) {
+        m_written->clear();
+        m_written->addItem(names.first(), QString());
+        for (const QString &name : names.mid(1))
+            m_written->addItem(name, plainName(name));
+    }
+    m_written->setCurrentIndex(m_written->findData(setup.written));
+}
+
 void TriggerBar::fillWays()
 {
     const QList<WayText> ways = wayTexts(m_control.trigger().setup().type);
@@ -287,6 +328,7 @@ void TriggerBar::follow()
     m_type->setCurrentIndex(m_type->findData(static_cast<int>(setup.type)));
     fillSources();
     fillWays();
+    fillWritten();
     const auto source = m_control.trigger().source();
     const QString unit = source ? QString::fromStdString(source->unit) : QString();
     const double step = source && source->kind != capture::ChannelInfo::Kind::Polled
@@ -308,6 +350,7 @@ void TriggerBar::follow()
     shown(m_force, triggered);
     shown(m_more, on);
     shown(m_source, on && fields.source);
+    shown(m_written, on && fields.written && awaits);
     shown(m_way, on && fields.ways);
     shown(m_level, on && fields.source);
     if (on && !m_details)

@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace widgets {
 
+class Device;
 class ScopeView;
 class SteadyLabel;
 class TriggerControl;
@@ -25,8 +26,9 @@ class ValueEdit;
 class TriggerBar : public QWidget {
     Q_OBJECT
 public:
-    /// Both outlive it.
-    TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *parent = nullptr);
+    /// All three outlive it.
+    TriggerBar(
+        TriggerControl &control, ScopeView &scope, const Device &device, QWidget *parent = nullptr);
 
 public Q_SLOTS:
     void refreshAge(); ///< some times a second
@@ -39,6 +41,7 @@ private:
     void followDetails(const QString &unit, double step);
     void fillSources();
     void fillWays();
+    void fillWritten();
     void showState();
     static QStringList stateTexts(bool roll);
     void change(const std::function<void(TriggerSetup &)> &edit);
@@ -46,9 +49,11 @@ private:
 
     TriggerControl &m_control;
     ScopeView &m_scope;
+    const Device &m_device;
     QComboBox *m_mode;
     QComboBox *m_type;
     QComboBox *m_source;
+    QComboBox *m_written;
     QComboBox *m_way;
     ValueEdit *m_level;
     QToolButton *m_single;

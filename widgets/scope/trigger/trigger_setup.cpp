@@ -52,7 +52,17 @@ TriggerFields fieldsOf(TriggerType type)
     case TriggerType::SetPoint:
         break;
     }
-    return {.source = false, .ways = false, .hysteresis = false};
+    return {.source = false,
+        .written = type == TriggerType::RegisterWrite,
+        .ways = false,
+        .hysteresis = false};
+}
+
+QString plainName(QString name)
+{
+    if (name.endsWith(QLatin1String("@1")))
+        name.chop(2);
+    return name;
 }
 
 QString typeText(TriggerType type)

@@ -38,6 +38,8 @@ struct TriggerSetup {
     bool outside = false; ///< all durations but [least, most]
     double time = 0.01; ///< seconds, of a dropout; of the pause before counting for the n-th edge
     int count = 2;
+    /// The register whose write is waited for, by plainName(); empty: any.
+    QString written;
 
     scope::Mode mode = scope::Mode::Roll;
     double preTrigger = 0.2; ///< share of the record
@@ -50,6 +52,7 @@ struct TriggerSetup {
 /// The fields that a type needs; all others have no effect.
 struct TriggerFields {
     bool source = true; ///< a trace with a level; false: an event
+    bool written = false;
     bool ways = true;
     bool upper = false;
     bool hysteresis = true;
@@ -58,6 +61,9 @@ struct TriggerFields {
     bool count = false;
 };
 TriggerFields fieldsOf(TriggerType type);
+
+/// A register's name as every board has it: the first motor's number is told only where there are several.
+QString plainName(QString name);
 
 QString typeText(TriggerType type);
 /// A sign for narrow places and the word; the index is a TriggerWay.
