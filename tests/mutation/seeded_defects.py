@@ -130,12 +130,22 @@ DEFECTS = [
     ("traces of what is not there", "tst_monkey@1-13", "untrue", [
         ("widgets/scope/drawing/waveform_plottable.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
     ("the legend tells other values", "tst_monkey@1-13", "untrue", [
-        ("widgets/scope/trace_legend.cpp", "paddedReading(trace, *value, mParentPlot->locale())", "paddedReading(trace, *value * 1.5 + 3.0, mParentPlot->locale())")]),
+        ("widgets/scope/trace_legend.cpp", "valueLabel(*value, step, locale) :", "valueLabel(*value * 1.5 + 3.0, step, locale) :")]),
     ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
         ("core/drive/fcp/fcp_reads.cpp", "        reading.value = std::move(value).value_or(Value());\n",
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
     ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
         ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
+    ("what is read in turn is drawn lower than it is", "tst_monkey@2-5", "untrue", [
+        ("widgets/scope/drawing/waveform_plottable.cpp", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
+    ("the legend keeps values that count no more", "tst_monkey@185-185", "untrue", [
+        ("widgets/scope/trace_legend.cpp", "trace.old ? std::nullopt : last", "last")]),
+    ("the legend has no values", "tst_monkey@1-13", "untrue", [
+        ("widgets/scope/trace_legend.cpp", "trace.old ? std::nullopt : last", "std::nullopt")]),
+    ("a CSV holds other samples", "tst_monkey@1-31", "untrue", [
+        ("core/capture/csv_export.cpp", "static_cast<float>(m_channel.toShown(code));", "static_cast<float>(m_channel.toShown(code / 2 * 2));")]),
+    ("a recording holds other values", "tst_monkey@7-31", "untrue", [
+        ("core/record/entry_codec.cpp", "out.u32(value.id).s64(value.at).f64(value.value);", "out.u32(value.id).s64(value.at).f64(value.value + 1.0);")]),
     ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
         ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),
     ("a recording's size is told wrong", "tst_monkey@7-31", "untrue", [

@@ -194,6 +194,16 @@ public:
             .of(id);
     }
     bool mcp() const { return m_protocol == drive::Protocol::Mcp; }
+    /// When the newest value of a register came, sent or given; empty: none did lately.
+    std::optional<TimePoint> newestOf(std::uint16_t id)
+    {
+        std::optional<TimePoint> newest;
+        if (mcp())
+            newest = ofBoard([id](const judge::McpBoard &board) { return board.sampledAt(id); });
+        if (const auto values = given(id); !values.empty())
+            newest = std::max(newest.value_or(TimePoint{}), values.back().at);
+        return newest;
+    }
     bool older() const
     {
         return m_protocol == drive::Protocol::Fcp || m_protocol == drive::Protocol::PowerPc;

@@ -5,13 +5,12 @@
 // came last.
 #pragma once
 
+#include "support/screen/picture_ink.h"
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
 #include "support/wire/mcp_registers.h"
-#include "widgets/scope/scope_view.h"
 
 #include <QEventLoop>
-#include <QImage>
 #include <QTimer>
 
 #include <cmath>
@@ -20,8 +19,6 @@ namespace support {
 
 class PictureJudge {
 public:
-    static constexpr int kColumns = 24; ///< that are looked at
-    static constexpr int kAround = 3; ///< columns on each side, which may show what is sought
     static constexpr int kLoose =
         3; ///< columns by which a time, and rows by which a value may be off
     static constexpr int kGap = 10; ///< columns without samples that a gap has at least
@@ -66,51 +63,24 @@ public:
 
 private:
     using Digit = judge::McpRegister::Digit;
-    struct Trace {
-        QString name;
+    struct Trace : PictureTrace {
+        using PictureTrace::PictureTrace;
         std::uint16_t id = 0;
         double factor = 1.0; ///< of a sample's digit
-        QRgb color = 0;
-        QRect plot;
-        double least = 0.0, greatest = 1.0; ///< of its axis
-        int rowOf(double value) const
-        {
-            const double row = (greatest - value) / (greatest - least) * plot.height();
-            return static_cast<int>(std::clamp(row, -1e4, 1e4));
-        }
         std::vector<judge::Extremes> sent{}; ///< by column, from m_left on
     };
 
-    /// Between the cursors a trace is tinted a little.
-    static bool isOf(QRgb pixel, QRgb color)
-    {
-        constexpr int kTint = 14; // of 255
-        return std::abs(qRed(pixel) - qRed(color)) <= kTint
-            && std::abs(qGreen(pixel) - qGreen(color)) <= kTint
-            && std::abs(qBlue(pixel) - qBlue(color)) <= kTint;
-    }
-
     std::optional<Trace> traceOf(const widgets::ScopeView &view, capture::ChannelId channel) const
     {
-        Trace trace;
-        trace.name = view.nameOf(channel);
-        const auto *known =
-            judge::findMcpRegister(trace.name.section(QLatin1Char('@'), 0, 0).toStdString());
+        Trace trace(view, channel);
+        const auto *known = judge::findMcpRegister(trace.registerName());
         if (known == nullptr)
             return {};
-        const int motor = trace.name.contains(QLatin1Char('@'))
-            ? trace.name.section(QLatin1Char('@'), 1).toInt()
-            : 1;
-        trace.id = static_cast<std::uint16_t>(known->bare | motor);
+        trace.id = static_cast<std::uint16_t>(known->bare | trace.motor(1));
         trace.factor = known->digit == Digit::Amps ? m_moment.world().ampsPerDigit()
             : known->digit == Digit::TenthHz       ? 6.0
             : known->digit == Digit::Degrees       ? 360.0 / 65536.0
                                                    : 0.0;
-        trace.color = view.colorOf(channel).rgb();
-        trace.plot = view.plotRect(view.plotOf(channel));
-        const auto range = view.valueRangeOf(channel);
-        trace.least = range.from;
-        trace.greatest = range.to;
         return trace;
     }
 
@@ -128,6 +98,8 @@ private:
                 if (!text.startsWith(begins))
                     continue;
                 const auto shown = ScreenMoment::number(text.mid(begins.size()));
+                if (const auto came = m_moment.world().newestOf(trace.id); came && !mending)
+                    m_moment.ages(QStringLiteral("the legend"), text, shown.has_value(), *came);
                 if (!shown)
                     continue;
                 const auto [sent, read] =
@@ -219,10 +191,12 @@ private:
         });
         if (!known)
             return {};
-        const QImage picture =
-            const_cast<widgets::ScopeView &>(view).grab().toImage().convertToFormat(
-                QImage::Format_RGB32);
-        readColumns(picture, width);
+        const PictureInk ink(view);
+        m_painted.clear();
+        for (const Trace &trace : m_traces)
+            if (!trace.sent.empty())
+                for (PictureInk::Column &column : ink.columnsOf(trace))
+                    m_painted.push_back({&trace, std::move(column)});
         std::string best;
         std::size_t least = std::numeric_limits<std::size_t>::max();
         for (int shift = 0; shift <= 2 * off && least > 0; ++shift) {
@@ -236,7 +210,7 @@ private:
         m_moment.statements += static_cast<int>(m_painted.size());
         const QString folder = qEnvironmentVariable("ROTORSCOPE_PICTURES");
         if (least > 0 && !folder.isEmpty()) // for whoever wants to see it
-            picture.save(folder + QStringLiteral("/untrue-%1.png").arg(m_moment.statements));
+            ink.picture().save(folder + QStringLiteral("/untrue-%1.png").arg(m_moment.statements));
         return least > 0 ? best + " and " + std::to_string(least - 1) + " other places"
                          : std::string();
     }
@@ -249,53 +223,16 @@ private:
     }
 
     struct Painted {
-        std::size_t trace;
-        int x;
-        int top = -1, bottom = -1; ///< of its own pixels; none: -1
-        std::vector<bool> inked; ///< by row: a pixel of any trace
+        const Trace *trace;
+        PictureInk::Column column;
     };
-
-    void readColumns(const QImage &picture, int width)
-    {
-        m_painted.clear();
-        const double ratio =
-            picture.width() / double(std::max(1, m_moment.find<QWidget>("scope")->width()));
-        for (std::size_t i = 0; i < m_traces.size(); ++i) {
-            const Trace &trace = m_traces[i];
-            if (trace.sent.empty())
-                continue;
-            for (int k = 0; k < kColumns; ++k) {
-                // The right end has the last values written over it.
-                const int x = width / 20 + k * (width * 3 / 4) / kColumns;
-                Painted painted{i, x, -1, -1, std::vector<bool>(std::size_t(trace.plot.height()))};
-                for (int row = 0; row < trace.plot.height(); ++row) {
-                    for (int dx = -kAround; dx <= kAround; ++dx) {
-                        const QPoint at(int((trace.plot.x() + x + dx) * ratio),
-                            int((trace.plot.y() + row) * ratio));
-                        const QRgb pixel = picture.pixel(at) | 0xFF000000U;
-                        const bool own = isOf(pixel, trace.color);
-                        const bool any = own
-                            || std::any_of(m_traces.begin(), m_traces.end(),
-                                [pixel](const Trace &other) { return isOf(pixel, other.color); });
-                        if (any)
-                            painted.inked[std::size_t(row)] = true;
-                        if (own && painted.top < 0)
-                            painted.top = row;
-                        if (own)
-                            painted.bottom = row;
-                    }
-                }
-                m_painted.push_back(std::move(painted));
-            }
-        }
-    }
 
     /// @param shift  columns between the picture and the samples. @return how many places differ
     std::size_t compare(int shift, std::string &first) const
     {
         std::size_t wrong = 0;
-        for (const Painted &painted : m_painted) {
-            const Trace &trace = m_traces[painted.trace];
+        for (const auto &[of, painted] : m_painted) {
+            const Trace &trace = *of;
             if (painted.x + shift - kGap < m_known + kLoose)
                 continue; // from before the judge listened
             const int at = painted.x + shift;
@@ -307,7 +244,7 @@ private:
                         all.include(trace.sent[cell]);
                 return all;
             };
-            const judge::Extremes wide = sent(kAround + kLoose), narrow = sent(1);
+            const judge::Extremes wide = sent(PictureInk::kAround + kLoose), narrow = sent(1);
             const std::string where =
                 trace.name.toStdString() + " at column " + std::to_string(painted.x);
             const int height = trace.plot.height();
@@ -334,10 +271,7 @@ private:
             const int from = row(narrow.greatest) - kLoose, to = row(narrow.least) + kLoose;
             if (to < kLoose || from > height - kLoose)
                 continue; // out of the picture
-            bool inked = false;
-            for (int y = std::max(0, from); y <= std::min(height - 1, to); ++y)
-                inked = inked || painted.inked[std::size_t(y)];
-            if (!inked) {
+            if (!painted.inkedWithin(from, std::min(height - 1, to))) {
                 note(first, where + ": not drawn, and the board sent it");
                 ++wrong;
             }

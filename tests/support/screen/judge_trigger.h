@@ -1,10 +1,10 @@
 // Whether the trigger's state is true: what it waits for did not come while it says "Armed", and what it says it found was
-// there. Judged for faults, set-points and edges of a trace that the board samples; a trigger that a person forced is
+// there. Judged for faults, set-points and edges of a trace; a trigger that a person forced is
 // none that was found.
 #pragma once
 
+#include "support/screen/judged_register.h"
 #include "support/screen/screen_moment.h"
-#include "support/wire/mcp_registers.h"
 
 #include <QLineEdit>
 
@@ -94,42 +94,51 @@ private:
     void edges(const QString &text, bool armed)
     {
         const QString source = chosen("triggerSource");
-        const auto *known =
-            judge::findMcpRegister(source.section(QLatin1Char('@'), 0, 0).toStdString());
         const auto level = ScreenMoment::number(this->level());
-        if (known == nullptr || !level || known->digit != judge::McpRegister::Digit::Amps)
-            return;
         const int motor = source.contains(QLatin1Char('@'))
             ? source.section(QLatin1Char('@'), 1).toInt()
             : m_moment.chosenMotor();
-        const auto id = static_cast<std::uint16_t>(known->bare | motor);
-        const double amps = m_moment.world().ampsPerDigit();
+        const auto known = judgedRegister(
+            m_moment.world(), source.section(QLatin1Char('@'), 0, 0).toStdString(), motor, false);
         const TimePoint now = m_moment.world().now();
-        if (m_setUpAt + kTold + kBefore > now || !(amps > 0.0))
+        if (!known || !level || m_setUpAt + kTold + kBefore > now)
             return;
         ++m_moment.statements;
-        const auto [all, early, late] = m_moment.world().ofBoard([&](const judge::McpBoard &board) {
-            const TimePoint middle = now - kTold;
-            return std::tuple(board.since(id, m_setUpAt), board.between(id, m_setUpAt, middle),
-                board.between(id, middle - 1s, middle));
-        });
-        const double share = 0.2 * (all.greatest - all.least) * amps;
+        const TimePoint middle = now - kTold;
+        const judge::Extremes all = during(known->id, m_setUpAt, TimePoint::max()),
+                              early = during(known->id, m_setUpAt, middle),
+                              late = during(known->id, middle - 1s, middle);
+        const double factor = known->factor;
+        const double share = 0.2 * (all.greatest - all.least) * factor;
         const auto spans = [&](const judge::Extremes &part) {
-            return !part.empty() && part.least * amps < level->value - share
-                && part.greatest * amps > level->value + share;
+            return !part.empty() && part.least * factor < level->value - share
+                && part.greatest * factor > level->value + share;
         };
         const auto age = ageIn(text);
         // Both ways: whichever is waited for has been there.
         if (armed && !age && spans(early) && spans(late))
             m_moment.finds(QStringLiteral("triggerState"), text,
                 source.toStdString() + " went through " + this->level().toStdString());
-        const bool since = age && now - *age > m_setUpAt + kBefore;
-        const double step = amps;
+        const bool since = age && now - *age > m_setUpAt + kBefore
+            && *age + kBefore + kTold < judge::GivenValues::kKept;
         if (since && !all.empty()
-            && (all.least * amps > level->value + step
-                || all.greatest * amps < level->value - step))
+            && (all.least * factor > level->value + factor
+                || all.greatest * factor < level->value - factor))
             m_moment.finds(QStringLiteral("triggerState"), text,
                 source.toStdString() + " never came to " + this->level().toStdString());
+    }
+
+    /// What the board sent of it between two times, or gave where it is read in turn.
+    judge::Extremes during(std::uint16_t id, TimePoint from, TimePoint to) const
+    {
+        judge::Extremes all;
+        if (m_moment.world().mcp())
+            all = m_moment.world().ofBoard(
+                [&](const judge::McpBoard &board) { return board.between(id, from, to); });
+        for (const auto &value : m_moment.world().given(id))
+            if (value.at >= from && value.at < to)
+                all.include(value.number);
+        return all;
     }
 
     ScreenMoment &m_moment;

@@ -2,11 +2,9 @@
 // screen, in the fields of forms, and in the legend where signals are read in turn. A value without a mark is one that the board gave lately; an older one is greyed.
 #pragma once
 
+#include "support/screen/judged_register.h"
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
-#include "support/wire/fcp_board.h"
-#include "support/wire/mcb_board.h"
-#include "support/wire/mcp_registers.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QLineEdit>
@@ -18,6 +16,8 @@ class ValuesJudge {
 public:
     static constexpr Duration kOld =
         2500ms; ///< polled four times a second, read again after a silence
+    static constexpr Duration kDrawn =
+        3500ms; ///< the same of one that counts for 2 s in the picture
 
     explicit ValuesJudge(ScreenMoment &moment)
         : m_moment(moment)
@@ -33,12 +33,6 @@ public:
     }
 
 private:
-    using Digit = judge::McpRegister::Digit;
-    struct Known {
-        std::uint16_t id = 0; ///< with its motor
-        double factor = 1.0; ///< of a digit to what is shown
-    };
-
     void theTreeIs()
     {
         const auto *tree = m_moment.find<QTreeView>("registerTree");
@@ -105,36 +99,48 @@ private:
         const_cast<widgets::ScopeView *>(view)->drawShapes(texts);
         for (const capture::ChannelId channel : view->channels()) {
             const QString name = view->nameOf(channel), begins = name + QStringLiteral("  ");
-            for (const QString &text : texts.caught())
-                if (text.startsWith(begins))
-                    valueIs("legend",
-                        name.contains(QLatin1Char('@')) ? name : name + QStringLiteral("@1"),
-                        text.mid(begins.size()), false);
+            for (const QString &text : texts.caught()) {
+                if (!text.startsWith(begins))
+                    continue;
+                const QString value = text.mid(begins.size());
+                const QString full =
+                    name.contains(QLatin1Char('@')) ? name : name + QStringLiteral("@1");
+                const auto known = judgedRegister(m_moment.world(),
+                    full.section(QLatin1Char('@'), 0, 0).toStdString(),
+                    full.section(QLatin1Char('@'), 1).toInt(), false);
+                const auto came = known ? m_moment.world().newestOf(known->id) : std::nullopt;
+                const bool isNumber = ScreenMoment::number(value).has_value();
+                if (came && m_moment.world().linkChanged() + 3s < m_moment.world().now())
+                    m_moment.ages(QStringLiteral("the legend"), text, isNumber, *came);
+                valueIs("legend", full, value, false, kDrawn);
+            }
         }
     }
 
     /// @param where  it is shown
     /// @param text  shown without a mark
-    void valueIs(const char *where, QString name, const QString &text, bool raw)
+    void valueIs(
+        const char *where, QString name, const QString &text, bool raw, Duration mostOld = kOld)
     {
         const auto shown = ScreenMoment::number(text);
         const int motor = name.contains(QLatin1Char('@'))
             ? name.section(QLatin1Char('@'), 1).toInt()
             : m_moment.chosenMotor();
         name = name.section(QLatin1Char('@'), 0, 0);
-        const auto known = knownAs(name.toStdString(), motor, raw);
+        const auto known = judgedRegister(m_moment.world(), name.toStdString(), motor, raw);
         if (!shown || !known)
             return;
         ++m_moment.statements;
-        const std::string wrong = wrongOf(*shown, *known);
+        const std::string wrong = wrongOf(*shown, *known, mostOld);
         if (!wrong.empty())
             m_moment.finds(name + QStringLiteral(" in the ") + QLatin1String(where), text, wrong);
     }
     /// @return  what is not so; empty: it is
-    std::string wrongOf(const ScreenMoment::Number &shown, const Known &known) const
+    std::string wrongOf(
+        const ScreenMoment::Number &shown, const JudgedRegister &known, Duration mostOld) const
     {
         const TimePoint now = m_moment.world().now();
-        const Duration old = kOld + m_moment.moreOfValues;
+        const Duration old = mostOld + m_moment.moreOfValues;
         const auto values = m_moment.world().given(known.id);
         if (values.empty())
             return "the board never gave it";
@@ -158,47 +164,6 @@ private:
         return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count())
             + " ms";
     }
-    /// Empty: not to the judge.
-    std::optional<Known> knownAs(std::string_view name, int motor, bool raw) const
-    {
-        if (m_moment.world().older()) {
-            const auto *known = judge::findFcpRegister(name);
-            if (known == nullptr || !(raw || known->plain))
-                return {};
-            return Known{static_cast<std::uint16_t>(known->number << 3 | motor), 1.0};
-        }
-        if (!m_moment.world().mcp()) {
-            const auto *known = raw ? nullptr : judge::findMcbRegister(name);
-            if (known == nullptr)
-                return {};
-            return Known{static_cast<std::uint16_t>(known->address << 3 | motor), known->factor};
-        }
-        const auto *known = judge::findMcpRegister(name);
-        const auto factor = known == nullptr ? std::nullopt
-            : raw                            ? std::optional(1.0)
-                                             : factorOf(*known);
-        if (!factor)
-            return {};
-        return Known{static_cast<std::uint16_t>(known->bare | motor), *factor};
-    }
-    std::optional<double> factorOf(const judge::McpRegister &known) const
-    {
-        switch (known.digit) {
-        case Digit::One:
-            return 1.0;
-        case Digit::Amps:
-            if (const double amps = m_moment.world().ampsPerDigit(); amps > 0.0)
-                return amps;
-            return {};
-        case Digit::Degrees:
-            return 360.0 / 65536.0;
-        case Digit::Volts:
-        case Digit::TenthHz:
-            break;
-        }
-        return {};
-    }
-
     ScreenMoment &m_moment;
 };
 

@@ -8,8 +8,10 @@
 #pragma once
 
 #include "support/screen/judge_banner.h"
+#include "support/screen/judge_export.h"
 #include "support/screen/judge_files.h"
 #include "support/screen/judge_picture.h"
+#include "support/screen/judge_polled.h"
 #include "support/screen/judge_trigger.h"
 #include "support/screen/judge_values.h"
 #include "support/screen/screen_moment.h"
@@ -50,12 +52,12 @@ public:
         m_moment.more = calm < kOld ? kLongestTrouble : 0s;
         m_moment.moreOfValues = calm < kRead ? kLongestTrouble : 0s;
         const bool heard = m_world.silence() < kOld;
-        if (!heard || calm < kOld || m_world.frozen()
-            || !said("boardLamp").contains(QLatin1String("answering")))
+        if (!heard || calm < kOld || m_world.frozen() || !m_moment.answers())
             m_unwell = m_world.now();
         m_unwell = std::max(m_unwell, m_world.linkChanged());
         m_moment.begin();
         m_moment.heard = heard;
+        m_moment.calm = calm;
         if (calm < kAwake || m_world.frozen())
             return m_moment.found();
         nothingIsKnownOfASilentBoard(heard);
@@ -75,6 +77,7 @@ public:
         theListIs();
         m_values.look();
         m_picture.look();
+        m_polled.look();
         m_trigger.look(m_unwell);
         m_banner.look();
         m_looks += 1;
@@ -85,6 +88,9 @@ public:
     void recordingEnds() { m_files.ends(); }
     /// To be asked when the file is whole.
     std::string recordedAsSent() { return m_files.asSent(); }
+
+    bool canJudgeExports() const { return m_exports.canJudge(); }
+    std::string exportedAsSent(const QString &path) { return m_exports.asSent(path); }
 
     /// A person pressed what makes a trigger of its own.
     void forcesTrigger() { m_trigger.forced(); }
@@ -429,9 +435,11 @@ private:
     ScreenMoment m_moment;
     ValuesJudge m_values{m_moment};
     PictureJudge m_picture{m_moment};
+    PolledJudge m_polled{m_moment};
     TriggerJudge m_trigger{m_moment};
     BannerJudge m_banner{m_moment};
     FilesJudge m_files{m_moment};
+    ExportJudge m_exports{m_moment};
     TimePoint m_unwell{};
     TimePoint m_closed{};
     TimePoint m_metAt{}; ///< when the list told last that the board answers

@@ -25,6 +25,7 @@ public:
     Duration more{}; ///< that a statement may be older, because nobody could know better
     Duration moreOfValues{}; ///< the same of registers, which are read again behind the states
     bool heard = false; ///< the board was, lately
+    Duration calm{}; ///< since a thread stood still, or time jumped
     int statements = 0; ///< that were compared
 
     const QWidget &window() const { return m_window; }
@@ -43,6 +44,22 @@ public:
     {
         return m_window.findChild<T *>(QLatin1String(name));
     }
+    /// A number in the legend is of lately, and a dash in its place is not: what is drawn counts for 2 s.
+    /// @param came  when its newest value did
+    void ages(const QString &where, const QString &text, bool isNumber, TimePoint came)
+    {
+        using namespace std::chrono_literals;
+        if (calm < 4s)
+            return; // the window measures by another clock
+        const Duration age = m_world.now() - came;
+        ++statements;
+        if (isNumber && age > 4s)
+            finds(
+                where, text, "its newest value came " + std::to_string(toSeconds(age)) + " s ago");
+        if (!isNumber && text.contains(QChar(0x2013)) && age < 1s)
+            finds(where, text, "a value came " + std::to_string(toSeconds(age)) + " s ago");
+    }
+    bool answers() const { return said("boardLamp").contains(QLatin1String("answering")); }
     /// The text of a label, or of the label within; what is greyed or hidden says nothing.
     QString said(const char *name) const
     {

@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QPointer>
 #include <QTabWidget>
@@ -350,7 +351,7 @@ private:
     {
         auto *toggle = m_rig.find<QAction>("record");
         if (toggle == nullptr || !toggle->isEnabled() || toggle->isChecked()
-            || top() != &m_rig.window || !m_world.mcp())
+            || top() != &m_rig.window)
             return goOnPurpose();
         note("record");
         m_rig.files.answer = m_folder.filePath(QStringLiteral("%1.pcapng").arg(++m_files));
@@ -376,6 +377,27 @@ private:
             rest(20);
         rest(300);
         finds(m_screen.recordedAsSent());
+        look();
+    }
+    /// What the scope shows, as CSV.
+    void exportCsv()
+    {
+        auto *ask = m_rig.find<QAction>("export");
+        if (ask == nullptr || !ask->isEnabled() || top() != &m_rig.window
+            || !m_screen.canJudgeExports())
+            return goOnPurpose();
+        note("export");
+        const QString path = m_folder.filePath(QStringLiteral("%1.csv").arg(++m_files));
+        m_rig.files.answer = path;
+        m_world.act(Act::Kind::Input);
+        ask->trigger();
+        rest(50);
+        click("exportSave");
+        for (int i = 0; i < 50 && !QFileInfo::exists(path); ++i)
+            rest(40);
+        finds(m_screen.exportedAsSent(path));
+        if (QApplication::activeModalWidget() != nullptr)
+            click("exportCancel");
         look();
     }
     void act()
@@ -424,7 +446,14 @@ private:
         case 24:
             return tune();
         case 25:
-            return m_random.chance(0.5) ? awaitTrigger() : record();
+            switch (m_random.below(3)) {
+            case 0:
+                return awaitTrigger();
+            case 1:
+                return exportCsv();
+            default:
+                return record();
+            }
         case 22:
             click(m_random.chance(0.5) ? "acknowledge" : "stopRamp");
             return;
