@@ -31,9 +31,9 @@ std::string generalObjection(const Conditions &conditions, const Subject &subjec
     const double lowest =
         turnsBack ? 0.0 : std::min(std::abs(conditions.leastRpm), std::abs(conditions.mostRpm));
     if (highest > 0.0 && lowest < subject.leastObservedRpm())
-        return "this motor has no sensor, and at " + std::to_string(std::lround(lowest))
-            + " rpm its rotor might be lost: stay above "
-            + std::to_string(std::lround(subject.leastObservedRpm())) + " rpm";
+        return "stay above " + std::to_string(std::lround(subject.leastObservedRpm()))
+            + " rpm: this motor has no sensor, and at " + std::to_string(std::lround(lowest))
+            + " rpm its rotor might be lost";
     return {};
 }
 

@@ -136,15 +136,15 @@ DEFECTS = [
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
     ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
         ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
-    ("what is read in turn is drawn lower than it is", "tst_monkey@2-5", "untrue", [
+    ("what is read in turn is drawn lower than it is", "tst_monkey@5-5", "untrue", [
         ("widgets/scope/drawing/waveform_plottable.cpp", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
     ("the legend keeps values that count no more", "tst_monkey@185-185", "untrue", [
-        ("widgets/scope/trace_legend.cpp", "trace.old ? std::nullopt : last", "last")]),
+        ("widgets/scope/trace_legend.cpp", "isOld(trace, m_capture) ? std::nullopt : last", "last")]),
     ("the legend has no values", "tst_monkey@1-13", "untrue", [
-        ("widgets/scope/trace_legend.cpp", "trace.old ? std::nullopt : last", "std::nullopt")]),
-    ("a CSV holds other samples", "tst_monkey@1-31", "untrue", [
+        ("widgets/scope/trace_legend.cpp", "isOld(trace, m_capture) ? std::nullopt : last", "std::nullopt")]),
+    ("a CSV holds other samples", "tst_monkey@7-15", "untrue", [
         ("core/capture/csv_export.cpp", "static_cast<float>(m_channel.toShown(code));", "static_cast<float>(m_channel.toShown(code / 2 * 2));")]),
-    ("a recording holds other values", "tst_monkey@7-31", "untrue", [
+    ("a recording holds other values", "tst_monkey@7-15", "untrue", [
         ("core/record/entry_codec.cpp", "out.u32(value.id).s64(value.at).f64(value.value);", "out.u32(value.id).s64(value.at).f64(value.value + 1.0);")]),
     ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
         ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),

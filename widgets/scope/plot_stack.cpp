@@ -23,6 +23,7 @@ constexpr int kValueLabelHeight = 26;
 constexpr int kLowestLabel = 17; ///< pixels, where there is little room
 constexpr int kMostTicks = 10;
 constexpr int kAboveLegend = 4;
+constexpr int kOldBeats = 12;
 constexpr qsizetype kMostChosen = 500; ///< colours that are remembered
 } // namespace
 
@@ -360,21 +361,22 @@ bool PlotStack::adoptChannels()
     return changed;
 }
 
-bool PlotStack::age(std::chrono::milliseconds now, bool waits)
+bool isOld(const Trace &trace, const capture::Capture &capture)
 {
-    // Longer than a polled value is drawn (2 s). Arrivals are counted, not times: a board's clock and ours drift apart.
-    constexpr std::chrono::milliseconds kCounts{2500};
+    const capture::Channel *channel = capture.channel(trace.channel);
+    return trace.beats >= kOldBeats && channel && channel->end() == trace.end;
+}
+
+bool PlotStack::beat(bool waits)
+{
     bool changed = false;
     for (const auto &plot : m_plots) {
         for (Trace &trace : plot->traces) {
             const capture::Channel *channel = m_capture.channel(trace.channel);
             const capture::Index end = channel ? channel->end() : 0;
-            if (!waits || end != trace.end || !trace.info.isBoards()) {
-                trace.end = end;
-                trace.cameAt = now;
-            }
-            const bool old = now - trace.cameAt > kCounts;
-            changed = std::exchange(trace.old, old) != old || changed;
+            const bool came = std::exchange(trace.end, end) != end;
+            trace.beats = came || !waits || !trace.info.isBoards() ? 0 : trace.beats + 1;
+            changed = changed || trace.beats == kOldBeats;
         }
     }
     return changed;

@@ -47,9 +47,8 @@ public:
     std::optional<double> newestSample() const; ///< seconds; of the traces shown
     /// Follows registers into their new channels after the capture was cleared; drops those that have none.
     bool adoptChannels(); ///< true if anything changed
-    /// Finds the traces whose last value counts no more: none came for 2.5 s though samples are waited for.
-    /// @param now  of any clock, the same each time. @param waits  for samples: no file. @return  something changed
-    bool age(std::chrono::milliseconds now, bool waits);
+    /// Five times a second. @param waits  for samples: no file. @return  the last value of a trace counts no more
+    bool beat(bool waits);
     void select(std::optional<capture::ChannelId> channel);
     std::optional<capture::ChannelId> selected() const;
 

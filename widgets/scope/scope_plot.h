@@ -7,7 +7,6 @@
 
 #include <qcustomplot.h>
 
-#include <chrono>
 #include <vector>
 
 namespace widgets {
@@ -18,11 +17,14 @@ struct Trace {
     QCPAxis *valueAxis = nullptr;
     int colorSlot = 0;
     bool selected = false;
-    // How long nothing came: see PlotStack::age().
-    capture::Index end = 0; ///< of its samples, when some came last
-    std::chrono::milliseconds cameAt{};
-    bool old = false; ///< its last value counts no more
+    // Since when nothing came; see PlotStack::beat().
+    capture::Index end = 0; ///< of its samples at the last beat
+    int beats = 0; ///< with the same end
 };
+
+/// Its last value counts no more: for 2.4 s, longer than a polled value is drawn (2 s), none came that was waited for. Beats and
+/// arrivals are counted, not times: a window may stand still, and a board's clock and ours drift apart.
+bool isOld(const Trace &trace, const capture::Capture &capture);
 
 /// The step in which a trace's values are written out: as long as they keep it, their digits keep their places.
 double readingStep(const Trace &trace);

@@ -241,9 +241,9 @@ void ScopeView::captureChanged()
         drawWithin(m_calm ? kCalmFrameMs : kFrameMs);
 }
 
-void ScopeView::age(std::chrono::milliseconds now, bool waits)
+void ScopeView::beat(bool waits)
 {
-    if (m_stack->age(now, waits))
+    if (m_stack->beat(waits))
         redraw();
 }
 

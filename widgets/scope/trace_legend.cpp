@@ -69,7 +69,8 @@ std::vector<TraceLegend::Entry> TraceLegend::entries() const
         QString text = QString::fromStdString(trace.info.name);
         if (const auto last = m_capture.lastValue(trace.channel))
             text += QStringLiteral("  ")
-                + paddedReading(trace, trace.old ? std::nullopt : last, mParentPlot->locale());
+                + paddedReading(
+                    trace, isOld(trace, m_capture) ? std::nullopt : last, mParentPlot->locale());
         if (!trace.info.unit.empty())
             text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
         const double wide = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;

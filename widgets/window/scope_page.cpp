@@ -100,8 +100,8 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     connect(&workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(&scope, 1);
     showCursorsIn(*layout);
-    connect(&workbench, &Workbench::heartbeat, &scope, [&scope, &workbench](Milliseconds now) {
-        scope.age(now, workbench.device().portOpen() && !workbench.signalPlan().showsFile());
+    connect(&workbench, &Workbench::heartbeat, &scope, [&scope, &workbench] {
+        scope.beat(workbench.device().portOpen() && !workbench.signalPlan().showsFile());
     });
     m_strip = new ChannelStrip(parts.selection, workbench.device(), this);
     layout->addWidget(m_strip);

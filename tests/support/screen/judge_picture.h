@@ -10,9 +10,6 @@
 #include "support/screen/text_catcher.h"
 #include "support/wire/mcp_registers.h"
 
-#include <QEventLoop>
-#include <QTimer>
-
 #include <cmath>
 
 namespace support {
@@ -53,7 +50,7 @@ public:
             if (i + 1 == kTries)
                 m_moment.finds(QStringLiteral("the picture"), QString::fromStdString(wrong),
                     "the board sent other samples");
-            aFrame(); // what is laid out may not have been painted yet
+            letItPaint(); // what is laid out may not have been painted yet
             m_traces.clear();
             for (const capture::ChannelId channel : view->channels())
                 if (auto trace = traceOf(*view, channel))
@@ -214,14 +211,6 @@ private:
         return least > 0 ? best + " and " + std::to_string(least - 1) + " other places"
                          : std::string();
     }
-    static void aFrame()
-    {
-        constexpr int kFrame_ms = 80;
-        QEventLoop loop;
-        QTimer::singleShot(kFrame_ms, &loop, &QEventLoop::quit);
-        loop.exec();
-    }
-
     struct Painted {
         const Trace *trace;
         PictureInk::Column column;

@@ -6,6 +6,7 @@
 #include "support/screen/judged_register.h"
 #include "support/screen/picture_ink.h"
 #include "support/screen/screen_moment.h"
+#include "widgets/scope/cursors.h"
 
 #include <map>
 #include <set>
@@ -17,9 +18,10 @@ public:
     static constexpr Duration kJitter = 400ms; ///< from the line to the picture
     static constexpr Duration kHolds = 2s; ///< a value, where no newer one comes
     static constexpr Duration kInTurn = 600ms; ///< between two values of what is drawn, at most
+    static constexpr Duration kLater = 20ms; ///< besides three times what is usual
     static constexpr Duration kBegins = 2s; ///< until what is put on the scope is read in turn
     static constexpr int kLoose = 3; ///< rows by which a value may be off
-    static constexpr int kTries = 2; ///< looks at which it is still so
+    static constexpr int kTries = 3; ///< a frame apart
 
     explicit PolledJudge(ScreenMoment &moment)
         : m_moment(moment)
@@ -31,11 +33,8 @@ public:
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
         const TimePoint now = m_moment.world().now();
         if (view == nullptr || !view->isVisible() || !m_moment.heard || !m_moment.answers()
-            || m_moment.more > Duration{} || !view->stale().isEmpty()) {
-            m_since.clear();
-            m_wrong = 0;
-            return;
-        }
+            || m_moment.more > Duration{} || !view->stale().isEmpty())
+            return m_since.clear();
         std::map<QString, TimePoint> since;
         for (const capture::ChannelId channel : view->channels()) {
             const auto known = m_since.find(view->nameOf(channel));
@@ -50,16 +49,15 @@ public:
                 isStreamed(known->id);
         const auto *mode = m_moment.find<QComboBox>("triggerMode");
         const bool rolls = mode == nullptr || mode->currentText() == QLatin1String("Roll");
-        if (!rolls || !view->running() || !view->time().following()) {
-            m_wrong = 0;
-            return;
+        for (int i = 0; i < kTries && view->running() && view->time().following() && rolls; ++i) {
+            const std::string wrong = theTracesAre(*view);
+            if (wrong.empty())
+                return;
+            if (i + 1 == kTries)
+                m_moment.finds(QStringLiteral("the picture"), QString::fromStdString(wrong),
+                    "what is read in turn was otherwise");
+            letItPaint();
         }
-        const std::string wrong = theTracesAre(*view);
-        // What is laid out may not have been painted yet.
-        m_wrong = wrong.empty() ? 0 : m_wrong + 1;
-        if (m_wrong >= kTries)
-            m_moment.finds(QStringLiteral("the picture"), QString::fromStdString(wrong),
-                "what is read in turn was otherwise");
     }
 
 private:
@@ -69,6 +67,7 @@ private:
     std::string theTracesAre(const widgets::ScopeView &view)
     {
         std::optional<PictureInk> ink;
+        m_labels = view.cursors().visible();
         for (const capture::ChannelId channel : view.channels()) {
             const PictureTrace trace(view, channel);
             const int motor = trace.motor(1);
@@ -109,23 +108,30 @@ private:
         const Values &values, TimePoint at, Duration around, double factor)
     {
         judge::Extremes near, held; // given around this time, and before it
-        bool inTurn = true;
-        TimePoint last{};
+        TimePoint first{}, last{}; // of those around it, with one on each side
+        Duration most{};
+        int count = 0;
         for (const auto &value : values) {
-            if (value.at > at + around) {
-                inTurn = inTurn && value.at - last <= kInTurn;
-                last = value.at;
-                break;
+            const bool before = value.at < at - around;
+            if (!before) {
+                most = std::max(most, value.at - last);
+                ++count;
             }
-            if (value.at >= at - around) {
-                inTurn = inTurn && value.at - last <= kInTurn;
+            if (before)
+                first = value.at;
+            last = value.at;
+            if (value.at > at + around)
+                break;
+            if (!before) {
                 near.include(value.number * factor);
             } else if (value.at >= at - around - kHolds) {
                 held = {};
                 held.include(value.number * factor);
             }
-            last = value.at;
         }
+        // A value that comes much later than usual may have been lost, and what was lost is a gap.
+        const bool inTurn =
+            count > 1 && most <= kInTurn && most <= 3 * (last - first) / count + kLater;
         judge::Extremes all = near;
         all.include(held);
         // What the judge did not hear from its beginning on it does not know.
@@ -147,7 +153,7 @@ private:
         const bool sure = inTurn && !near.empty() && last > at + around
             && m_since[trace.name] + kBegins < at - around
             && m_moment.world().linkChanged() + kBegins < at - around;
-        if (sure && bottom > kLoose && top < height - kLoose
+        if (sure && !m_labels && bottom > kLoose && top < height - kLoose
             && !column.inkedWithin(top - kLoose, bottom + kLoose))
             return where + ": not drawn, and the board gave it";
         return {};
@@ -166,8 +172,8 @@ private:
 
     ScreenMoment &m_moment;
     std::map<QString, TimePoint> m_since; ///< from when on each trace has been on the scope
-    std::set<std::uint16_t> m_streamed;
-    int m_wrong = 0; ///< looks in a row
+    std::set<std::uint16_t> m_streamed; ///< at any time
+    bool m_labels = false; ///< those of the cursors cover a part of the traces
 };
 
 } // namespace support

@@ -3,7 +3,9 @@
 
 #include "widgets/scope/scope_view.h"
 
+#include <QEventLoop>
 #include <QImage>
+#include <QTimer>
 
 #include <algorithm>
 #include <cstdlib>
@@ -38,6 +40,15 @@ struct PictureTrace {
         return static_cast<int>(std::clamp(row, -1e4, 1e4));
     }
 };
+
+/// What is laid out may not have been painted yet.
+inline void letItPaint()
+{
+    constexpr int kFrame_ms = 80;
+    QEventLoop loop;
+    QTimer::singleShot(kFrame_ms, &loop, &QEventLoop::quit);
+    loop.exec();
+}
 
 class PictureInk {
 public:

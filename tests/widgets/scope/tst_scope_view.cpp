@@ -166,19 +166,23 @@ void TestScopeView::theLegendShowsNoValueThatCountsNoMore()
         bench.view.drawShapes(texts);
         return texts.caught().filter(QLatin1String(name) + QStringLiteral("  ")).value(0);
     };
-    using namespace std::chrono_literals;
-    bench.record(100, 5);
-    bench.view.age(0ms, true);
-    bench.view.age(2000ms, true);
+    const auto beats = [&bench](int count, bool waits) {
+        for (int i = 0; i < count; ++i) {
+            bench.record(100, 5); // of the other one
+            bench.view.beat(waits);
+        }
+    };
+    beats(12, true);
     QVERIFY2(legend("S2").contains(QStringLiteral("24")), qPrintable(legend("S2")));
-    bench.record(100, 5); // nothing came of the other one
-    bench.view.age(3000ms, true);
+    beats(1, true);
     QVERIFY2(legend("S2").contains(QChar(0x2013)) && !legend("S2").contains(QStringLiteral("24")),
         qPrintable(legend("S2")));
     QVERIFY2(legend("S1").contains(QLatin1Char('5')), qPrintable(legend("S1")));
-    bench.view.age(
-        9000ms, false); // a file has no newer ones to come
-    QVERIFY2(legend("S2").contains(QStringLiteral("24")), qPrintable(legend("S2")));
+    bench.capture.appendPolled(2, "S2", "V", 1.6, 25.0); // at once, not with the next beat
+    QVERIFY2(legend("S2").contains(QStringLiteral("25")), qPrintable(legend("S2")));
+    beats(13, true);
+    beats(1, false); // a file has no newer ones to come
+    QVERIFY2(legend("S2").contains(QStringLiteral("25")), qPrintable(legend("S2")));
 }
 
 void TestScopeView::theLegendCoversNoTrace()

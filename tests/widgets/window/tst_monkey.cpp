@@ -276,7 +276,7 @@ private:
         case 6: // waits for what comes
             return awaitTrigger();
         default:
-            return record();
+            return m_random.chance(0.5) ? record() : exportCsv();
         }
     }
     /// To another board at the same port, and back.
