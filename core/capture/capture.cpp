@@ -239,7 +239,7 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
 void Capture::endPolled(catalog::RegisterId id)
 {
     if (const auto found = find(id, Kind::Polled))
-        mutableChannel(*found)->values()->breakHere();
+        mutableChannel(*found)->values()->endHere();
 }
 
 void Capture::endPolledForGood(catalog::RegisterId id)

@@ -133,6 +133,16 @@ void ValueColumn::extendHold(Nanos time)
         m_runs.back().holdUntil = std::max(m_runs.back().holdUntil, time);
 }
 
+void ValueColumn::endHere()
+{
+    breakHere();
+    if (m_runs.empty())
+        return;
+    Run &run = m_runs.back();
+    const Nanos usual = run.count > 1 ? m_lastTime - timeOf(run.end() - 2) : 1;
+    run.holdUntil = std::min(run.holdUntil, m_lastTime + usual);
+}
+
 std::size_t ValueColumn::runOf(Index index) const
 {
     if (index < m_begin || index >= m_end)

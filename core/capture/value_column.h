@@ -71,6 +71,8 @@ public:
 
     /// The next value starts a new run.
     void breakHere() { m_broken = true; }
+    /// The same where nobody asks any more: the last value holds no longer than the one before it did.
+    void endHere();
 
     Nanos lastTime() const { return m_lastTime; } ///< of the newest value; 0 if there is none
     Nanos timeOf(Index index) const { return chunkOf(index).timeOf(inChunk(index)); }

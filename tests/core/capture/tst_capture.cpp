@@ -565,13 +565,22 @@ void TestCapture::polledValuesAreTheirOwnChannel()
     QCOMPARE(capture.channel(id)->gaps(0, 20, 0).size(), std::size_t(1));
     QCOMPARE(capture.refused().backwards + capture.refused().notFinite, std::uint64_t(2));
 
+    // Where nobody asks any more, the last one is known for as long as the one before it was, not for 2 s.
+    capture.appendPolled(7, "F7", "rpm", 10.1, 1710.0);
+    QCOMPARE(capture.valueAt(id, 11.0), std::optional(1710.0));
+    capture.endPolled(7);
+    QCOMPARE(capture.valueAt(id, 10.19), std::optional(1710.0));
+    QVERIFY(!capture.valueAt(id, 10.21));
+    capture.endPolled(7);
+    QCOMPARE(capture.size(id), std::uint64_t(4));
+
     // By another scale the numbers do not follow those before, though their unit is the same.
     capture.endPolledForGood(7);
     capture.appendPolled(7, "F7", "rpm", 10.5, 17.0);
     capture.appendPolled(7, "F7", "rpm", 10.6, 18.0);
     const ChannelId other = *capture.find(7, Kind::Polled);
     QVERIFY(other != id);
-    QCOMPARE(capture.size(id), std::uint64_t(3));
+    QCOMPARE(capture.size(id), std::uint64_t(4));
     QCOMPARE(capture.size(other), std::uint64_t(2));
     capture.endPolledForGood(7);
     capture.appendPolled(7, "F7", "A", 11.0, 0.5); // another unit, too: one new channel, not two

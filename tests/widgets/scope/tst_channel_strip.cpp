@@ -27,6 +27,7 @@ private Q_SLOTS:
     void theTipSaysWhatFits();
     void theMeasuredRateStandsBesideThePlan();
     void readSignalsSayHowOftenAndHowWellTheyAreTimed();
+    void noReadValueIsHeldBeyondTheLink();
 
 private:
     QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
@@ -159,6 +160,27 @@ void TestChannelStrip::readSignalsSayHowOftenAndHowWellTheyAreTimed()
 
     strip->measure(widgets::Milliseconds(103'000)); // nothing more came: nothing is claimed
     QVERIFY(!tagOf(0)->text().contains(QStringLiteral("/s")));
+}
+
+/// The trace of a signal that is read in turn ends with the link: what the motor does then is not known.
+void TestChannelStrip::noReadValueIsHeldBeyondTheLink()
+{
+    using namespace std::chrono_literals;
+    facts::feed(m_rig->device(), {facts::identified()});
+    QCoreApplication::processEvents();
+    const auto &plan = m_rig->window.findChild<widgets::SignalSelection *>()->plan();
+    const auto id = plan.planned().polled.at(0);
+    for (int i = 0; i <= 10; ++i)
+        facts::feed(m_rig->device(),
+            {drive::RegistersRead{{{id, drive::ReadStatus::Ok, std::int64_t{650},
+                TimePoint(10s + i * 40ms), 3500us}}}});
+    const auto &capture = m_rig->workbench.capture();
+    const auto channel = capture.find(id, capture::ChannelInfo::Kind::Polled);
+    QVERIFY(channel && capture.valueAt(*channel, 11.0)); // 2 s, while it may come again
+    facts::feed(
+        m_rig->device(), {drive::LinkChanged{drive::LinkState::Lost, drive::LinkReason::None}});
+    QVERIFY(!capture.valueAt(*channel, 11.0));
+    QVERIFY(capture.valueAt(*channel, 10.43)); // as long as the one before it
 }
 
 QTEST_MAIN(TestChannelStrip)

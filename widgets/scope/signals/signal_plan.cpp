@@ -41,6 +41,12 @@ SignalPlan::SignalPlan(Device &device, capture::Capture &capture, QObject *paren
     m_soon.setInterval(0); // several drops in one turn of the loop make one stream
     connect(&m_soon, &QTimer::timeout, this, &SignalPlan::replan);
     connect(&device, &Device::openWished, this, &SignalPlan::opened);
+    const auto lost = [this] {
+        if (!m_device.answering() && !m_fromFile)
+            endPolled();
+    };
+    connect(&device, &Device::linkStateChanged, this, lost);
+    connect(&device, &Device::portStateChanged, this, lost);
     connect(&device, &Device::wishEnded, this, [this](const drive::Ended &ended) {
         if (ended.id == 0 || ended.id != m_streamWish)
             return;
@@ -243,10 +249,15 @@ void SignalPlan::meet()
     m_met = board->identity;
     if (!other)
         return;
+    endPolled();
+    Q_EMIT boardReplaced();
+}
+
+void SignalPlan::endPolled()
+{
     for (const capture::ChannelInfo &info : m_capture.channels())
         if (info.kind == Kind::Polled)
             m_capture.endPolled(info.registerId);
-    Q_EMIT boardReplaced();
 }
 
 void SignalPlan::boardChanged()

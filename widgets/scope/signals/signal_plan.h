@@ -62,6 +62,7 @@ Q_SIGNALS:
 private:
     void opened(const session::Endpoint &endpoint);
     void meet();
+    void endPolled(); ///< of all registers: nothing is known until the next value
     /// Of the main sensor, at the full rate where the board streams it; empty: the board has none.
     std::optional<catalog::RegisterId> mainSpeed(int motor) const;
     std::string nameOf(catalog::RegisterId id) const;
