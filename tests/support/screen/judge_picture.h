@@ -95,7 +95,12 @@ private:
                 if (!text.startsWith(begins))
                     continue;
                 const auto shown = ScreenMoment::number(text.mid(begins.size()));
-                if (const auto came = m_moment.world().newestOf(trace.id); came && !mending)
+                // What is read for a table beside it is not drawn, but its number may be either.
+                const auto came = shown
+                    ? m_moment.world().newestOf(trace.id)
+                    : m_moment.world().ofBoard(
+                        [&](const judge::McpBoard &board) { return board.sampledAt(trace.id); });
+                if (came && !mending)
                     m_moment.ages(QStringLiteral("the legend"), text, shown.has_value(), *came);
                 if (!shown)
                     continue;
