@@ -225,8 +225,9 @@ private:
     std::size_t compare(int shift, std::string &first) const
     {
         std::size_t wrong = 0;
-        for (const auto &[of, painted] : m_painted) {
-            const Trace &trace = *of;
+        for (const Painted &one : m_painted) {
+            const Trace &trace = *one.trace;
+            const PictureInk::Column &painted = one.column;
             if (painted.x + shift - kGap < m_known + kLoose)
                 continue; // from before the judge listened
             const int at = painted.x + shift;
