@@ -481,7 +481,8 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
     for (const Trace &trace : m_scopePlot.traces) {
         const auto value = m_capture.valueAt(trace.channel, range.upper - range.size() * 1e-6);
         const auto last = m_capture.timeSpan(trace.channel);
-        const bool ended = !isOld(trace, m_capture) && last && last->to < range.upper && last->to > range.lower;
+        const bool ended =
+            !isOld(trace, m_capture) && last && last->to < range.upper && last->to > range.lower;
         const auto shown = value ? value
             : ended              ? m_capture.lastValue(trace.channel)
                                  : std::nullopt;
