@@ -66,19 +66,15 @@ public:
         m_troubled = now();
         m_offset += time.count();
         m_troubled = now();
-        m_drift += time;
     }
     /// The session's thread, once, as soon as it serves the line again.
-    void freeze(int ms)
+    void freeze(int ms) { m_freeze_ms = ms; }
+    /// The session's thread has not served the line for a while, because somebody froze it or no core was there for it.
+    bool frozen()
     {
-        {
-            const std::lock_guard lock(m_mutex);
-            m_drift += std::chrono::milliseconds(ms);
-        }
-        m_frozen = true;
-        m_freeze_ms = ms;
+        const std::lock_guard lock(m_mutex);
+        return m_served && now() - *m_served > kFrozen;
     }
-    bool frozen() const { return m_frozen; }
     /// The window's thread stood still until now.
     void stoodStill()
     {
@@ -248,6 +244,7 @@ private:
     class Line;
     static constexpr std::uint16_t kOvercurrent = 0x0040;
     static constexpr Duration kShort = 5ms;
+    static constexpr Duration kFrozen = 300ms; ///< it is served every millisecond or so
 
     judge::Line lineOf() const
     {
@@ -302,7 +299,6 @@ private:
     simulation::BoardOptions m_options;
     drive::Protocol m_protocol;
     bool m_virtual;
-    std::atomic<bool> m_frozen = false;
     std::atomic<int> m_freeze_ms = 0;
     session::Clock m_clock;
     std::atomic<Duration::rep> m_offset = 0;
@@ -313,6 +309,7 @@ private:
     std::optional<TimePoint> m_shortFaultEnds; ///< on the board's clock
     BoardHistory m_history; ///< behind the mutex, as the three
     TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
+    std::optional<TimePoint> m_served; ///< when the open line was, at last
     judge::McpBoard m_says; ///< these, too
     judge::FcpBoard m_olderSays;
     judge::McbBoard m_servoSays;
@@ -349,6 +346,7 @@ public:
         if (!m_world.m_board || other)
             m_world.makeBoard();
         m_world.m_last = now;
+        m_world.m_served = now;
         ++m_world.m_openings;
         m_world.m_drift = {};
         m_world.m_says.forgetSamples(); // their times begin anew
@@ -366,6 +364,7 @@ public:
         if (!std::exchange(m_open, false))
             return;
         const std::lock_guard lock(m_world.m_mutex);
+        m_world.m_served.reset();
         m_world.m_closedAt = m_world.now();
         if (!m_world.m_virtual) // else the drive's disconnect() has told already
             m_world.m_judge.closes(m_world.now());
@@ -406,6 +405,7 @@ public:
             m_open = false;
             {
                 const std::lock_guard lock(m_world.m_mutex);
+                m_world.m_served.reset();
                 judge::Act act;
                 act.kind = judge::Act::Kind::Unplugged;
                 act.at = now;
@@ -454,8 +454,17 @@ public:
 private:
     void moveOn(TimePoint now)
     {
-        m_world.m_boardTime += std::clamp<Duration>(now - m_world.m_last, 0ns, 100ms);
-        m_world.m_last = std::max(m_world.m_last, now);
+        const Duration passed = std::max<Duration>(now - m_world.m_last, 0ns);
+        const Duration lives = std::min<Duration>(passed, 100ms);
+        m_world.m_boardTime += lives;
+        m_world.m_last += passed;
+        {
+            const std::lock_guard lock(m_world.m_mutex);
+            m_world.m_drift += passed - lives;
+            m_world.m_served = m_world.m_last;
+            if (passed > kFrozen)
+                m_world.m_troubled = m_world.now();
+        }
         m_world.m_board->advance(m_world.m_boardTime);
     }
     void obey()
@@ -485,8 +494,6 @@ private:
             QElapsedTimer clock;
             clock.start();
             while (clock.elapsed() < ms) { } // nobody is there meanwhile
-            m_world.stoodStill();
-            m_world.m_frozen = false;
         }
     }
 
