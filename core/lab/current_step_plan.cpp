@@ -21,11 +21,16 @@ constexpr double kShare = 0.35, kShareObserved = 0.45; ///< of the allowed speed
 /// than it slows down while nothing pushes.
 constexpr double kBelow = 0.15, kAbove = 0.25;
 constexpr double kLowest = 0.5; ///< of the speed
+/// Of the allowed speed, above what an observer needs: while the next current is on its way a light motor that nothing pushes
+/// goes on slowing down, by some 5 rpm each millisecond.
+constexpr double kRoom = 0.1;
 constexpr double kMargin = 0.2; ///< of the allowed speed, beyond these: for a host that stalls
 constexpr double kMostFlux = 0.7; ///< of the nominal current
 constexpr double kMostFluxObserved = 0.4; ///< an observer loses its rotor by more
 constexpr milliseconds kSettles = 300ms, kTakeOver = 300ms; ///< at the speed, and on the way to it
 constexpr milliseconds kCoasts = 1s; ///< at most, until it is back
+/// Until what is asked for counts at the motor: a packet, an answer, a host that stalls.
+constexpr milliseconds kLate = 60ms;
 constexpr milliseconds kGently = 3s; ///< where it has not coasted so far
 
 /// How far the speed may go, from the nearer to 0 on, without its sign.
@@ -34,7 +39,9 @@ std::pair<double, double> windowOf(const CurrentStepPlan &plan, const Subject &s
     const double allowed = drive::realBoundsOf(subject.limits, plan.caps).rpm;
     const double rpm = std::abs(plan.rpm);
     const double low = std::max(rpm - kBelow * allowed, kLowest * rpm);
-    return {std::max(low, std::min(rpm, subject.leastObservedRpm())), rpm + kAbove * allowed};
+    const double observed =
+        subject.seesRotor() ? 0.0 : subject.leastObservedRpm() + kRoom * allowed;
+    return {std::max(low, std::min(rpm, observed)), rpm + kAbove * allowed};
 }
 
 class CurrentStepCourse : public Course {
@@ -50,14 +57,17 @@ public:
     {
         if (!moment.answered || m_over)
             return std::nullopt;
-        if (!std::exchange(m_timed, true)) // from the answer on
+        double rpm = moment.rpm.value_or(0.0) * (m_plan.rpm < 0 ? -1.0 : 1.0);
+        if (!std::exchange(m_timed, true)) { // from the answer on
             m_due = moment.now + timeOf(m_stage);
-        const double rpm = moment.rpm.value_or(0.0) * (m_plan.rpm < 0 ? -1.0 : 1.0);
+            m_from_rpm = rpm;
+        }
         bool goesOn = moment.now < m_due;
         if (m_stage == Stage::Turning) {
             m_sum_a += moment.amps.value_or(0.0);
             ++m_count;
         } else if (m_stage == Stage::Coasting) {
+            rpm -= fallsBy(rpm, moment.now);
             goesOn = goesOn && rpm > std::abs(m_plan.rpm);
         } else {
             goesOn = goesOn && rpm > m_window.first && rpm < m_window.second;
@@ -80,11 +90,21 @@ private:
                                        : m_plan.hold;
     }
 
+    /// What a coasting motor will have lost when the ramp that it is asked for now counts.
+    double fallsBy(double rpm, TimePoint now) const
+    {
+        const double coasted_s = toSeconds(now - (m_due - kCoasts));
+        return coasted_s > 0.0 ? std::max(0.0, m_from_rpm - rpm) / coasted_s * toSeconds(kLate)
+                               : 0.0;
+    }
+
     Ask leave(double rpm)
     {
         m_timed = false;
-        m_stage = m_stage == Stage::Coasting ? Stage::Turning
-                                             : static_cast<Stage>(static_cast<int>(m_stage) + 1);
+        const bool slow = m_stage == Stage::Back && rpm < std::abs(m_plan.rpm); // it need not coast
+        m_stage = m_stage == Stage::Coasting || slow
+            ? Stage::Turning
+            : static_cast<Stage>(static_cast<int>(m_stage) + 1);
         switch (m_stage) {
         case Stage::Turning:
             ++m_done;
@@ -120,6 +140,7 @@ private:
     std::pair<double, double> m_window; ///< rpm
     Stage m_stage = Stage::Turning;
     bool m_timed = false; ///< its time began
+    double m_from_rpm = 0.0; ///< the speed then
     milliseconds m_takeOver{0};
     double m_sum_a = 0.0; ///< of Iq, by packets
     int m_count = 0;

@@ -22,8 +22,9 @@ std::string text(double value)
 
 std::string broken(const char *what, double value, double bound, const char *unit)
 {
-    return std::string(what) + " of " + text(value) + ' ' + unit + " is beyond the " + text(bound)
-        + ' ' + unit + " that are allowed";
+    return std::string(what) + " of " + text(value) + ' ' + unit
+        + (value < bound ? " is below the " : " is above the ") + text(bound) + ' ' + unit
+        + " that are allowed";
 }
 
 /// Than samples: of a board that says nothing the samples are told.
@@ -91,7 +92,7 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
     const auto current = [&](double amps) {
         sum += amps;
         return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
-            ? std::optional(broken("a current", amps, m_caps.mostAmps, "A"))
+            ? std::optional(broken("a current", std::abs(amps), m_caps.mostAmps, "A"))
             : std::nullopt;
     };
     if (m_currentD)

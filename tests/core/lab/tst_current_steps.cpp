@@ -93,6 +93,28 @@ private Q_SLOTS:
         QVERIFY(found->rise_s && *found->rise_s->low < *found->rise_s->high);
     }
 
+    /// By currents that do not hold its speed: a host that is late must not let it go below what its observer needs.
+    void aSensorlessMotorKeepsAwayFromWhereItIsLost_data()
+    {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::addColumn<int>("late_ms");
+        QTest::newRow("slower in the end") << 0.5 << 2.0 << 40;
+        QTest::newRow("faster in the end") << 1.5 << 3.0 << 60;
+        QTest::newRow("nothing before") << 0.0 << 2.0 << 20;
+    }
+    void aSensorlessMotorKeepsAwayFromWhereItIsLost()
+    {
+        QFETCH(const double, from);
+        QFETCH(const double, to);
+        QFETCH(const int, late_ms);
+        LabBench bench(board("pm24"));
+        bench.experiment.plan = currentStepPlanFor(bench.experiment.subject, false, from, to, {});
+        bench.held = std::chrono::milliseconds(late_ms);
+        const Outcome outcome = bench.run();
+        VERIFY_END(outcome, End::Complete);
+    }
+
     /// Of a bridge without dead time: its rise is that of windings and regulator.
     void theRiseIsThatOfTheLoop_data()
     {

@@ -351,7 +351,8 @@ void TestRunner::withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds()
     bench.eachTurn = [&] { slowest = std::min(slowest, bench.pair.board->truth(1).rpm); };
     QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 30s));
     VERIFY_END(bench.runner->outcome(), End::Aborted);
-    const std::string bound = std::to_string(std::lround(least)) + " rpm that are allowed";
+    const std::string bound =
+        "is below the " + std::to_string(std::lround(least)) + " rpm that are allowed";
     QVERIFY2(bench.runner->outcome().reason.find(bound) != std::string::npos,
         bench.runner->outcome().reason.c_str());
     bench.turn();
