@@ -497,11 +497,15 @@ Outcome<int> CaptureRun::write()
         m_desk.out.line(
             QStringLiteral("%1: %2 rows, %3, %4 lost")
                 .arg(m_wanted.file, QString::number(rows), lengthText(), m_recorder.lostText()));
-    if (m_recording)
-        m_desk.out.line(
-            QStringLiteral("%1: %2 samples, %3 bytes")
-                .arg(m_wanted.recording, QString::number(m_recording->last().counts.samples),
-                    QString::number(m_recording->last().counts.bytes)));
+    if (m_recording) {
+        const auto &counts = m_recording->last().counts;
+        const QString held = m_recorder.polls()
+            ? QStringLiteral("each signal read %1 times a second")
+                  .arg(numberText(std::round(m_recorder.valuesPerSecond())))
+            : QStringLiteral("%1 samples").arg(QString::number(counts.samples));
+        m_desk.out.line(QStringLiteral("%1: %2, %3 bytes")
+                            .arg(m_wanted.recording, held, QString::number(counts.bytes)));
+    }
     return kDone;
 }
 

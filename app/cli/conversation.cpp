@@ -2,6 +2,7 @@
 
 #include "drive/board_facts.h"
 #include "drive/motion_limits.h"
+#include "drive/set_point_check.h"
 #include "drive/stop_sequence.h"
 #include "sentences.h"
 #include "session/transports/port_list.h"
@@ -142,11 +143,14 @@ Outcome<drive::Ended> Conversation::command(
     default:
         break;
     }
-    const bool noScale = ended->reason == drive::kNoCurrentScale;
+    const QString better = ended->reason == drive::kNoCurrentScale
+        ? QStringLiteral("give it with --full-scale-current A")
+        : ended->reason.ends_with(drive::kExpertMode)
+        ? QStringLiteral("--max-rpm and --max-amps bound it then, --expert allows it")
+        : advice;
     return failure(kRefused,
         QStringLiteral("%1 was refused%2; %3.")
-            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason),
-                noScale ? QStringLiteral("give it with --full-scale-current A") : advice));
+            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason), better));
 }
 
 Outcome<std::vector<drive::Reading>> Conversation::read(const std::vector<drive::RegisterId> &ids)

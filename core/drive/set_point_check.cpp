@@ -43,7 +43,7 @@ std::string_view nameOf(LimitGap gap)
 std::string unknown(const std::string &what, int motor)
 {
     return "the board does not tell the " + what + " of motor " + std::to_string(motor)
-        + "; to move it all the same takes expert mode";
+        + "; to move it all the same takes " + kExpertMode;
 }
 
 std::string beyond(double bound, std::string_view unit, bool own)

@@ -18,6 +18,9 @@ constexpr double kGreatestWireRpm = 32767.0;
 /// What every protocol can hold.
 constexpr std::chrono::milliseconds kLongestRamp{65535};
 
+/// The end of the reason where only a limit is missing that the person may do without.
+inline constexpr const char *kExpertMode = "expert mode";
+
 /// Why there is nothing to be moved; empty if there is that motor.
 std::string refuseMotor(const BoardFacts &board, int motor);
 /// Why no ramp lasts so long; empty if one may.

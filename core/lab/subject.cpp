@@ -4,6 +4,7 @@
 #include "motor/rev_up.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace lab {
@@ -70,8 +71,13 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     for (const drive::Capability &can : board.capabilities)
         if (!can.available
             && (can.feature == drive::Feature::SpeedRamp || can.feature == drive::Feature::Stream
-                || can.feature == drive::Feature::Start))
-            return fail(can.reason.substr(0, can.reason.find_last_not_of('.') + 1));
+                || can.feature == drive::Feature::Start)) {
+            std::string why = can.reason.substr(0, can.reason.find_last_not_of('.') + 1);
+            if (!why.empty()) // within a sentence
+                why.front() =
+                    static_cast<char>(std::tolower(static_cast<unsigned char>(why.front())));
+            return fail(why);
+        }
     const auto at = static_cast<std::size_t>(motor - 1);
     const catalog::Catalog &catalog = *board.catalog;
     const std::string speed =

@@ -110,7 +110,8 @@ void TestCliOlderBoards::withoutExpertModeNothingStarts()
 {
     const Run refused = run(QStringLiteral("--port sim:legacy --protocol legacy start"));
     QCOMPARE(refused.status, 1);
-    QVERIFY(refused.error.contains(QLatin1String("expert mode")));
+    QVERIFY2(refused.error.contains(QLatin1String("expert mode")), qPrintable(refused.error));
+    QVERIFY2(refused.error.contains(QLatin1String("--expert")), qPrintable(refused.error));
     QCOMPARE(
         run(QStringLiteral("--port sim:legacy --protocol legacy start --expert --max-rpm 3000"))
             .status,
@@ -131,6 +132,12 @@ void TestCliOlderBoards::captureReadsAsFastAsTheLineGives()
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QVERIFY(csv.readLine().startsWith("time [s],SPEED_MEAS [rpm],I_Q_MEAS"));
     QVERIFY(!csv.readLine().isEmpty());
+    const Run recorded =
+        run(QStringLiteral("--port sim:legacy --protocol legacy capture --hf SPEED_MEAS --seconds "
+                           "0.5 --record ")
+            + m_folder.filePath(QStringLiteral("polled.pcapng")));
+    QVERIFY2(recorded.status == 0, qPrintable(recorded.error));
+    QVERIFY2(recorded.out.contains(QLatin1String("each signal read")), qPrintable(recorded.out));
 }
 
 void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
