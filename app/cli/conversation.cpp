@@ -1,5 +1,6 @@
 #include "conversation.h"
 
+#include "commands.h"
 #include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "drive/set_point_check.h"
@@ -38,12 +39,17 @@ session::Parts attendedHere(std::shared_ptr<session::Guardian> guardian)
     return parts;
 }
 
+/// Of what measures a motor: while one answer is waited for nothing else is read, and its bus voltage has to be.
+constexpr auto kExperimentPatience = 100ms;
+
 session::Endpoint endpointOf(const Arguments &arguments)
 {
     session::Endpoint endpoint =
         session::endpointFor(arguments.port, arguments.baud, arguments.protocol);
     endpoint.reopen = false;
     endpoint.patience = std::chrono::milliseconds(arguments.patience_ms);
+    if (arguments.command != nullptr && arguments.command->ownsMotor)
+        endpoint.patience = std::min<Duration>(endpoint.patience, kExperimentPatience);
     return endpoint;
 }
 

@@ -315,7 +315,7 @@ void Runner::onRead(TimePoint now)
     }
     const drive::StartTarget target = startTarget();
     if (target.control != drive::ControlMode::Speed || !target.rpm)
-        return refuse("the motor is not in speed control, so a speed cannot be stepped");
+        return refuse("the motor is not in speed control: ask for a speed first");
     m_before_rpm = *target.rpm;
     m_beforeRamp = target.ramp.value_or(0ms);
     m_before_v = shown(m_experiment.subject.registers.bus);

@@ -40,7 +40,7 @@ PLAYED = "sessions with faults"
 # The tests that have another long form, and its functions where not all of them; each is a row.
 LONG = {"tst_mcp_drive_faults": ["oneFaultAtAnyByteIsOvercome", "aStopGetsThroughABadLine"],
         "tst_fault_classes": [], "tst_unplug_anywhere": [], "tst_recording_kill": [], "tst_kept_files_posix": [],
-        "tst_setpoints": [], "tst_soak": [], "tst_monkey": [], "tst_guardian_posix": []}
+        "tst_setpoints": [], "tst_cli_readme_posix": [], "tst_soak": [], "tst_monkey": [], "tst_guardian_posix": []}
 
 
 def commit():
