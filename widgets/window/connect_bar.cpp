@@ -27,6 +27,7 @@ namespace {
 constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
 constexpr qsizetype kMostTyped = 8;
 constexpr int kConnectWidth = 110;
+constexpr int kPortWidth = 120; ///< at least: a bar 960 px wide has no more for it
 constexpr quint32 kSlowestBaud = 1200;
 constexpr quint32 kFastestBaud = 12'000'000;
 
@@ -102,7 +103,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_port->setToolTip(tr("A port of the list, or a path that you type"));
     m_port->setEditable(true);
     m_port->setInsertPolicy(QComboBox::NoInsert);
-    m_port->setMinimumWidth(190);
+    m_port->setMinimumWidth(kPortWidth);
     m_baud->setObjectName(QStringLiteral("baud"));
     m_baud->setAccessibleName(tr("Baud rate"));
     m_baud->setEditable(true);
@@ -214,6 +215,7 @@ void ConnectBar::setEndpoint(const QString &path, quint32 baud)
         m_port->setEditText(path);
     if (baud > 0)
         m_baud->setEditText(QString::number(baud));
+    m_port->lineEdit()->home(false); // of a name that is longer than its box its beginning
 }
 
 QString ConnectBar::path() const

@@ -12,9 +12,11 @@
 #include "widgets/window/first_steps.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -395,6 +397,38 @@ private Q_SLOTS:
         m_rig->window.resizeDocks(
             {m_rig->find<QDockWidget>("registerDock")}, {300}, Qt::Horizontal);
         QTRY_VERIFY(hasRaw());
+    }
+
+    /// At 200 % a screen of 1920 has 960.
+    void nothingLiesOverItsNeighbourInANarrowWindow_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("german");
+        for (const bool german : {false, true})
+            for (const QSize size : {QSize(960, 540), QSize(1280, 720)})
+                QTest::addRow("%d, %s", size.width(), german ? "German" : "English")
+                    << size << german;
+    }
+    void nothingLiesOverItsNeighbourInANarrowWindow()
+    {
+        QFETCH(const QSize, size);
+        QFETCH(const bool, german);
+        if (german) {
+            QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
+            QCoreApplication::installTranslator(&m_german);
+        }
+        open(size, 2);
+        for (const QBoxLayout *layout : m_rig->window.findChildren<QBoxLayout *>())
+            for (int i = 0; i < layout->count(); ++i)
+                for (int j = 0; j < i; ++j) {
+                    const QWidget *one = layout->itemAt(i)->widget();
+                    const QWidget *other = layout->itemAt(j)->widget();
+                    if (one && other && one->isVisible() && other->isVisible())
+                        QVERIFY2(!one->geometry().intersects(other->geometry()),
+                            qPrintable(QStringLiteral("%1 and %2")
+                                           .arg(one->objectName(), other->objectName())));
+                }
+        QCOMPARE(m_rig->find<QComboBox>("port")->lineEdit()->cursorPosition(), 0);
     }
 
     void theKeysFitSmallScreens()
