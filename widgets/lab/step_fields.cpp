@@ -18,6 +18,8 @@ constexpr double kAnyRpm = 1e6; ///< where no board has told its limit
 constexpr double kUsualRpm = 4000.0;
 constexpr double kNotch_rpm = 50.0;
 constexpr double kFromShare = 0.25, kToShare = 0.375; ///< of the limit, offered at first
+/// Above what an observer needs, and a smaller step: the faster a motor turns the more a brake gives back.
+constexpr double kFromObserved = 1.25, kObservedShare = 0.075;
 constexpr int kNotch_ms = 50, kUsual_ms = 500, kLeastHold_ms = 50, kMost_ms = 10'000,
               kMostRepeats = 100;
 
@@ -48,7 +50,7 @@ StepFields::StepFields(QWidget *parent)
     }
     m_repeat->setRange(1, kMostRepeats);
     m_repeat->setSuffix(QStringLiteral("\u202f\u00d7"));
-    setLimit(0.0);
+    setLimits(0.0, 0.0);
 }
 
 SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
@@ -89,17 +91,19 @@ QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const ch
     return spin;
 }
 
-void StepFields::setLimit(double limitRpm)
+void StepFields::setLimits(double greatestRpm, double leastRpm)
 {
     m_offering = true;
-    const double limit = limitRpm > 0.0 ? limitRpm : kAnyRpm;
+    const double limit = greatestRpm > 0.0 ? greatestRpm : kAnyRpm;
     for (SetpointEdit *edit : {m_from, m_to})
         edit->setLimits(limit, 1.0, tr("rpm")); // the board rounds to its own steps
     if (m_offered) {
         const auto round = [](double rpm) { return kNotch_rpm * std::round(rpm / kNotch_rpm); };
-        const double greatest = limitRpm > 0.0 ? limitRpm : kUsualRpm;
-        m_from->setValue(round(kFromShare * greatest));
-        m_to->setValue(round(kToShare * greatest));
+        const double greatest = greatestRpm > 0.0 ? greatestRpm : kUsualRpm;
+        const bool observed = kFromShare * greatest < leastRpm;
+        const double from = observed ? kFromObserved * leastRpm : kFromShare * greatest;
+        m_from->setValue(round(from));
+        m_to->setValue(round(observed ? from + kObservedShare * greatest : kToShare * greatest));
     }
     m_offering = false;
 }

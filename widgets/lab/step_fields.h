@@ -23,7 +23,8 @@ public:
     /// Empty: a speed is not understood, or beyond the limit.
     std::optional<lab::StepPlan> plan() const;
     QString problem() const; ///< why, in a sentence
-    void setLimit(double limitRpm); ///< of the motor that is shown; 0: not known
+    /// Of the motor that is shown: its greatest speed, 0 if it is not known, and what a motor without a sensor has to stay above.
+    void setLimits(double greatestRpm, double leastRpm);
     void focusFirst();
 
 Q_SIGNALS:

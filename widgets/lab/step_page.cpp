@@ -168,7 +168,9 @@ void StepPage::focusFirst() { m_fields->focusFirst(); }
 void StepPage::boardChanged()
 {
     const Device &device = m_parts.device;
-    m_fields->setLimit(device.bounds(device.motor()).rpm);
+    const auto subject = m_parts.lab.experiments.subject();
+    m_fields->setLimits(
+        device.bounds(device.motor()).rpm, subject ? subject->leastObservedRpm() : 0.0);
     Q_EMIT watchedRegistersChanged();
     m_bar->refresh();
 }

@@ -27,8 +27,8 @@ constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
 struct Bench : support::LabWindow {
     int actions = 0; ///< of a person, since the test set it to 0
 
-    Bench()
-        : LabWindow("servo24")
+    explicit Bench(const char *motor = "servo24")
+        : LabWindow(motor)
     {
         open(Qt::Key_T, Qt::ControlModifier);
     }
@@ -110,6 +110,16 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.run()->isEnabled());
         QTest::mouseClick(bench.find<QPushButton>("connect"), Qt::LeftButton);
         QTRY_VERIFY(refused("Connect to a board first."));
+    }
+
+    void whatIsOfferedRunsOnAMotorWithoutASensor()
+    {
+        Bench bench("pm24");
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        QCOMPARE(bench.find<QLineEdit>("stepFrom")->text(), QStringLiteral("1500"));
+        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QStringLiteral("1800"));
+        QVERIFY2(bench.runToItsEnd(), qPrintable(bench.said()));
     }
 
     void theQuestionShowsThePlanAndNoMovesNothing()
