@@ -28,6 +28,8 @@ namespace {
 
 constexpr int kDone = 0, kUsage = 2, kNoPort = 5;
 constexpr Duration kIdleStep = std::chrono::milliseconds(5); ///< how soon a new client is noticed
+constexpr Duration kLate =
+    std::chrono::milliseconds(1); ///< twice as long as a board takes to look at a header
 
 int g_signalPipe = -1; ///< written by the signal handler
 
@@ -120,6 +122,7 @@ public:
 
 private:
     void step();
+    void receive(const Bytes &bytes, TimePoint now);
     void wait(bool present, std::array<pollfd, 3> &sources);
     void readWords();
 
@@ -131,6 +134,7 @@ private:
     bool m_ended = false;
     std::string m_line;
     Clock m_clock;
+    TimePoint m_looked{}; ///< at the line, before now
 };
 
 void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
@@ -155,13 +159,25 @@ void Simulator::step()
     if (sources[0].revents != 0)
         m_ended = true;
     if (present && sources[2].revents != 0)
-        m_device.receive(m_port.read(), now);
+        receive(m_port.read(), now);
     m_device.advance(now);
+    m_looked = now;
     if (sources[1].revents != 0)
         readWords();
     const Bytes output = m_device.takeOutput();
     if (present && !output.empty())
         m_port.write(output);
+}
+
+/// While this program had no core the line went on: what came in one piece then may have come with its pause. A board that is
+/// one would have seen it.
+void Simulator::receive(const Bytes &bytes, TimePoint now)
+{
+    const bool late = now - m_looked >= kLate && bytes.size() > m_served.headerBytes;
+    const ByteView all = bytes;
+    const std::size_t before = late ? m_served.headerBytes : 0;
+    m_device.receive(all.first(before), m_looked);
+    m_device.receive(all.subspan(before), now);
 }
 
 void Simulator::readWords()

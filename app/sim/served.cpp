@@ -1,5 +1,6 @@
 #include "served.h"
 
+#include "aspep/packet.h"
 #include "fcp_words.h"
 #include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
@@ -11,11 +12,12 @@ namespace sim {
 
 namespace {
 
-Served boardOf(const Options &options)
+Served boardOf(const Options &options, std::size_t headerBytes)
 {
     auto board = simulation::makeBoard(options.board);
     auto &known = *board;
-    return {std::move(board), [&known](std::string_view line) { return obey(line, known); }};
+    return {std::move(board), headerBytes,
+        [&known](std::string_view line) { return obey(line, known); }};
 }
 
 Served servoOf(const Options &options)
@@ -24,7 +26,7 @@ Served servoOf(const Options &options)
     wanted.board = options.board;
     auto board = simulation::makeMcbBoard(wanted);
     auto &known = *board;
-    return {std::move(board), [&known](std::string_view line) { return obey(line, known); }};
+    return {std::move(board), 0, [&known](std::string_view line) { return obey(line, known); }};
 }
 
 Result<Served, std::string> mcbOf(const Options &options)
@@ -36,21 +38,21 @@ Result<Served, std::string> mcbOf(const Options &options)
         return fail(options.rig + ": " + rig.error().toStdString());
     auto stream = std::make_unique<simulation::McbStream>(std::move(*rig));
     auto &known = *stream;
-    return Served{std::move(stream),
+    return Served{std::move(stream), 0,
         [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
 }
 
 Result<Served, std::string> fcpOf(const Options &options)
 {
     if (options.rig.empty())
-        return boardOf(options);
+        return boardOf(options, 0);
     auto rig = session::readFcpRigFile(QString::fromStdString(options.rig));
     if (!rig)
         return fail(rig.error());
     auto board = std::make_unique<simulation::FcpBoard>(std::move(*rig));
     auto &known = *board;
     return Served{
-        std::move(board), [&known](std::string_view line) { return obeyFcp(line, known); }};
+        std::move(board), 0, [&known](std::string_view line) { return obeyFcp(line, known); }};
 }
 
 } // namespace
@@ -65,7 +67,7 @@ Result<Served, std::string> makeServed(const Options &options)
     case Protocol::Mcp:
         break;
     }
-    return boardOf(options);
+    return boardOf(options, aspep::kHeaderSize);
 }
 
 } // namespace sim

@@ -1,4 +1,5 @@
 // rotorscope-sim as others script against it: its first line, its link, its end, its complaints.
+#include "aspep/packet.h"
 #include "support/places.h"
 
 #include <QFile>
@@ -9,8 +10,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <cerrno>
+#include <csignal>
 
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -65,6 +68,7 @@ private slots:
     void itSaysWhereItIsLinksAndEndsOnSigterm();
     void onlyALeftOverLinkIsReplaced();
     void aClientIsAnsweredAndTheNextOneToo();
+    void aRequestThatCameWhileItStoodIsAnswered();
     void aRigIsAnsweredAndObeysItsWords();
     void withControlItEndsWithItsInput();
     void withoutControlItNeverReadsItsInput();
@@ -376,6 +380,49 @@ void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
         QTRY_VERIFY(heard());
         QCOMPARE(answer.toHex(), QByteArray("05c70114"));
         ::close(fd);
+    }
+}
+
+/// Its header and its payload are read in one piece then, whatever their sender did.
+void TestSimulatorProgram::aRequestThatCameWhileItStoodIsAnswered()
+{
+    Program program({QStringLiteral("mcp")});
+    const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
+    const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+    QVERIFY(fd >= 0);
+    const auto closing = qScopeGuard([fd] { ::close(fd); });
+    const auto send = [fd](const aspep::Header &header) {
+        const aspep::HeaderBytes bytes = aspep::encodeHeader(header);
+        return ::write(fd, bytes.data(), bytes.size()) == ssize_t(bytes.size());
+    };
+    QByteArray answer;
+    const auto heard = [&](qsizetype size) {
+        char piece[64];
+        const ssize_t count = ::read(fd, piece, sizeof piece);
+        if (count > 0)
+            answer.append(piece, count);
+        return answer.size() >= size;
+    };
+    const auto offer = aspep::Beacon{};
+    QVERIFY(send(offer));
+    QTRY_VERIFY(heard(4));
+    aspep::HeaderBytes bytes{};
+    std::copy_n(answer.cbegin(), bytes.size(), bytes.begin());
+    QVERIFY(send(*aspep::decodeHeader(bytes)));
+    QTRY_VERIFY(heard(8));
+    QVERIFY(send(aspep::Ping{}));
+    QTRY_VERIFY(heard(12));
+    const auto pid = static_cast<pid_t>(program.process.processId());
+    for (int i = 0; i < 5; ++i) {
+        answer.clear();
+        QCOMPARE(::kill(pid, SIGSTOP), 0);
+        const char getVersion[2] = {0, 0};
+        QVERIFY(send(aspep::Data{false, sizeof getVersion}));
+        QCOMPARE(::write(fd, getVersion, sizeof getVersion), ssize_t{2});
+        QTest::qWait(5); // it stood for so long
+        QCOMPARE(::kill(pid, SIGCONT), 0);
+        QTRY_VERIFY2(heard(5), qPrintable(QString::fromLatin1(answer.toHex())));
+        QCOMPARE(answer.at(0) & 15, 10); // a response
     }
 }
 
