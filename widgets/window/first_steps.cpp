@@ -257,7 +257,8 @@ void FirstSteps::follow()
     place();
     if (m_step == Step::Start && state == MotorState::Running)
         show(Step::Speed);
-    if (m_step == Step::Speed && (state == MotorState::Idle || state == MotorState::Stopping))
+    if (m_step == Step::Speed && state != MotorState::Running
+        && m_device.statusIsNow(m_device.motor())) // also behind a fault
         show(Step::Save);
 }
 

@@ -176,6 +176,22 @@ private Q_SLOTS:
         QVERIFY(card->isVisible());
     }
 
+    void theCardOfARunningMotorIsOverWithItsFault()
+    {
+        m_rig->find<widgets::FirstSteps>("firstSteps")->restart();
+        const auto *card = m_rig->find<QWidget>("firstSteps");
+        const auto says = [card](const char *title) {
+            const auto labels = card->findChildren<QLabel *>();
+            return std::any_of(labels.begin(), labels.end(),
+                [&](const QLabel *label) { return label->text() == QLatin1String(title); });
+        };
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        QVERIFY(says("The motor is running"));
+        facts::feed(device(), {facts::status(drive::MotorState::FaultNow)});
+        QVERIFY(!says("The motor is running"));
+        QVERIFY(card->isVisible() && says("Save what you see"));
+    }
+
     void theCardLeavesItsPlaceToAnOpenTool()
     {
         m_rig->find<widgets::FirstSteps>("firstSteps")->restart();

@@ -276,7 +276,13 @@ private:
         case 6: // waits for what comes
             return awaitTrigger();
         default:
-            return m_random.chance(0.5) ? record() : exportCsv();
+            if (m_random.chance(0.5))
+                return record();
+            // Once it waits until all that is shown is of one connection.
+            for (int i = 0; i < 50 && !m_awaited && !m_screen.canJudgeExports(); ++i)
+                rest(200);
+            m_awaited = true;
+            return exportCsv();
         }
     }
     /// To another board at the same port, and back.
@@ -785,7 +791,8 @@ private:
     std::vector<std::string> m_story;
     std::deque<QString> m_echoes; ///< what stood below the field of the speed when it was sent
     int m_tuned = 0; ///< times that gains were written
-    int m_files = 0; ///< that were recorded
+    int m_files = 0; ///< that were recorded or exported
+    bool m_awaited = false; ///< a picture that can be exported and judged
 };
 
 std::vector<int> firstActs(int count)
