@@ -50,13 +50,13 @@ public:
         const auto real = std::chrono::steady_clock::now().time_since_epoch();
         const auto step = std::chrono::duration_cast<Duration>(real - m_last);
         m_last = real;
-        if (step < kLongestStep)
-            m_now += step;
+        m_now += step < kLongestStep ? step : kStopped;
         return m_now;
     }
 
 private:
     static constexpr Duration kLongestStep = std::chrono::seconds(1);
+    static constexpr Duration kStopped = 2 * kLate; ///< what such a stretch counts
     std::chrono::steady_clock::duration m_last{};
     TimePoint m_now{};
 };

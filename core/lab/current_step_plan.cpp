@@ -21,9 +21,9 @@ constexpr double kShare = 0.35, kShareObserved = 0.45; ///< of the allowed speed
 /// than it slows down while nothing pushes.
 constexpr double kBelow = 0.15, kAbove = 0.25;
 constexpr double kLowest = 0.5; ///< of the speed
-/// Of the allowed speed, above what an observer needs: while the next current is on its way a light motor that nothing pushes
-/// goes on slowing down, by some 5 rpm each millisecond.
-constexpr double kRoom = 0.1;
+/// Of the allowed speed, above what an observer needs, and at most of the way there: while the next current is on its
+/// way a light motor that nothing pushes goes on slowing down, by some 5 rpm each millisecond.
+constexpr double kRoom = 0.1, kMostRoom = 2.0 / 3.0;
 constexpr double kMargin = 0.2; ///< of the allowed speed, beyond these: for a host that stalls
 constexpr double kMostFlux = 0.7; ///< of the nominal current
 constexpr double kMostFluxObserved = 0.4; ///< an observer loses its rotor by more
@@ -31,6 +31,7 @@ constexpr milliseconds kSettles = 300ms, kTakeOver = 300ms; ///< at the speed, a
 constexpr milliseconds kCoasts = 1s; ///< at most, until it is back
 /// Until what is asked for counts at the motor: a packet, an answer, a host that stalls.
 constexpr milliseconds kLate = 60ms;
+constexpr milliseconds kPacket = 20ms; ///< of samples: so much older the newest speed may be
 constexpr milliseconds kGently = 3s; ///< where it has not coasted so far
 
 /// How far the speed may go, from the nearer to 0 on, without its sign.
@@ -39,9 +40,9 @@ std::pair<double, double> windowOf(const CurrentStepPlan &plan, const Subject &s
     const double allowed = drive::realBoundsOf(subject.limits, plan.caps).rpm;
     const double rpm = std::abs(plan.rpm);
     const double low = std::max(rpm - kBelow * allowed, kLowest * rpm);
-    const double observed =
-        subject.seesRotor() ? 0.0 : subject.leastObservedRpm() + kRoom * allowed;
-    return {std::max(low, std::min(rpm, observed)), rpm + kAbove * allowed};
+    const double observed = subject.leastObservedRpm();
+    const double room = std::clamp((rpm - observed) * kMostRoom, 0.0, kRoom * allowed);
+    return {std::max(low, observed > 0.0 ? observed + room : 0.0), rpm + kAbove * allowed};
 }
 
 class CurrentStepCourse : public Course {
@@ -50,6 +51,7 @@ public:
         : m_plan(plan)
         , m_motor(subject.motor)
         , m_window(windowOf(plan, subject))
+        , m_observed(!subject.seesRotor())
     {
     }
 
@@ -57,7 +59,7 @@ public:
     {
         if (!moment.answered || m_over)
             return std::nullopt;
-        double rpm = moment.rpm.value_or(0.0) * (m_plan.rpm < 0 ? -1.0 : 1.0);
+        const double rpm = moment.rpm.value_or(0.0) * (m_plan.rpm < 0 ? -1.0 : 1.0);
         if (!std::exchange(m_timed, true)) { // from the answer on
             m_due = moment.now + timeOf(m_stage);
             m_from_rpm = rpm;
@@ -67,8 +69,8 @@ public:
             m_sum_a += moment.amps.value_or(0.0);
             ++m_count;
         } else if (m_stage == Stage::Coasting) {
-            rpm -= fallsBy(rpm, moment.now);
-            goesOn = goesOn && rpm > std::abs(m_plan.rpm);
+            m_falls_rpm = fallsBy(rpm, moment.now);
+            goesOn = goesOn && rpm - m_falls_rpm > std::abs(m_plan.rpm);
         } else {
             goesOn = goesOn && rpm > m_window.first && rpm < m_window.second;
         }
@@ -90,18 +92,27 @@ private:
                                        : m_plan.hold;
     }
 
-    /// What a coasting motor will have lost when the ramp that it is asked for now counts.
+    /// What a coasting motor without a sensor will have lost when the ramp that it is asked for now counts.
     double fallsBy(double rpm, TimePoint now) const
     {
-        const double coasted_s = toSeconds(now - (m_due - kCoasts));
-        return coasted_s > 0.0 ? std::max(0.0, m_from_rpm - rpm) / coasted_s * toSeconds(kLate)
-                               : 0.0;
+        if (!m_observed)
+            return 0.0;
+        const Duration coasted = std::max<Duration>(now - (m_due - kCoasts), kPacket);
+        return std::max(0.0, m_from_rpm - rpm) * toSeconds(kLate) / toSeconds(coasted);
+    }
+    /// More slowly than it coasts: then nothing brakes it.
+    milliseconds takeOver(double rpm) const
+    {
+        const double slowly = m_falls_rpm * toSeconds(kTakeOver) / toSeconds(kLate);
+        const double near = (kNear - 1.0) * std::abs(m_plan.rpm);
+        return rpm > std::abs(m_plan.rpm) + std::max(near, slowly) ? kGently : kTakeOver;
     }
 
     Ask leave(double rpm)
     {
         m_timed = false;
-        const bool slow = m_stage == Stage::Back && rpm < std::abs(m_plan.rpm); // it need not coast
+        // A slow one need not coast, but the current along the magnets has to end.
+        const bool slow = m_plan.flux == 0 && m_stage == Stage::Back && rpm < std::abs(m_plan.rpm);
         m_stage = m_stage == Stage::Coasting || slow
             ? Stage::Turning
             : static_cast<Stage>(static_cast<int>(m_stage) + 1);
@@ -110,7 +121,8 @@ private:
             ++m_done;
             m_sum_a = 0.0;
             m_count = 0;
-            m_takeOver = rpm > std::abs(m_plan.rpm) * kNear ? kGently : kTakeOver;
+            m_takeOver = takeOver(rpm);
+            m_falls_rpm = 0.0;
             return drive::SpeedRamp{m_motor, m_plan.rpm, m_takeOver};
         case Stage::Coasting:
             return current(0.0, 0.0);
@@ -138,6 +150,8 @@ private:
     CurrentStepPlan m_plan;
     int m_motor;
     std::pair<double, double> m_window; ///< rpm
+    bool m_observed; ///< it has no sensor
+    double m_falls_rpm = 0.0; ///< fallsBy(), where it coasts
     Stage m_stage = Stage::Turning;
     bool m_timed = false; ///< its time began
     double m_from_rpm = 0.0; ///< the speed then

@@ -23,8 +23,8 @@ std::string text(double value)
 std::string broken(const char *what, double value, double bound, const char *unit)
 {
     return std::string(what) + " of " + text(value) + ' ' + unit
-        + (value < bound ? " is below the " : " is above the ") + text(bound) + ' ' + unit
-        + " that are allowed";
+        + (std::abs(value) < std::abs(bound) ? " is below the " : " is above the ") + text(bound)
+        + ' ' + unit + " that are allowed";
 }
 
 /// Than samples: of a board that says nothing the samples are told.

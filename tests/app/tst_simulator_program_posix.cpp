@@ -2,6 +2,7 @@
 #include "aspep/packet.h"
 #include "support/places.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -419,7 +420,9 @@ void TestSimulatorProgram::aRequestThatCameWhileItStoodIsAnswered()
         const char getVersion[2] = {0, 0};
         QVERIFY(send(aspep::Data{false, sizeof getVersion}));
         QCOMPARE(::write(fd, getVersion, sizeof getVersion), ssize_t{2});
-        QTest::qWait(5); // it stood for so long
+        QElapsedTimer stood;
+        stood.start();
+        QTRY_VERIFY(stood.elapsed() >= 5);
         QCOMPARE(::kill(pid, SIGCONT), 0);
         QTRY_VERIFY2(heard(5), qPrintable(QString::fromLatin1(answer.toHex())));
         QCOMPARE(answer.at(0) & 15, 10); // a response

@@ -131,6 +131,8 @@ DEFECTS = [
         ("widgets/scope/drawing/waveform_plottable.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
     ("the legend tells other values", "tst_monkey@1-13", "untrue", [
         ("widgets/scope/trace_legend.cpp", "valueLabel(*value, step, locale) :", "valueLabel(*value * 1.5 + 3.0, step, locale) :")]),
+    ("the state of a silent board of the older protocol stays", "tst_monkey@8-16", "untrue", [
+        ("widgets/control/state_box.cpp", "const bool believed = m_device.statusIsNow(m_device.motor());", "const bool believed = m_device.portOpen();")]),
     ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
         ("core/drive/fcp/fcp_reads.cpp", "        reading.value = std::move(value).value_or(Value());\n",
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),

@@ -244,7 +244,7 @@ private:
     class Line;
     static constexpr std::uint16_t kOvercurrent = 0x0040;
     static constexpr Duration kShort = 5ms;
-    static constexpr Duration kFrozen = 300ms; ///< it is served every millisecond or so
+    static constexpr Duration kFrozen = 300ms; ///< it is served every 50 ms, mostly every one
 
     judge::Line lineOf() const
     {
@@ -447,7 +447,7 @@ public:
         if (!m_open)
             return std::nullopt;
         return m_world.m_last
-            + std::max<Duration>(m_world.m_board->nextWake() - m_world.m_boardTime, 1ms);
+            + std::clamp<Duration>(m_world.m_board->nextWake() - m_world.m_boardTime, 1ms, 50ms);
     }
     bool real() const override { return true; }
 

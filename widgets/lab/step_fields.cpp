@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <cmath>
 
 namespace widgets {
@@ -98,12 +99,16 @@ void StepFields::setLimits(double greatestRpm, double leastRpm)
     for (SetpointEdit *edit : {m_from, m_to})
         edit->setLimits(limit, 1.0, tr("rpm")); // the board rounds to its own steps
     if (m_offered) {
-        const auto round = [](double rpm) { return kNotch_rpm * std::round(rpm / kNotch_rpm); };
         const double greatest = greatestRpm > 0.0 ? greatestRpm : kUsualRpm;
-        const bool observed = kFromShare * greatest < leastRpm;
-        const double from = observed ? kFromObserved * leastRpm : kFromShare * greatest;
+        const double notch = greatest > 20.0 * kNotch_rpm ? kNotch_rpm : 1.0;
+        const auto round = [notch](double rpm) { return notch * std::round(rpm / notch); };
+        double from = kFromShare * greatest, to = kToShare * greatest;
+        if (from < leastRpm) {
+            from = std::min(kFromObserved * leastRpm, (leastRpm + greatest) / 2.0);
+            to = std::min(from + kObservedShare * greatest, greatest);
+        }
         m_from->setValue(round(from));
-        m_to->setValue(round(observed ? from + kObservedShare * greatest : kToShare * greatest));
+        m_to->setValue(round(to));
     }
     m_offering = false;
 }

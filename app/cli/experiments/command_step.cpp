@@ -79,7 +79,7 @@ Outcome<bool> readStep(const Given &given, Arguments &arguments)
     const bool speed = step.kind == Kind::Speed;
     if (!given.has("from") || !given.has("to"))
         return usage(speed
-                ? QStringLiteral("Say between which speeds, for example --from 1000 --to 1500.")
+                ? QStringLiteral("Say between which speeds, for example --from 1500 --to 1800.")
                 : QStringLiteral("Say between which currents, for example --from 0.5 --to 2."));
     if (speed && given.has("speed"))
         return usage(

@@ -99,20 +99,29 @@ private Q_SLOTS:
         QTest::addColumn<double>("from");
         QTest::addColumn<double>("to");
         QTest::addColumn<int>("late_ms");
-        QTest::newRow("slower in the end") << 0.5 << 2.0 << 40;
-        QTest::newRow("faster in the end") << 1.5 << 3.0 << 60;
-        QTest::newRow("nothing before") << 0.0 << 2.0 << 20;
+        QTest::addColumn<double>("cap_rpm");
+        QTest::newRow("slower in the end") << 0.5 << 2.0 << 40 << 0.0;
+        QTest::newRow("the same backwards") << -0.5 << -2.0 << 40 << 0.0;
+        QTest::newRow("faster in the end") << 1.5 << 3.0 << 60 << 0.0;
+        QTest::newRow("nothing before") << 0.0 << 2.0 << 20 << 0.0;
+        QTest::newRow("at a lower speed") << 1.0 << 2.0 << 0 << 3600.0;
     }
     void aSensorlessMotorKeepsAwayFromWhereItIsLost()
     {
         QFETCH(const double, from);
         QFETCH(const double, to);
         QFETCH(const int, late_ms);
+        QFETCH(const double, cap_rpm);
         LabBench bench(board("pm24"));
-        bench.experiment.plan = currentStepPlanFor(bench.experiment.subject, false, from, to, {});
+        bench.experiment.plan =
+            currentStepPlanFor(bench.experiment.subject, false, from, to, {.maxSpeedRpm = cap_rpm});
         bench.held = std::chrono::milliseconds(late_ms);
         const Outcome outcome = bench.run();
         VERIFY_END(outcome, End::Complete);
+        const auto found = currentSteps(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        for (const StepRun &run : found->runs)
+            QVERIFY(run.found && run.rise_s && run.peakIq_a);
     }
 
     /// Of a bridge without dead time: its rise is that of windings and regulator.

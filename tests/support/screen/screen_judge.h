@@ -48,17 +48,18 @@ public:
     /// Compares what is on the screen now. @return the first false statement; empty if there is none
     std::string look()
     {
+        const bool frozen = m_world.frozen(); // first: once it runs again, that is trouble of now
         const Duration calm = m_world.sinceTrouble();
         m_moment.more = calm < kOld ? kLongestTrouble : 0s;
         m_moment.moreOfValues = calm < kRead ? kLongestTrouble : 0s;
         const bool heard = m_world.silence() < kOld;
-        if (!heard || calm < kOld || m_world.frozen() || !m_moment.answers())
+        if (!heard || calm < kOld || frozen || !m_moment.answers())
             m_unwell = m_world.now();
         m_unwell = std::max(m_unwell, m_world.linkChanged());
         m_moment.begin();
         m_moment.heard = heard;
         m_moment.calm = calm;
-        if (calm < kAwake || m_world.frozen())
+        if (calm < kAwake || frozen)
             return m_moment.found();
         nothingIsKnownOfASilentBoard(heard);
         if (heard) {
