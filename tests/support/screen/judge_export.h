@@ -81,8 +81,6 @@ public:
                         ticks.push_back(sample.tick);
                     }
                 });
-            if (!digits.empty() && !m_moment.world().given(known->id).empty())
-                continue; // it was read in turn before, or since
             const std::string wrong = digits.empty()
                 ? givenIs(column, *known)
                 : streamIs(column, *known, step, digits, ticks);

@@ -278,10 +278,7 @@ private:
         default:
             if (m_random.chance(0.5))
                 return record();
-            // Once it waits until all that is shown is of one connection.
-            for (int i = 0; i < 50 && !m_awaited && !m_screen.canJudgeExports(); ++i)
-                rest(200);
-            m_awaited = true;
+            awaitPicture();
             return exportCsv();
         }
     }
@@ -386,6 +383,19 @@ private:
         look();
     }
     /// What the scope shows, as CSV.
+    /// Once it follows what comes until all that is shown is of one connection.
+    void awaitPicture()
+    {
+        if (top() != &m_rig.window || std::exchange(m_awaited, true))
+            return;
+        auto *run = m_rig.find<QAction>("scopeRun");
+        m_world.act(Act::Kind::Input);
+        if (run->isEnabled() && !run->isChecked())
+            run->trigger();
+        key(m_rig.window.scope(), Qt::Key_End);
+        for (int i = 0; i < 50 && !m_screen.canJudgeExports(); ++i)
+            rest(200);
+    }
     void exportCsv()
     {
         auto *ask = m_rig.find<QAction>("export");
