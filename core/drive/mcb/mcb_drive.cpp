@@ -19,6 +19,8 @@ using Link = mcb::Master;
 
 /// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
 constexpr std::uint16_t kShutdown = 0x06;
+/// Of the link, between two STOPs that are sent blind: what they lack is given up after 0.2 s, and the drive asked behind that.
+constexpr Duration kOwnTurn = std::chrono::milliseconds(400);
 
 LinkReason reasonOf(mcb::Master::Cause cause)
 {
@@ -253,7 +255,8 @@ std::vector<Output> McbDrive::stopScript() const
         std::chrono::milliseconds(60); // byte streams forget an unfinished frame, see Master::quiet
     mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
     std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
-    if (const std::size_t words = m_link.mapping().words(); words > 0) {
+    const std::size_t found = m_link.words(); // of a drive that somebody left cycling
+    if (const std::size_t words = found > 0 ? found : m_link.mapping().words(); words > 0) {
         stop.cyclic.resize(words);
         script.push_back({mcb::encodeFrame(stop), kBehindFrame});
         if (m_link.state() == Link::State::Cyclic)
@@ -294,10 +297,11 @@ void McbDrive::sendStop(TimePoint now)
     noteStop(1, mcbChanges(stop), now);
     m_stopSince = now;
     m_stopUnderWay = !blind;
-    if (blind)
-        m_link.sendBlind(stopScript(), now);
-    else
-        m_link.send(stop, now);
+    if (!blind)
+        return m_link.send(stop, now);
+    m_link.sendBlind(stopScript(), now);
+    if (connected()) // it needs the line for itself to be able to send again
+        m_stopWaits = now + kOwnTurn;
 }
 
 bool McbDrive::recall(TimePoint now)

@@ -393,8 +393,10 @@ private:
         if (run->isEnabled() && !run->isChecked())
             run->trigger();
         key(m_rig.window.scope(), Qt::Key_End);
-        for (int i = 0; i < 50 && !m_screen.canJudgeExports(); ++i)
+        for (int i = 0; i < 50 && !m_screen.canJudgeExports(); ++i) {
             rest(200);
+            look();
+        }
     }
     void exportCsv()
     {
