@@ -120,13 +120,15 @@ void Master::sendBlind(std::vector<Output> frames, TimePoint now)
         m_blindBytes += m_exchange->length - m_exchange->received.size();
     if (std::exchange(m_exchange, std::nullopt) && m_operation && m_operation->sent > 0)
         spoil(now);
+    m_blindBy = now + (m_hurried ? m_config.hurriedExchangeWithin : m_config.exchangeWithin)
+        + m_config.patience;
     for (Output &frame : frames) {
+        m_blindBy += frame.gapBefore;
         ++m_stats.exchanges;
         m_stats.bytesOut += frame.bytes.size();
         m_blindBytes += frame.bytes.size();
         m_output.push_back(std::move(frame));
     }
-    m_blindBy = now + m_config.exchangeWithin + m_config.patience;
     if (m_hasLine)
         m_ready = false;
 }

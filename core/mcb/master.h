@@ -117,8 +117,6 @@ public:
     /// A request can be given now.
     bool canSend() const;
     bool ready() const { return !m_hasLine || m_ready; }
-    /// Cyclic words of a frame as the slave has it now, also by a mapping that is not known here.
-    std::size_t words() const { return m_words; }
     void send(Request request, TimePoint now);
     /// Ends the request in hand at once, so that another may go: NotSent if it was not clocked out. A switch of the state
     /// that has left is not cut off.

@@ -19,8 +19,8 @@ using Link = mcb::Master;
 
 /// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
 constexpr std::uint16_t kShutdown = 0x06;
-/// Of the link, between two STOPs that are sent blind: what they lack is given up after 0.2 s, and the drive asked behind that.
-constexpr Duration kOwnTurn = std::chrono::milliseconds(400);
+/// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that.
+constexpr Duration kOwnTurn = std::chrono::milliseconds(130);
 
 LinkReason reasonOf(mcb::Master::Cause cause)
 {
@@ -255,8 +255,7 @@ std::vector<Output> McbDrive::stopScript() const
         std::chrono::milliseconds(60); // byte streams forget an unfinished frame, see Master::quiet
     mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
     std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
-    const std::size_t found = m_link.words(); // of a drive that somebody left cycling
-    if (const std::size_t words = found > 0 ? found : m_link.mapping().words(); words > 0) {
+    if (const std::size_t words = m_link.mapping().words(); words > 0) {
         stop.cyclic.resize(words);
         script.push_back({mcb::encodeFrame(stop), kBehindFrame});
         if (m_link.state() == Link::State::Cyclic)

@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QWidget>
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -56,7 +57,14 @@ public:
         if (isNumber && age > 4s)
             finds(
                 where, text, "its newest value came " + std::to_string(toSeconds(age)) + " s ago");
-        if (!isNumber && text.contains(QChar(0x2013)) && age < 1s)
+        if (isNumber || !text.contains(QChar(0x2013)) || age >= 1s)
+            return;
+        // The legend is brought up to date five times a second: a dash may stand a moment longer than its silence.
+        Dash &dash = m_dashes[text];
+        if (m_world.now() - dash.last > 1s)
+            dash.first = m_world.now();
+        dash.last = m_world.now();
+        if (dash.last - dash.first > 500ms)
             finds(where, text, "a value came " + std::to_string(toSeconds(age)) + " s ago");
     }
     bool answers() const { return said("boardLamp").contains(QLatin1String("answering")); }
@@ -107,6 +115,10 @@ private:
     const QWidget &m_window;
     JudgedWorld &m_world;
     std::string m_found;
+    struct Dash {
+        TimePoint first{}, last{}; ///< of looks that saw it beside a value of lately
+    };
+    std::map<QString, Dash> m_dashes; ///< by the text
 };
 
 } // namespace support
