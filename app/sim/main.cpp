@@ -28,8 +28,8 @@ namespace {
 
 constexpr int kDone = 0, kUsage = 2, kNoPort = 5;
 constexpr Duration kIdleStep = std::chrono::milliseconds(5); ///< how soon a new client is noticed
-constexpr Duration kLate =
-    std::chrono::milliseconds(1); ///< twice as long as a board takes to look at a header
+/// A board looks for a header every 0.5 ms: behind twice that it may have missed the pause.
+constexpr Duration kLate = std::chrono::milliseconds(1);
 
 int g_signalPipe = -1; ///< written by the signal handler
 
@@ -169,8 +169,8 @@ void Simulator::step()
         m_port.write(output);
 }
 
-/// While this program had no core the line went on: what came in one piece then may have come with its pause. A board that is
-/// one would have seen it.
+/// While this program had no core the line went on: what it reads in one piece then may have been sent with its pause, which
+/// a real board would have seen.
 void Simulator::receive(const Bytes &bytes, TimePoint now)
 {
     const bool late = now - m_looked >= kLate && bytes.size() > m_served.headerBytes;

@@ -12,8 +12,8 @@ namespace sim {
 
 struct Served {
     std::unique_ptr<simulation::ByteDevice> device;
-    std::size_t headerBytes =
-        0; ///< behind which a sender has to pause, as ASPEP wants it; 0: it need not
+    /// Bytes of a header, behind which a sender has to pause (ASPEP); 0: the protocol wants no pause.
+    std::size_t headerBytes = 0;
     /// Does what one line of standard input says, as obey() of control_words.h.
     std::function<Result<Obeyed, std::string>(std::string_view)> obey;
 };

@@ -49,6 +49,16 @@ struct Program {
     QProcess process;
 };
 
+/// Adds what has come to what is there. @return  the size of that
+qsizetype hear(int fd, QByteArray &answer)
+{
+    char piece[64];
+    const ssize_t count = ::read(fd, piece, sizeof piece);
+    if (count > 0)
+        answer.append(piece, count);
+    return answer.size();
+}
+
 } // namespace
 
 class TestSimulatorProgram : public QObject {
@@ -370,13 +380,7 @@ void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
         QVERIFY((settings.c_lflag & (ICANON | ECHO)) == 0); // raw from the beginning
         const QByteArray offer = QByteArray::fromHex("05ffff0f");
         QByteArray answer;
-        const auto heard = [&] {
-            char piece[64];
-            const ssize_t count = ::read(fd, piece, sizeof piece);
-            if (count > 0)
-                answer.append(piece, count);
-            return answer.size() >= 4;
-        };
+        const auto heard = [&] { return hear(fd, answer) >= 4; };
         QCOMPARE(::write(fd, offer.constData(), 4), ssize_t{4});
         QTRY_VERIFY(heard());
         QCOMPARE(answer.toHex(), QByteArray("05c70114"));
@@ -397,13 +401,7 @@ void TestSimulatorProgram::aRequestThatCameWhileItStoodIsAnswered()
         return ::write(fd, bytes.data(), bytes.size()) == ssize_t(bytes.size());
     };
     QByteArray answer;
-    const auto heard = [&](qsizetype size) {
-        char piece[64];
-        const ssize_t count = ::read(fd, piece, sizeof piece);
-        if (count > 0)
-            answer.append(piece, count);
-        return answer.size() >= size;
-    };
+    const auto heard = [&](qsizetype size) { return hear(fd, answer) >= size; };
     const auto offer = aspep::Beacon{};
     QVERIFY(send(offer));
     QTRY_VERIFY(heard(4));
@@ -441,13 +439,7 @@ void TestSimulatorProgram::aRigIsAnsweredAndObeysItsWords()
         return ::write(fd, request.constData(), static_cast<std::size_t>(request.size()));
     };
     QByteArray answer;
-    const auto heard = [&](qsizetype size) {
-        char piece[64];
-        const ssize_t count = ::read(fd, piece, sizeof piece);
-        if (count > 0)
-            answer.append(piece, count);
-        return answer.size() >= size;
-    };
+    const auto heard = [&](qsizetype size) { return hear(fd, answer) >= size; };
     QCOMPARE(ask("03010105"), ssize_t{4}); // the rig speaks PowerPC under either name
     QTRY_VERIFY(heard(4));
     QCOMPARE(answer.toHex(), QByteArray("f00101f2"));

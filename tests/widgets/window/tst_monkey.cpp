@@ -382,7 +382,6 @@ private:
         finds(m_screen.recordedAsSent());
         look();
     }
-    /// What the scope shows, as CSV.
     /// Once it follows what comes until all that is shown is of one connection.
     void awaitPicture()
     {
@@ -398,6 +397,7 @@ private:
             look();
         }
     }
+    /// What the scope shows, as CSV.
     void exportCsv()
     {
         auto *ask = m_rig.find<QAction>("export");
