@@ -137,6 +137,8 @@ void Master::endBlind(TimePoint now)
 {
     m_blindBytes = 0;
     m_notBefore = std::max(m_notBefore, now + m_config.quiet);
+    if (m_state == State::Meeting && ++m_torn >= kTornInRow)
+        seek(now);
 }
 
 void Master::setReady(bool high, TimePoint now)

@@ -19,7 +19,8 @@ using Link = mcb::Master;
 
 /// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
 constexpr std::uint16_t kShutdown = 0x06;
-/// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that.
+/// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that,
+/// or the length of its frames found, without which no STOP may be of use.
 constexpr Duration kOwnTurn = std::chrono::milliseconds(130);
 
 LinkReason reasonOf(mcb::Master::Cause cause)
@@ -288,8 +289,8 @@ void McbDrive::sendStop(TimePoint now)
     if (m_link.canSend() && m_link.ready())
         m_stopWaits.reset();
     else
-        m_stopWaits = m_stopWaits.value_or(now);
-    const bool blind = !connected() || (m_stopWaits && now >= *m_stopWaits + StopSequence::kRepeat);
+        m_stopWaits = m_stopWaits.value_or(connected() ? now : now - StopSequence::kRepeat);
+    const bool blind = m_stopWaits && now >= *m_stopWaits + StopSequence::kRepeat;
     if (!blind && !m_link.canSend())
         return; // the length of frames is changing: in a moment it is known
     const Link::Request stop{mcb::Command::Write, mcbreg::kControl, {kShutdown}};
@@ -299,8 +300,7 @@ void McbDrive::sendStop(TimePoint now)
     if (!blind)
         return m_link.send(stop, now);
     m_link.sendBlind(stopScript(), now);
-    if (connected()) // it needs the line for itself to be able to send again
-        m_stopWaits = now + kOwnTurn;
+    m_stopWaits = now + kOwnTurn;
 }
 
 bool McbDrive::recall(TimePoint now)

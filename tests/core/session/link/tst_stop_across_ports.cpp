@@ -215,6 +215,8 @@ private Q_SLOTS:
     void aStopWhileThePortIsGoneStopsWhatComesBack();
     void aStopWhileTheBoardIsBeingFoundOutStopsIt_data() { boards(); }
     void aStopWhileTheBoardIsBeingFoundOutStopsIt();
+    void aServoThatWasLeftCyclingIsStopped_data();
+    void aServoThatWasLeftCyclingIsStopped();
     void withTheWireFromTheBoardCutEveryMotorIsStopped_data() { boards(); }
     void withTheWireFromTheBoardCutEveryMotorIsStopped();
     void withoutAStopAReopenedPortSendsNone_data() { boards(); }
@@ -286,6 +288,42 @@ void TestStopAcrossPorts::aStopWhileTheBoardIsBeingFoundOutStopsIt()
         QVERIFY2(world.now - asked <= kStopsWithin + 100ms,
             qPrintable(QString::number((world.now - asked) / 1ms)));
     }
+}
+
+void TestStopAcrossPorts::aServoThatWasLeftCyclingIsStopped_data()
+{
+    QTest::addColumn<int>("channels");
+    QTest::addColumn<int>("after");
+    for (const int channels : {1, 4})
+        for (const int after : {-1, 2, 50, 100, 400, 1000})
+            QTest::addRow("%d signals, %d ms behind the port", channels, after)
+                << channels << after;
+}
+
+/// By a drive that does not know its mapping: blind STOPs must leave the line to what finds out the length of its frames.
+void TestStopAcrossPorts::aServoThatWasLeftCyclingIsStopped()
+{
+    QFETCH(int, channels);
+    QFETCH(int, after);
+    World world("mcb", Protocol::Mcb, 1);
+    QVERIFY(world.startAll());
+    drive::Stream stream;
+    for (const char *name : {"BUS_VOLTAGE", "I_A", "I_Q_MEAS", "SPEED_MEAS"})
+        if (int(stream.fast.size()) < channels)
+            stream.fast.push_back(*world.identified->catalog->resolve(name));
+    world.session.submit({.id = 0, .what = stream});
+    world.run(200ms);
+    world.unplug();
+    world.run(100ms);
+    if (after < 0)
+        world.session.stop();
+    world.plugIn();
+    if (after >= 0) {
+        world.run(after * 1ms);
+        world.session.stop();
+    }
+    QVERIFY(world.runUntil([&] { return world.idle(1); }, 1s));
+    QVERIFY(!world.line.board->truth(1).driven);
 }
 
 void TestStopAcrossPorts::withTheWireFromTheBoardCutEveryMotorIsStopped()
