@@ -139,9 +139,12 @@ Bytes McbSpoiler::spoilOutput(Bytes output, bool whole)
     if (strikes(McbFault::SwapBytes))
         for (std::size_t i = 0; i + 1 < output.size(); i += 2)
             std::swap(output[i], output[i + 1]);
-    if (strikes(McbFault::Glitch))
-        for (std::uint8_t &byte : output)
-            byte = static_cast<std::uint8_t>(random());
+    if (strikes(McbFault::Glitch)) {
+        do { // one in 65,536 would pass the check, and be an answer like any other
+            for (std::uint8_t &byte : output)
+                byte = static_cast<std::uint8_t>(random());
+        } while (mcb::decodeAnswer(output));
+    }
     for (const auto &[fault, level] :
         {std::pair(McbFault::DeadLow, 0x00), std::pair(McbFault::DeadHigh, 0xFF)}) {
         if (m_dead == 0 && strikes(fault)) {

@@ -16,6 +16,7 @@ namespace support {
 
 class PictureJudge {
 public:
+    static constexpr int kEdge = 2; ///< rows: there the frame of the plot lies over a trace
     static constexpr int kLoose =
         3; ///< columns by which a time, and rows by which a value may be off
     static constexpr int kGap = 10; ///< columns without samples that a gap has at least
@@ -264,8 +265,8 @@ private:
             if (narrow.empty() || at > m_drawn || at < m_linked || mends)
                 continue; // it need not be there; what is there has been sent
             const int from = row(narrow.greatest) - kLoose, to = row(narrow.least) + kLoose;
-            if (to < kLoose || from > height - kLoose)
-                continue; // out of the picture
+            if (to < kLoose + kEdge || from > height - kLoose - kEdge)
+                continue; // out of the picture, or under its edge
             if (!painted.inkedWithin(from, std::min(height - 1, to))) {
                 note(first, where + ": not drawn, and the board sent it");
                 ++wrong;

@@ -107,7 +107,7 @@ private:
     std::string columnIs(const PictureTrace &trace, const PictureInk::Column &column,
         const Values &values, TimePoint at, Duration around, double factor)
     {
-        judge::Extremes near, held; // given around this time, and before it
+        judge::Extremes near, held, newest; // given around this time, and the two before it
         TimePoint first{}, last{}; // of those around it, with one on each side
         Duration most{};
         int count = 0;
@@ -124,11 +124,13 @@ private:
                 break;
             if (!before) {
                 near.include(value.number * factor);
-            } else if (value.at >= at - around - kHolds) {
-                held = {};
-                held.include(value.number * factor);
+            } else if (value.at >= at - around - kHolds) { // the newest may be lost with a reset
+                held = newest;
+                newest = {};
+                newest.include(value.number * factor);
             }
         }
+        held.include(newest);
         // A value that comes much later than usual may have been lost, and what was lost is a gap.
         const bool inTurn =
             count > 1 && most <= kInTurn && most <= 3 * (last - first) / count + kLater;

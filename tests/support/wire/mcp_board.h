@@ -22,8 +22,9 @@ struct Extremes {
     bool empty() const { return least > greatest; }
     void include(double value)
     {
-        least = empty() ? value : std::min(least, value);
-        greatest = std::max(greatest, value);
+        const bool first = empty();
+        least = first ? value : std::min(least, value);
+        greatest = first ? value : std::max(greatest, value);
     }
     void include(const Extremes &more)
     {
