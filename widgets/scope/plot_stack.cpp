@@ -375,7 +375,10 @@ bool PlotStack::beat(bool waits)
             const capture::Channel *channel = m_capture.channel(trace.channel);
             const capture::Index end = channel ? channel->end() : 0;
             const bool came = std::exchange(trace.end, end) != end;
-            trace.beats = came || !waits || !trace.info.isBoards() ? 0 : trace.beats + 1;
+            // Behind a closed port the first beat tells: what stood before it is older than any wait.
+            trace.beats = came || !trace.info.isBoards() ? 0
+                : waits                                  ? trace.beats + 1
+                                                         : kOldBeats - 1;
             changed = changed || trace.beats == kOldBeats;
         }
     }

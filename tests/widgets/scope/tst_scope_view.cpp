@@ -181,8 +181,10 @@ void TestScopeView::theLegendShowsNoValueThatCountsNoMore()
     bench.capture.appendPolled(2, "S2", "V", 1.6, 25.0); // at once, not with the next beat
     QVERIFY2(legend("S2").contains(QStringLiteral("25")), qPrintable(legend("S2")));
     beats(13, true);
-    beats(1, false); // a file has no newer ones to come
+    beats(20, false); // a file has no newer ones to come
     QVERIFY2(legend("S2").contains(QStringLiteral("25")), qPrintable(legend("S2")));
+    beats(1, true); // a port was opened again
+    QVERIFY2(legend("S2").contains(QChar(0x2013)), qPrintable(legend("S2")));
 }
 
 void TestScopeView::theLegendCoversNoTrace()
