@@ -4,7 +4,6 @@
 #include "motor/rev_up.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace lab {
@@ -67,17 +66,12 @@ double Subject::leastObservedRpm() const
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor)
 {
     if (!board.catalog || motor < 1 || motor > board.identity.motors)
-        return fail(std::string("there is no such motor"));
+        return fail(std::string("There is no such motor."));
     for (const drive::Capability &can : board.capabilities)
         if (!can.available
             && (can.feature == drive::Feature::SpeedRamp || can.feature == drive::Feature::Stream
-                || can.feature == drive::Feature::Start)) {
-            std::string why = can.reason.substr(0, can.reason.find_last_not_of('.') + 1);
-            if (!why.empty()) // within a sentence
-                why.front() =
-                    static_cast<char>(std::tolower(static_cast<unsigned char>(why.front())));
-            return fail(why);
-        }
+                || can.feature == drive::Feature::Start))
+            return fail(can.reason);
     const auto at = static_cast<std::size_t>(motor - 1);
     const catalog::Catalog &catalog = *board.catalog;
     const std::string speed =
@@ -106,8 +100,8 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         .startUp = idOf(catalog, "REVUP_DATA", motor)};
     if (board.streaming.maxSignals < 4 || found.registers.reference == 0
         || found.registers.current == 0 || found.registers.speed == 0)
-        return fail(std::string("this board does not record the speed and the current of its motor "
-                                "at the rate of its control loop"));
+        return fail(std::string("This board does not record the speed and the current of its motor "
+                                "at the rate of its control loop."));
     return found;
 }
 

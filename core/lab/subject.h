@@ -41,7 +41,7 @@ struct Subject {
     double leastObservedRpm() const;
 };
 
-/// The motor of this number; or why nothing can be measured with this board, in a sentence without a full stop.
+/// The motor of this number; or why nothing can be measured with this board, in a sentence.
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor);
 
 } // namespace lab

@@ -35,12 +35,9 @@ Result<lab::Subject, QString> Experiments::subject() const
     if (!m_device.answering() || !m_device.identified())
         return fail(motionAllowed(m_device, drive::Feature::SpeedRamp).why);
     auto found = lab::subjectOf(*m_device.identified(), m_device.motor());
-    if (found)
-        return *found;
-    QString why = QString::fromStdString(found.error());
-    if (!why.isEmpty())
-        why[0] = why[0].toUpper();
-    return fail(why.endsWith(QLatin1Char('.')) ? why : why + QLatin1Char('.'));
+    if (!found)
+        return fail(QString::fromStdString(found.error()));
+    return *found;
 }
 
 QString Experiments::obstacle() const

@@ -33,7 +33,7 @@ Outcome<lab::Subject> ExperimentRun::subject() const
     auto found = lab::subjectOf(m_desk.board, *motor);
     if (!found)
         return failure(
-            kRefused, QStringLiteral("Nothing can be measured: %1.").arg(text(found.error())));
+            kRefused, QStringLiteral("Nothing can be measured. %1").arg(text(found.error())));
     return *found;
 }
 

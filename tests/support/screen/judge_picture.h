@@ -9,6 +9,7 @@
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
 #include "support/wire/mcp_registers.h"
+#include "widgets/scope/cursors.h"
 
 #include <cmath>
 
@@ -16,6 +17,7 @@ namespace support {
 
 class PictureJudge {
 public:
+    static constexpr int kLabels = 24; ///< rows
     static constexpr int kEdge = 2; ///< rows: there the frame of the plot lies over a trace
     static constexpr int kLoose =
         3; ///< columns by which a time, and rows by which a value may be off
@@ -195,6 +197,7 @@ private:
         if (!known)
             return {};
         const PictureInk ink(view);
+        m_labels = view.cursors().visible();
         m_painted.clear();
         for (const Trace &trace : m_traces)
             if (!trace.sent.empty())
@@ -267,6 +270,8 @@ private:
             const int from = row(narrow.greatest) - kLoose, to = row(narrow.least) + kLoose;
             if (to < kLoose + kEdge || from > height - kLoose - kEdge)
                 continue; // out of the picture, or under its edge
+            if (m_labels && to > height - kLabels)
+                continue; // those of the cursors stand on the lower edge
             if (!painted.inkedWithin(from, std::min(height - 1, to))) {
                 note(first, where + ": not drawn, and the board sent it");
                 ++wrong;
@@ -284,6 +289,7 @@ private:
     std::vector<Trace> m_traces;
     std::vector<Painted> m_painted;
     std::vector<std::pair<int, int>> m_mended; ///< columns at which a loss begins, and for how many
+    bool m_labels = false; ///< of the cursors are there
     int m_linked = 0; ///< columns before the link stood
     int m_known = 0, m_drawn = 0; ///< columns from and to which the judge knows what is to be seen
 };
