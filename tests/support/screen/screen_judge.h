@@ -205,10 +205,12 @@ private:
             word = match.captured(2);
         }
         const auto states = statesOf(word.remove(detail));
-        const auto truth = lately(motor, kOld);
+        auto truth = lately(motor, kOld);
         if (!states || !truth.known)
             return;
         ++m_moment.statements;
+        if (truth.states.contains(Motor::FaultOver) && truth.states.size() > 1)
+            truth.states.insert(Motor::FaultNow); // the way there, for a turn of the firmware
         const bool was = std::any_of(states->begin(), states->end(),
             [&](Motor state) { return truth.states.contains(state); });
         if (!was)
@@ -375,7 +377,9 @@ private:
             finds("eventList", text, "nobody closed the port");
         if (kind == QLatin1String("Recovery"))
             m_metAt = now;
-        if (kind == QLatin1String("State") && m_motors == 1 && m_metAt + kListed < now
+        const bool rests = text == QLatin1String("READY_TO_SWITCH_ON")
+            || text == QLatin1String("SWITCH_ON_DISABLED"); // one state of a servo here
+        if (kind == QLatin1String("State") && !rests && m_motors == 1 && m_metAt + kListed < now
             && m_unwell + kListed < now
             && m_world.lately(1, BoardHistory::kKept).states.size() == 1)
             finds("eventList", text, "the state has not changed");

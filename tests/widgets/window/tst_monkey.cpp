@@ -510,8 +510,7 @@ private:
         const auto rpm = static_cast<int>(m_random.below(6000)) - 3000;
         note("set-point " + std::to_string(rpm));
         QTest::keyClicks(edit, QString::number(rpm));
-        const auto *label = m_rig.find<QLabel>("speedEcho");
-        m_echoes.push_back(label != nullptr ? label->text() : QString());
+        keepEcho();
         const int before = m_world.counts().setPoints;
         key(edit, Qt::Key_Return);
         rest(20);
@@ -521,6 +520,11 @@ private:
         const auto counts = m_world.counts();
         if (counts.setPoints == before + 1 && counts.rpm)
             finds(setPointAsSaid(*counts.rpm));
+    }
+    void keepEcho()
+    {
+        const auto *label = m_rig.find<QLabel>("speedEcho");
+        m_echoes.push_back(label != nullptr ? label->text() : QString());
     }
     /// One of the last fields said so: a question may still have been open about the one before.
     std::string setPointAsSaid(double rpm)
@@ -590,6 +594,8 @@ private:
         edit->setFocus();
         edit->selectAll();
         QTest::keyClicks(edit, QLatin1String(text));
+        if (edit->objectName() == QLatin1String("speed"))
+            keepEcho();
         key(edit, m_random.chance(0.7) ? Qt::Key_Return : Qt::Key_Tab);
     }
     void wheel()
