@@ -41,6 +41,7 @@ private Q_SLOTS:
     void captureReadsAsFastAsTheLineGives();
     void currentsAreInAmpereByAScaleOfOnesOwn();
     void anUnknownProtocolIsWrongUsage();
+    void anUnknownSimulatedBoardIsNoPort();
 
 private:
     QTemporaryDir m_folder;
@@ -175,6 +176,15 @@ void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()
     const Run result = run(QStringLiteral("--port sim --protocol quantum info"));
     QCOMPARE(result.status, 2);
     QVERIFY(result.error.contains(QLatin1String("powerpc")));
+}
+
+void TestCliOlderBoards::anUnknownSimulatedBoardIsNoPort()
+{
+    const Run result = run(QStringLiteral("--port sim:mcsdk-6.4 info"));
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.error.contains(QLatin1String("no simulated board sim:mcsdk-6.4"))
+            && result.error.contains(QLatin1String("sim:mcb")),
+        qPrintable(result.error));
 }
 
 QTEST_GUILESS_MAIN(TestCliOlderBoards)
