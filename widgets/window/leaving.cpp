@@ -11,7 +11,7 @@ using Kind = Answer::Kind;
 namespace {
 
 constexpr auto kUnconfirmed = "leaveQuestion", kLeaveRunning = "leaveRunning",
-               kNotIdle = "disconnectQuestion";
+               kNotIdle = "notIdleQuestion";
 
 } // namespace
 

@@ -370,7 +370,9 @@ private Q_SLOTS:
         m_rig->window.connectBar()->connectOrDisconnect();
         QTRY_COMPARE(scope()->channels().size(), 4);
         QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
+        QSignalSpy states(&device(), &widgets::Device::statusChanged);
         replay();
+        QTRY_VERIFY(states.size() > 2); // that the motor rests is no answer
         QVERIFY(m_rig->find<QWidget>("disconnectQuestion"));
         m_rig->find<QDialog>("disconnectQuestion")->reject();
         m_rig->window.connectBar()->disconnectNow();

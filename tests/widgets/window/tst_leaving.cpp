@@ -119,7 +119,7 @@ private Q_SLOTS:
         tell(MotorState::Running);
         m_rig->window.connectBar()->connectOrDisconnect();
         QCOMPARE(m_stops->size(), 0); // it is seen, and may be meant to turn
-        press("disconnectQuestion", QMessageBox::DestructiveRole);
+        press("notIdleQuestion", QMessageBox::DestructiveRole);
         QCOMPARE(m_closes->size(), 1);
         tell(MotorState::Running); // on its way already
         device().portChanged(session::PortState::Closed, {});
@@ -131,7 +131,7 @@ private Q_SLOTS:
     {
         tell(MotorState::Running);
         m_rig->window.connectBar()->connectOrDisconnect();
-        press("disconnectQuestion", QMessageBox::DestructiveRole);
+        press("notIdleQuestion", QMessageBox::DestructiveRole);
         device().armedChanged(true); // by whatever way
         QVERIFY(!m_rig->window.close());
         QCOMPARE(m_stops->size(), 1);

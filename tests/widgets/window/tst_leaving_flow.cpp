@@ -142,7 +142,7 @@ private Q_SLOTS:
     {
         tell(MotorState::Running);
         m_leaving->beforeDisconnecting([this] { ++m_left; });
-        QVERIFY(m_questions.asks("disconnectQuestion"));
+        QVERIFY(m_questions.asks("notIdleQuestion"));
         m_now += 1s;
         tell(MotorState::Idle);
         QVERIFY(m_questions.open.empty());
@@ -175,7 +175,7 @@ private Q_SLOTS:
     {
         tell(MotorState::Running);
         m_leaving->beforeDisconnecting([this] { ++m_left; });
-        QVERIFY(m_questions.asks("disconnectQuestion"));
+        QVERIFY(m_questions.asks("notIdleQuestion"));
         QCOMPARE(m_questions.usual(), QStringLiteral("Stay connected"));
         QCOMPARE(m_stops->size(), 0);
         QVERIFY(m_questions.answer(QStringLiteral("Leave running")));
@@ -197,7 +197,7 @@ private Q_SLOTS:
         facts::feed(
             *m_device, {drive::LinkChanged{drive::LinkState::Lost, drive::LinkReason::Silence}});
         m_leaving->beforeDisconnecting([this] { ++m_left; });
-        QVERIFY(!m_questions.asks("disconnectQuestion"));
+        QVERIFY(!m_questions.asks("notIdleQuestion"));
         QCOMPARE(m_stops->size(), 1);
         QCOMPARE(m_left, 0);
     }

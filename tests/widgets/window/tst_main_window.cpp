@@ -394,7 +394,7 @@ private Q_SLOTS:
         facts::feed(device(), {facts::status(drive::MotorState::Running)});
         QTest::keyClick(&m_rig->window, Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(closes.size(), 0);
-        auto *question = m_rig->find<QMessageBox>("disconnectQuestion");
+        auto *question = m_rig->find<QMessageBox>("notIdleQuestion");
         QVERIFY(question);
         for (QAbstractButton *button : question->buttons())
             if (question->buttonRole(button) == QMessageBox::AcceptRole)
