@@ -381,6 +381,32 @@ private:
         rest(300);
         finds(m_screen.recordedAsSent());
         look();
+        if (m_random.chance(0.5))
+            openBeside(path);
+    }
+    /// What was recorded, while the board is there: that is asked about, and takes the place of nothing.
+    void openBeside(const QString &path)
+    {
+        if (!device().portOpen() || top() != &m_rig.window)
+            return;
+        note("open");
+        m_rig.files.answer = path;
+        m_world.act(Act::Kind::Input);
+        m_rig.find<QAction>("openRecording")->trigger();
+        for (int i = 0; i < 8; ++i) {
+            rest(80);
+            look();
+        }
+        auto *question = m_rig.find<QDialog>("disconnectQuestion");
+        if (question == nullptr)
+            return;
+        auto *lay = question->findChild<QAbstractButton *>(QStringLiteral("layAsReference"));
+        if (lay != nullptr && m_random.chance(0.5))
+            press(lay, "as a reference");
+        else
+            question->reject();
+        rest(200);
+        look();
     }
     /// Once it follows what comes until all that is shown is of one connection.
     void awaitPicture()
