@@ -33,8 +33,10 @@ public:
             const std::uint32_t before = m_moments.empty() || i >= m_moments.back().motors.size()
                 ? 0
                 : m_moments.back().motors[i].faults;
-            if ((motors[i].faults & ~before & 0xFFFFU) != 0)
-                m_faults.push_back({now, static_cast<int>(i) + 1});
+            const std::uint32_t fresh = motors[i].faults & ~before;
+            if (fresh != 0)
+                m_faults.push_back({now, static_cast<int>(i) + 1, (fresh & 0xFFFFU) != 0,
+                    (before & 0xFFFFU) == 0});
         }
         m_moments.push_back({now, std::move(motors)});
         while (m_moments.front().at + kKept < now)
@@ -58,8 +60,10 @@ public:
     struct Fault {
         TimePoint at;
         int motor;
+        bool kept; ///< now, and not before; else it is there again, and still kept from before
+        bool alone; ///< none was kept before
     };
-    /// Each fault that the board had not kept before.
+    /// Each fault that came.
     const std::vector<Fault> &faults() const { return m_faults; }
 
 private:

@@ -129,13 +129,13 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_history.span(motor, now() - time, now());
     }
-    /// When a motor had a fault that it had not kept before.
-    std::vector<TimePoint> faultTimes(int motor)
+    /// When a motor had a fault. @param again  also one that it still kept from before
+    std::vector<TimePoint> faultTimes(int motor, bool again)
     {
         const std::lock_guard lock(m_mutex);
         std::vector<TimePoint> all;
         for (const BoardHistory::Fault &one : m_history.faults())
-            if (one.motor == motor)
+            if (one.motor == motor && (again || isTold(one)))
                 all.push_back(one.at);
         return all;
     }
@@ -165,7 +165,16 @@ public:
     std::vector<BoardHistory::Fault> faults()
     {
         const std::lock_guard lock(m_mutex);
-        return m_history.faults();
+        std::vector<BoardHistory::Fault> all;
+        for (const BoardHistory::Fault &one : m_history.faults())
+            if (isTold(one))
+                all.push_back(one);
+        return all;
+    }
+    /// What was kept already may be there again unseen; a servo tells the first fault that stopped it, until it is acknowledged.
+    bool isTold(const BoardHistory::Fault &one) const
+    {
+        return one.kept && (one.alone || mcp() || older());
     }
     /// How long nothing has come from the board that the session could have heard.
     Duration silence()

@@ -41,9 +41,11 @@ public:
         if (mode != QLatin1String("Normal") && mode != QLatin1String("Single"))
             return;
         if (type == QLatin1String("Fault"))
-            happenings(text, m_moment.world().faultTimes(m_moment.chosenMotor()), "a fault");
+            happenings(text, m_moment.world().faultTimes(m_moment.chosenMotor(), false),
+                m_moment.world().faultTimes(m_moment.chosenMotor(), true), "a fault");
         else if (type == QLatin1String("Set-point"))
-            happenings(text, m_moment.world().setPointTimes(), "a set-point");
+            happenings(text, m_moment.world().setPointTimes(), m_moment.world().setPointTimes(),
+                "a set-point");
         else if (type == QLatin1String("Edge"))
             edges(text, armed);
     }
@@ -70,7 +72,10 @@ private:
             std::chrono::duration<double>(match.captured(1).toDouble()));
     }
 
-    void happenings(const QString &text, const std::vector<TimePoint> &times, const char *what)
+    /// @param must  be found
+    /// @param may  be what was found
+    void happenings(const QString &text, const std::vector<TimePoint> &must,
+        const std::vector<TimePoint> &may, const char *what)
     {
         const TimePoint now = m_moment.world().now();
         const auto age = ageIn(text);
@@ -78,13 +83,13 @@ private:
         // It has found one, and is filling its record, as long as the board's samples take: when that was is told then.
         const bool fills = text.contains(QLatin1String("Trig'd"));
         ++m_moment.statements;
-        for (const TimePoint at : times)
+        for (const TimePoint at : must)
             if (!fills && at > m_setUpAt + kBefore && at + kTold < now && found + kBefore < at)
                 return m_moment.finds(
                     QStringLiteral("triggerState"), text, std::string(what) + " came since");
         if (!age || found < m_setUpAt + kBefore)
             return; // of an earlier setting
-        const bool was = std::any_of(times.begin(), times.end(),
+        const bool was = std::any_of(may.begin(), may.end(),
             [&](TimePoint at) { return at > found - kBefore && at < found + kBefore; });
         if (!was)
             m_moment.finds(
