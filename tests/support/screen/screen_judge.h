@@ -36,6 +36,8 @@ public:
     static constexpr Duration kAwake = 400ms; ///< after a thread stood still
     static constexpr Duration kLongestTrouble = 6s; ///< clocks jump so far
     static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
+    static constexpr Duration kLeft =
+        15s; ///< until a port is closed, where a motor is stopped before
 
     ScreenJudge(const QWidget &window, JudgedWorld &world, int motors)
         : m_world(world)
@@ -373,7 +375,7 @@ private:
         const TimePoint now = m_world.now();
         ++m_moment.statements;
         if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
-            && m_world.sinceClosed() > kListed && m_closed + kListed < now)
+            && m_world.sinceClosed() > kListed && m_closed + kLeft < now)
             finds("eventList", text, "nobody closed the port");
         if (kind == QLatin1String("Recovery"))
             m_metAt = now;

@@ -397,13 +397,7 @@ private:
             rest(80);
             look();
         }
-        auto *question = m_rig.find<QDialog>("disconnectQuestion");
-        if (question == nullptr)
-            return;
-        auto *lay = question->findChild<QAbstractButton *>(QStringLiteral("layAsReference"));
-        if (lay != nullptr && m_random.chance(0.5))
-            press(lay, "as a reference");
-        else
+        if (auto *question = m_rig.find<QDialog>("disconnectQuestion"))
             question->reject();
         rest(200);
         look();
