@@ -110,10 +110,7 @@ private:
                     full.section(QLatin1Char('@'), 1).toInt(), false);
                 const auto came = known ? m_moment.world().newestOf(known->id) : std::nullopt;
                 const bool isNumber = ScreenMoment::number(value).has_value();
-                // What is not of the chosen motor may be read for its state alone.
-                const bool wanted =
-                    isNumber || full.section(QLatin1Char('@'), 1).toInt() == m_moment.chosenMotor();
-                if (came && wanted && m_moment.world().linkChanged() + 3s < m_moment.world().now())
+                if (came && m_moment.world().linkChanged() + 3s < m_moment.world().now())
                     m_moment.ages(QStringLiteral("the legend"), text, isNumber, *came);
                 valueIs("legend", full, value, false, kDrawn);
             }

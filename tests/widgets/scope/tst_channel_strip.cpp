@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <set>
 
 class TestChannelStrip : public QObject {
     Q_OBJECT
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void theMeasuredRateStandsBesideThePlan();
     void readSignalsSayHowOftenAndHowWellTheyAreTimed();
     void noReadValueIsHeldBeyondTheLink();
+    void theSignalsOfAMotorAreReadWhileAnotherIsChosen();
 
 private:
     QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
@@ -181,6 +183,33 @@ void TestChannelStrip::noReadValueIsHeldBeyondTheLink()
         m_rig->device(), {drive::LinkChanged{drive::LinkState::Lost, drive::LinkReason::None}});
     QVERIFY(!capture.valueAt(*channel, 11.0));
     QVERIFY(capture.valueAt(*channel, 10.43)); // as long as the one before it
+}
+
+void TestChannelStrip::theSignalsOfAMotorAreReadWhileAnotherIsChosen()
+{
+    drive::Identified board = facts::identified(); // one that records nothing by itself
+    board.streaming = {.linkBytesPerSecond = 11520.0, .readsPerSecond = 1000.0};
+    board.identity.motors = 2;
+    board.limits.resize(2);
+    auto registers = board.catalog->registers();
+    for (catalog::RegisterInfo &info : registers)
+        info.perMotor = info.id == facts::kSpeed;
+    board.catalog = std::make_shared<const catalog::Catalog>(
+        std::move(registers), 2, std::vector<catalog::Scales>(2));
+    facts::feed(m_rig->device(), {board});
+    std::set<catalog::RegisterId> drawn;
+    connect(&m_rig->device(), &widgets::Device::wishMade, this, [&](const drive::Wish &wish) {
+        if (const auto *watch = std::get_if<drive::Watch>(&wish.what))
+            drawn = {watch->drawn.begin(), watch->drawn.end()};
+    });
+    const auto motors = [&drawn] { return drawn.count(facts::kSpeed | 1U); };
+    QTRY_COMPARE(motors(), std::size_t{1});
+    m_rig->device().setMotor(2);
+    facts::feed(m_rig->device(), {facts::status(drive::MotorState::Idle)});
+    drawn.clear();
+    m_rig->workbench.watchList().forget(); // asked for anew
+    QTRY_VERIFY(!drawn.empty());
+    QCOMPARE(motors(), std::size_t{1});
 }
 
 QTEST_MAIN(TestChannelStrip)
