@@ -207,6 +207,9 @@ public:
             newest = ofBoard([id](const judge::McpBoard &board) { return board.sampledAt(id); });
         if (const auto values = given(id); !values.empty())
             newest = std::max(newest.value_or(TimePoint{}), values.back().at);
+        const std::lock_guard lock(m_mutex);
+        if (newest) // what it sent before it began anew is not kept
+            newest = std::max(*newest, m_resetAt);
         return newest;
     }
     bool older() const
@@ -324,6 +327,7 @@ private:
     judge::McbBoard m_servoSays;
     std::vector<TimePoint> m_setPoints;
     int m_resets = 0, m_openings = 0;
+    TimePoint m_resetAt{}; ///< the last time
     TimePoint m_linkChanged{};
     Duration m_drift{};
     double m_ampsPerDigit = 0.0;
@@ -488,6 +492,7 @@ private:
             m_world.m_servoSays.reset();
             m_world.m_drift = {};
             ++m_world.m_resets;
+            m_world.m_resetAt = m_world.now();
         }
         if (const int fault = m_world.fault.exchange(-1); fault >= 0)
             m_world.m_board->setFaults(static_cast<std::uint16_t>(fault));
