@@ -383,6 +383,8 @@ private:
         look();
         if (m_random.chance(0.5))
             openBeside(path);
+        m_rig.files.answer =
+            m_folder.filePath(QStringLiteral("other.csv")); // it is not written over
     }
     /// What was recorded, while the board is there: that is asked about, and takes the place of nothing.
     void openBeside(const QString &path)
