@@ -11,6 +11,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// Of what it cannot do, and of a wish that comes all the same.
+constexpr const char *kSentence =
+    "This is a replay of a recording: nothing is written, no motor moves.";
 constexpr const char *kReason =
     "this is a replay of a recording: nothing is written, no motor moves";
 constexpr RegisterId kMotorBits = 7;
@@ -452,7 +455,7 @@ void ReplayDrive::identify()
         std::move(all), m_identity.motors, std::vector<catalog::Scales>());
     identified.limits.resize(static_cast<std::size_t>(m_identity.motors));
     identified.streaming.tickHz = m_tickHz;
-    identified.capabilities = drive::ableTo({}, kReason);
+    identified.capabilities = drive::ableTo({}, kSentence);
     m_events.emplace_back(std::move(identified));
 }
 

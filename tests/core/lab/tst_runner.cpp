@@ -506,7 +506,7 @@ void TestRunner::boardsThatRecordNothingSayWhy()
     support::Session pair(false, older);
     QVERIFY(pair.ready);
     const auto board = lab::subjectOf(*pair.identified, 1);
-    QVERIFY(!board && !board.error().empty() && board.error().back() != '.');
+    QVERIFY(!board && !board.error().empty() && board.error().back() == '.');
     QVERIFY(!lab::subjectOf(*pair.identified, 2));
 }
 
