@@ -183,9 +183,6 @@ bool RegisterModel::supported(catalog::RegisterId id) const
 bool RegisterModel::pollable(catalog::RegisterId id) const
 {
     const Row *row = find(id);
-    const catalog::RegisterInfo *info = row || !m_catalog ? nullptr : m_catalog->find(id);
-    if (info != nullptr) // of a motor that is not shown: what a board has of one it has of each
-        row = find(m_catalog->withMotor(*info, m_motor));
     return row && row->info->readable() && row->known != Known::NotSupported;
 }
 

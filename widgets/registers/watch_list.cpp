@@ -44,9 +44,15 @@ void WatchList::send()
     std::vector<catalog::RegisterId> sum;
     std::unordered_set<catalog::RegisterId> seen;
     std::vector<catalog::RegisterId> drawn;
+    // The model shows one motor: what a board has of that one it has of each.
+    const auto shown = [this](catalog::RegisterId id) {
+        const auto catalog = m_device.catalog();
+        const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
+        return info && info->perMotor ? catalog->withMotor(*info, m_device.motor()) : id;
+    };
     for (const Named &source : m_sources) {
         for (const catalog::RegisterId id : source.registers()) {
-            if (!m_model.pollable(id) || !seen.insert(id).second)
+            if (!m_model.pollable(shown(id)) || !seen.insert(id).second)
                 continue;
             sum.push_back(id);
             if (source.drawn)
