@@ -59,6 +59,8 @@ public:
                 where, text, "its newest value came " + std::to_string(toSeconds(age)) + " s ago");
         if (isNumber || !text.contains(QChar(0x2013)) || age >= 1s)
             return;
+        if (m_world.linkChanged() + 6s > m_world.now())
+            return; // read to find out what is there, and not yet recorded
         // The legend is brought up to date five times a second: a dash may stand a moment longer than its silence.
         Dash &dash = m_dashes[text];
         if (m_world.now() - dash.last > 1s)
