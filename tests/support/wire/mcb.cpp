@@ -67,6 +67,7 @@ std::vector<Sent> WireMcb::sent(ByteView bytes, TimePoint)
     if (bytes.size() < 2 * kConfigWords || bytes.size() % 2 != 0 || checkOf(bytes) != 0)
         return {never(one, "a frame of a wrong length or check")};
     const auto frame = wordsOf(bytes);
+    m_brought = false;
     auto all = configPart(frame);
     travels({frame.begin() + 5, frame.end() - 1}, all);
     return all;
@@ -106,8 +107,7 @@ std::vector<Sent> WireMcb::configPart(const std::vector<unsigned> &frame)
 void WireMcb::noteWrite(unsigned address, const Words &words)
 {
     m_holds[address] = words;
-    if (address == kState)
-        m_brought = words[0] == 1 && m_sought;
+    m_brought = address == kState && words[0] == 1 && m_sought;
     if (address == kState && words[0] == 2)
         m_sought = false;
     if (address >= kMappingFirst && address <= kMappingLast)
@@ -157,7 +157,7 @@ void WireMcb::travels(const std::vector<unsigned> &words, std::vector<Sent> &all
         const bool isZero = value == Words{};
         one.rests = one.kind == Kind::SetPoint && (one.rpm || one.amps) && isZero;
         one.goesOn = !changes(entry, value) && one.kind != Kind::Stop;
-        // Of a drive that was found cycling nobody knows what it holds: zeros go with what ends that, and until it has.
+        // Of a drive that was found cycling nobody knows what it holds: zeros go with what ends that.
         if (isZero && m_brought)
             continue;
         if (!one.goesOn || (one.kind == Kind::SetPoint && !isZero))

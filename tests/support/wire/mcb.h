@@ -37,8 +37,7 @@ private:
 
     bool m_continues = false; ///< a value in fragments is under way
     bool m_sought = false; ///< the length of its frames, since it was last made to cycle
-    bool m_brought =
-        false; ///< a frame has left that ends the cycling of a drive that was found in it
+    bool m_brought = false; ///< this frame ends the cycling of a drive that was found in it
     std::map<unsigned, unsigned>
         m_list; ///< counts and entries of the mapping, as they were written
     std::vector<Entry> m_rx; ///< of the mapping that was last switched on
