@@ -19,6 +19,7 @@
 #include "support/wire/mcb_board.h"
 #include "support/wire/mcp.h"
 #include "support/wire/mcp_board.h"
+#include "support/wire/wire_tape.h"
 
 #include <QElapsedTimer>
 
@@ -110,6 +111,12 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         return m_judge.verdict();
+    }
+    /// What went over the line until the judge of the wire found something, or until now.
+    std::string tape()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_tapeOfFinding.empty() ? m_tape.text(now()) : m_tapeOfFinding;
     }
     /// What is written from now on is counted anew.
     void forgetWritten()
@@ -288,8 +295,14 @@ private:
             return std::make_unique<judge::WireMcb>();
         return std::make_unique<judge::WireFcp>();
     }
+    void keepTape()
+    {
+        if (m_tapeOfFinding.empty() && !m_judge.verdict().empty())
+            m_tapeOfFinding = m_tape.text(now());
+    }
     void hear(ByteView bytes, TimePoint at, bool arrives)
     {
+        m_tape.add(false, bytes, at, arrives);
         if (mcp())
             m_says.says(bytes, at, arrives);
         else if (older())
@@ -316,6 +329,8 @@ private:
     std::atomic<Duration::rep> m_offset = 0;
     std::mutex m_mutex;
     judge::MsRules m_judge; ///< behind the mutex
+    WireTape m_tape;
+    std::string m_tapeOfFinding;
     std::unique_ptr<simulation::SimulatedBoard> m_board; ///< of the session's thread
     TimePoint m_boardTime{1s}, m_last{};
     std::optional<TimePoint> m_shortFaultEnds; ///< on the board's clock
@@ -393,7 +408,9 @@ public:
         {
             const std::lock_guard lock(m_world.m_mutex);
             const int before = m_world.m_judge.counts().setPoints;
+            m_world.m_tape.add(true, bytes, now, !m_world.cut);
             m_world.m_judge.sent(bytes, now);
+            m_world.keepTape();
             if (m_world.m_judge.counts().setPoints > before)
                 m_world.m_setPoints.push_back(now);
         }
@@ -450,6 +467,7 @@ public:
                     m_world.m_heardAt = now;
             }
             m_world.m_judge.look(now, truth);
+            m_world.keepTape();
         }
         if (!out.empty() && !cut)
             Q_EMIT received(QByteArray(

@@ -106,6 +106,7 @@ void Workbench::connectSession()
         Q_EMIT samplesStored(block);
     });
     connect(&m_device, &Device::streamStarted, &m_signalPlan, &SignalPlan::begin);
+    connect(this, &Workbench::heartbeat, &m_signalPlan, &SignalPlan::refresh);
     connect(this, &Workbench::samplesStored, &m_recorder, &EventRecorder::stored);
     connect(&m_signalPlan, &SignalPlan::begunAnew, &m_events, &EventLog::clear);
     connect(&m_signalPlan, &SignalPlan::boardReplaced, &m_recorder, &EventRecorder::replaced);

@@ -85,6 +85,7 @@ private:
     LinkCounters counters() const override;
 
     // what goes out
+    void streamAgain(); ///< unless nothing was streamed, or it runs
     void prepare(TimePoint now) override;
     bool send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now) override;
     bool recall(TimePoint now) override;
@@ -221,6 +222,12 @@ void McbDrive::onIdentified(TimePoint now)
         m_board.streaming, m_board.capabilities, mcb::kConfigFrameBytes, mcb::kConfigFrameBytes,
         mcb::kMostFrameBytes, mcbStateSteps()});
     m_vitals.hurry(now);
+    streamAgain();
+}
+
+void McbDrive::streamAgain()
+{
+    m_stream.takeLeftOff();
     if (m_stream.wanted() && !m_stream.running() && m_mode == Mode::Open)
         m_wishes.addFirst(
             std::make_unique<McbStreamTask>(0, m_stream.wish(), m_stream, m_setPoints));
@@ -243,9 +250,11 @@ void McbDrive::prepare(TimePoint now)
     const bool stopping = m_mode == Mode::Open && m_stop.active();
     m_link.setHurried(stopping, now);
     if (stopping)
-        restSetPoints();
-    else
-        m_stopWaits.reset();
+        return restSetPoints();
+    m_stopWaits.reset();
+    // A Stop breaks off everything, and so does a drive that refuses a mapping: what was streamed goes on.
+    if (m_board.identified && connected() && m_stream.takeLeftOff())
+        streamAgain();
 }
 
 /// In the length of frames that the drive has now, and in the other one: it may be changing.

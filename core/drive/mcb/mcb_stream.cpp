@@ -58,6 +58,7 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
 {
     m_wanted = stream;
     m_running = true;
+    m_leftOff = false;
     m_infos.clear();
     capture::StreamLayout layout;
     layout.id = ++m_lastStream;
@@ -341,6 +342,8 @@ void McbStreamTask::fail(Outcome outcome, std::string reason)
 {
     if (m_unmapped || m_turn.value_or(false))
         m_setPoints.end();
+    if (m_unmapped)
+        m_control.m_leftOff = true;
     end(outcome, std::move(reason));
 }
 
@@ -356,6 +359,9 @@ void McbStreamTask::cut(const std::string &reason)
 {
     if (!finished() && m_unmapped)
         m_setPoints.end();
+    if (!finished()
+        && (m_unmapped || ended().id == 0)) // the drive's own one goes back to what was streamed
+        m_control.m_leftOff = true;
     WishTask::cut(reason);
 }
 

@@ -26,6 +26,8 @@ public:
 
     void receive(const mcb::Master::Cycle &cycle, std::uint64_t lostFrames);
     void interrupted() { m_broken = true; } ///< frames were lost uncounted
+    /// Whether the cyclic state was left to write another mapping, and that was broken off; once.
+    bool takeLeftOff() { return std::exchange(m_leftOff, false); }
     void flush(TimePoint now);
     std::optional<TimePoint> nextFlush() const;
 
@@ -49,7 +51,7 @@ private:
     const McbFacts &m_board;
     Stream m_wanted;
     Duration m_period{};
-    bool m_running = false;
+    bool m_running = false, m_leftOff = false;
     std::optional<capture::StreamLayout> m_layout; ///< of what runs, if it has signals
     std::vector<mcb::Info> m_infos; ///< of its signals
     bool m_announced = false, m_broken = false;

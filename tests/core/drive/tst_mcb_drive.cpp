@@ -39,6 +39,8 @@ private Q_SLOTS:
     void aStopDoesNotWaitForASlowStream_data();
     void aStopDoesNotWaitForASlowStream();
     void aStopGoesBeforeTheIdentification();
+    void aStopLeavesWhatWasStreamed_data();
+    void aStopLeavesWhatWasStreamed();
     void samplesCarryTheirNameAndTime();
     void sixtySecondsWithoutALostFrame();
     void aDamagedFrameIsAGap();
@@ -485,6 +487,35 @@ void TestMcbDrive::aStopGoesBeforeTheIdentification()
     QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 50ms));
     QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 200ms));
     QVERIFY(pair.now - asked < 200ms);
+}
+
+void TestMcbDrive::aStopLeavesWhatWasStreamed_data()
+{
+    QTest::addColumn<int>("after_ms"); // the wish that it breaks off
+    for (int ms = 0; ms <= 40; ++ms)
+        QTest::addRow("%d ms after other signals were wished for", ms) << ms;
+}
+
+/// Whether the other signals came is told by how the wish ended; what was streamed before goes on otherwise.
+void TestMcbDrive::aStopLeavesWhatWasStreamed()
+{
+    QFETCH(int, after_ms);
+    McbPair pair;
+    QVERIFY(pair.meet());
+    const RegisterId before = pair.id("BUS_VOLTAGE"), other = pair.id("I_A");
+    QVERIFY(pair.ask(streamOf({before})).outcome == Outcome::Ok);
+    pair.runFor(100ms);
+    const auto wish = pair.submit(streamOf({before, other}));
+    pair.runFor(std::chrono::milliseconds(after_ms));
+    pair.drive->stop(pair.now);
+    QVERIFY(pair.runUntilEnded(wish));
+    QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
+    pair.runFor(500ms);
+    pair.blocks.clear();
+    pair.runFor(100ms);
+    QVERIFY(!pair.blocks.empty());
+    const bool came = pair.ended.at(wish).front().outcome == Outcome::Ok;
+    QCOMPARE(pair.layout->slow.size(), came ? std::size_t{2} : std::size_t{1});
 }
 
 void TestMcbDrive::samplesCarryTheirNameAndTime()

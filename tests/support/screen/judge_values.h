@@ -140,7 +140,7 @@ private:
         const ScreenMoment::Number &shown, const JudgedRegister &known, Duration mostOld) const
     {
         const TimePoint now = m_moment.world().now();
-        const Duration old = mostOld + m_moment.moreOfValues;
+        const Duration old = mostOld + m_moment.moreFor(mostOld);
         const auto values = m_moment.world().given(known.id);
         if (values.empty())
             return "the board never gave it";

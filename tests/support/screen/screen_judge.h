@@ -34,7 +34,6 @@ public:
     static constexpr Duration kRead =
         2500ms; ///< a value: polled four times a second, read again after a silence
     static constexpr Duration kAwake = 400ms; ///< after a thread stood still
-    static constexpr Duration kLongestTrouble = 6s; ///< clocks jump so far
     static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
     static constexpr Duration kLeft =
         15s; ///< until a port is closed, where a motor is stopped before
@@ -52,15 +51,14 @@ public:
     {
         const bool frozen = m_world.frozen(); // first: once it runs again, that is trouble of now
         const Duration calm = m_world.sinceTrouble();
-        m_moment.more = calm < kOld ? kLongestTrouble : 0s;
-        m_moment.moreOfValues = calm < kRead ? kLongestTrouble : 0s;
+        m_moment.calm = calm;
+        m_moment.more = m_moment.moreFor(kOld);
         const bool heard = m_world.silence() < kOld;
         if (!heard || calm < kOld || frozen || !m_moment.answers())
             m_unwell = m_world.now();
         m_unwell = std::max(m_unwell, m_world.linkChanged());
         m_moment.begin();
         m_moment.heard = heard;
-        m_moment.calm = calm;
         if (calm < kAwake || frozen)
             return m_moment.found();
         nothingIsKnownOfASilentBoard(heard);

@@ -17,6 +17,8 @@ namespace support {
 
 class ScreenMoment {
 public:
+    static constexpr Duration kLongestTrouble = std::chrono::seconds(6); ///< clocks jump so far
+
     ScreenMoment(const QWidget &window, JudgedWorld &world)
         : m_window(window)
         , m_world(world)
@@ -24,7 +26,6 @@ public:
     }
 
     Duration more{}; ///< that a statement may be older, because nobody could know better
-    Duration moreOfValues{}; ///< the same of registers, which are read again behind the states
     bool heard = false; ///< the board was, lately
     Duration calm{}; ///< since a thread stood still, or time jumped
     int statements = 0; ///< that were compared
@@ -68,6 +69,11 @@ public:
         dash.last = m_world.now();
         if (dash.last - dash.first > 500ms)
             finds(where, text, "a value came " + std::to_string(toSeconds(age)) + " s ago");
+    }
+    /// That a value may be older of which `mostOld` is asked: it may be of before a thread stood still, or time jumped.
+    Duration moreFor(Duration mostOld) const
+    {
+        return calm < mostOld ? kLongestTrouble : Duration();
     }
     bool answers() const { return said("boardLamp").contains(QLatin1String("answering")); }
     /// The text of a label, or of the label within; what is greyed or hidden says nothing.

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void readSignalsSayHowOftenAndHowWellTheyAreTimed();
     void noReadValueIsHeldBeyondTheLink();
     void theSignalsOfAMotorAreReadWhileAnotherIsChosen();
+    void whatAStopBrokeOffIsAskedForAgain();
 
 private:
     QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
@@ -210,6 +211,38 @@ void TestChannelStrip::theSignalsOfAMotorAreReadWhileAnotherIsChosen()
     m_rig->workbench.watchList().forget(); // asked for anew
     QTRY_VERIFY(!drawn.empty());
     QCOMPARE(motors(), std::size_t{1});
+}
+
+void TestChannelStrip::whatAStopBrokeOffIsAskedForAgain()
+{
+    using widgets::Milliseconds;
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    QSignalSpy failures(&selection->plan(), &widgets::SignalPlan::failed);
+    std::vector<drive::WishId> asked;
+    connect(&m_rig->device(), &widgets::Device::wishMade, this, [&](const drive::Wish &wish) {
+        if (std::holds_alternative<drive::Stream>(wish.what))
+            asked.push_back(wish.id);
+    });
+    connectBehind(184320.0);
+    QCOMPARE(asked.size(), std::size_t{1});
+    Milliseconds now(10'000);
+    // @return how often it was asked for in the 3 s behind that end
+    const auto ends = [&](drive::Outcome outcome) {
+        const std::size_t before = asked.size();
+        facts::feed(m_rig->device(), {drive::Ended{asked.back(), outcome, "stopped", {}}});
+        for (int beat = 0; beat < 12; ++beat)
+            Q_EMIT m_rig->workbench.heartbeat(now += Milliseconds(250));
+        return asked.size() - before;
+    };
+    QCOMPARE(ends(drive::Outcome::NotSent), std::size_t{1});
+    QCOMPARE(failures.size(), 0); // a Stop broke it off, and nobody has to be told
+    QCOMPARE(ends(drive::Outcome::Unknown), std::size_t{1});
+    QCOMPARE(failures.size(), 1); // it does not come to the board: told once
+    QCOMPARE(ends(drive::Outcome::NotSent), std::size_t{1});
+    QCOMPARE(failures.size(), 1);
+    QCOMPARE(
+        ends(drive::Outcome::Refused), std::size_t{0}); // of the board, which will not have changed
+    QCOMPARE(failures.size(), 2);
 }
 
 QTEST_MAIN(TestChannelStrip)

@@ -26,6 +26,7 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <cstdio>
 #include <deque>
 #include <numeric>
 
@@ -139,6 +140,8 @@ public:
             text += "\n  " + m_story[i - 1];
         return text;
     }
+    /// What went over the line before the finding.
+    std::string tape() { return m_tape.empty() ? m_world.tape() : m_tape; }
     judge::MsRules::Counts counts() { return m_world.counts(); }
     int statements() const { return m_screen.statements(); }
     int tuned() const { return m_tuned; }
@@ -154,8 +157,10 @@ private:
     }
     void finds(const std::string &untrue)
     {
-        if (m_untrue.empty() && !untrue.empty())
+        if (m_untrue.empty() && !untrue.empty()) {
             qWarning().noquote() << "the judge: untrue:" << QString::fromStdString(untrue);
+            m_tape = m_world.tape();
+        }
         if (m_untrue.empty())
             m_untrue = untrue;
     }
@@ -828,6 +833,7 @@ private:
     support::WindowActs m_acts;
     support::ScreenJudge m_screen;
     std::string m_untrue; ///< what the screen said first that was not so
+    std::string m_tape; ///< of that moment
     QTimer m_popups;
     std::vector<std::string> m_story;
     std::deque<QString> m_echoes; ///< what stood below the field of the speed when it was sent
@@ -873,6 +879,10 @@ std::string minimised(int seed, std::vector<int> acts, const std::string &wrong)
             const bool same = !now.empty() && ruleOf(now) == ruleOf(wrong);
             if (same)
                 story = now + "\n" + monkey.story();
+            else if (!now.empty())
+                qWarning("another finding: %s\n%s", now.c_str(), monkey.story().c_str());
+            if (!now.empty())
+                std::fputs(monkey.tape().c_str(), stderr); // messages of the test are cut
             return same;
         },
         [&clock] { return clock.elapsed() < kSearch_ms; });
@@ -921,6 +931,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
             continue;
         failed.push_back("seed " + std::to_string(seed) + ": " + wrong + "\n" + monkey.story());
         qWarning("%s", failed.back().c_str());
+        std::fputs(monkey.tape().c_str(), stderr);
         session.reset();
         if (failed.size() <= kMinimised)
             qWarning("%s", minimised(seed, all, wrong).c_str());

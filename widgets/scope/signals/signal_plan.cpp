@@ -13,6 +13,8 @@ namespace {
 
 using Kind = capture::ChannelInfo::Kind;
 
+constexpr Milliseconds kAgainAfter{1000};
+constexpr int kToldAfter = 2; ///< times in a row: one alone is a Stop, mostly
 constexpr std::string_view kMainSpeed = "main-speed@"; ///< in names, before the motor's number
 
 /// As far as boards tell themselves apart: two of one kind do not.
@@ -51,7 +53,14 @@ SignalPlan::SignalPlan(Device &device, capture::Capture &capture, QObject *paren
         if (ended.id == 0 || ended.id != m_streamWish)
             return;
         m_streamWish = 0;
-        if (ended.outcome != drive::Outcome::Ok && m_device.answering())
+        const bool brokenOff =
+            ended.outcome == drive::Outcome::NotSent || ended.outcome == drive::Outcome::Unknown;
+        m_brokenOff = brokenOff ? m_brokenOff + 1 : 0;
+        m_againAt.reset();
+        m_streamed = m_streamed || brokenOff;
+        const bool tells =
+            brokenOff ? m_brokenOff == kToldAfter : ended.outcome != drive::Outcome::Ok;
+        if (tells && m_device.answering())
             Q_EMIT failed(failureText(tr("Recording signals"), ended));
         if (m_streamStale)
             replanSoon();
@@ -272,6 +281,7 @@ void SignalPlan::boardChanged()
     m_wanted.clear();
     resolveNames();
     m_streamWish = 0;
+    m_brokenOff = 0;
     m_newBoard = true;
     for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))
         if (catalog->readScale(id).factor != factor)
@@ -282,6 +292,16 @@ void SignalPlan::boardChanged()
 }
 
 void SignalPlan::replanSoon() { m_soon.start(); }
+
+void SignalPlan::refresh(Milliseconds now)
+{
+    if (m_brokenOff == 0 || m_streamWish != 0 || m_replaying || !m_device.answering())
+        return;
+    if (!m_againAt)
+        m_againAt = now + kAgainAfter;
+    else if (now >= *m_againAt)
+        sendStream();
+}
 
 void SignalPlan::replan()
 {

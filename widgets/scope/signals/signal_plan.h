@@ -46,6 +46,8 @@ public Q_SLOTS:
     void setPlot(quint32 id, int plot);
     void setRoute(quint32 id, widgets::Route route);
     void setFastEvery(unsigned ticks);
+    /// What a Stop broke off, or whose answer was lost, is asked for again a second later.
+    void refresh(widgets::Milliseconds now);
     void clear(); ///< forgets all samples; recording goes on
 
 Q_SIGNALS:
@@ -84,6 +86,8 @@ private:
     std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last
     drive::WishId m_streamWish = 0; ///< the one that has not ended
     bool m_streamStale = false; ///< the plan changed while it was under way
+    int m_brokenOff = 0; ///< times in a row that it did not come to the board
+    std::optional<Milliseconds> m_againAt; ///< when it is asked for again; empty: not known yet
     bool m_fromFile = false;
     bool m_replaying = false;
     bool m_newBoard = false; ///< what does not fit was not told since it is there
