@@ -27,6 +27,12 @@ Master::Cause causeOf(FrameError error)
     }
 }
 
+bool leaves(const Master::Request &request)
+{
+    return request.command == Command::Write && request.address == kStateRegister
+        && request.words.front() == kConfigState;
+}
+
 /// The frame of a slave in the config state, filled up with zeros: the CRC of such a thing is right. A cyclic frame that
 /// looks the same has that CRC as its first value and nothing but zeros behind it; it is lost.
 bool isPaddedConfigFrame(ByteView received)
@@ -170,6 +176,7 @@ Frame Master::operationFrame(Exchange &exchange, TimePoint now)
         operation.exchanges = 0;
         if (operation.sent == 0)
             operation.deadline = now + m_config.answerWithin + m_config.patience;
+        m_leaving = m_leaving || leaves(operation.request);
         return operation.pieces[operation.sent++];
     }
     ++operation.exchanges;
@@ -229,8 +236,9 @@ std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
 
 void Master::work(TimePoint now)
 {
-    if (isLate(now))
-        end(End::NotSent, now, {}, 0, Cause::Cancelled);
+    if (isLate(
+            now)) // and no frame before it is known: what travels with every frame may be of that request
+        return end(End::NotSent, now, {}, 0, Cause::Cancelled);
     if (m_hasLine && !m_ready && !m_readyBy && !m_exchange
         && (m_operation || m_state == State::Meeting || m_state == State::Seeking
             || m_state == State::Cyclic))

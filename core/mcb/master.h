@@ -87,7 +87,8 @@ public:
     };
     struct Searching { }; ///< out of step; nothing else goes on
     struct Back {
-        bool afterReset = false; ///< the slave is in the config state although it was cycling
+        bool afterReset =
+            false; ///< the slave is in the config state, and nobody asked it to leave the cyclic one
     };
     struct Lost {
         Cause cause = Cause::None;
@@ -203,6 +204,7 @@ private:
     void seek(TimePoint now);
     void onProbe(ByteView received, TimePoint now);
     void found(std::size_t words, TimePoint now);
+    void meet();
     void lose(Cause cause, TimePoint now);
 
     Config m_config{};
@@ -232,6 +234,7 @@ private:
     Words m_cyclicOutput, m_cyclicSent;
 
     bool m_wasCyclic = false, m_met = false; ///< before the search
+    bool m_leaving = false; ///< asked to leave the cyclic state since it was entered
     int m_probes = 0;
     std::optional<std::size_t> m_probed; ///< bytes of a frame, seen once
     std::optional<Request> m_doubtful; ///< the switch whose ACK was lost

@@ -189,10 +189,8 @@ void Master::nextStep(Done done, TimePoint now)
         m_events.emplace_back(std::move(done));
     } else if (done.end != End::Ok) {
         lose(Cause::NoAnswer, now);
-    } else if (std::exchange(m_met, true)) {
-        m_events.emplace_back(Back{true});
     } else {
-        m_events.emplace_back(Met{});
+        meet();
     }
 }
 
@@ -204,6 +202,7 @@ void Master::switched(std::uint16_t state, TimePoint now)
         m_words = m_mapping.words();
         m_cycleStart = now;
         m_nextTick = 0;
+        m_leaving = false;
     } else {
         m_state = State::Config;
         m_words = 0;

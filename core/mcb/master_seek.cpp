@@ -93,10 +93,18 @@ void Master::found(std::size_t words, TimePoint now)
         m_cyclicOutput.clear();
         return begin({Command::Write, kStateRegister, m_steps[0].words, true});
     }
-    if (std::exchange(m_met, true))
+    if (m_met && !(m_wasCyclic && m_leaving))
         m_events.emplace_back(Back{m_wasCyclic});
     else
-        m_events.emplace_back(Met{});
+        meet();
+}
+
+/// Also a slave that is not in the state in which it was left: nothing that was known of it holds.
+void Master::meet()
+{
+    if (std::exchange(m_met, true))
+        m_events.emplace_back(Lost{m_lastBad});
+    m_events.emplace_back(Met{});
 }
 
 void Master::lose(Cause cause, TimePoint now)

@@ -54,11 +54,13 @@ DEFECTS = [
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
         ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
     ("what travels with the frames goes on during a Stop", "tst_mcb_set_points", "stop first", [
-        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        restSetPoints();\n    else\n", "    if (!stopping)\n")]),
+        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        return restSetPoints();\n", "    if (stopping)\n        return;\n")]),
+    ("what travels with the frames leaves when it is too late", "tst_mcb_sessions", "asked for", [
+        ("core/drive/mcb/mcb_drive.cpp", "    asked.leaveBy = leaveBy;\n    m_link.send", "    m_link.send")]),
     ("what travels with the frames outlives a reset", "tst_mcb_set_points", "armed|asked for", [
         ("core/drive/mcb/mcb_drive.cpp", "    m_stream.ended();\n    endSetPoints();\n    m_faulty = false;", "    m_stream.ended();\n    m_faulty = false;")]),
     ("what travels with the frames drops when it is disarmed", "tst_mcb_set_points", "asked for|armed", [
-        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();")]),
+        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        return restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();\n    if (stopping)\n        return;")]),
     ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
         ("core/drive/mcp/mcp_drive.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
     ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [

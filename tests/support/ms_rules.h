@@ -116,6 +116,7 @@ struct Line {
     bool asksFirst = false;
     /// From an act at a window to the thread that serves the line.
     Duration grace{};
+    Duration stall{}; ///< how long the program may have no core
     int startParts = 1, referenceParts = 1; ///< packets that a start or a current reference takes
     Duration gap{}; ///< from header to payload, at least
     Duration answerWithin{}; ///< after which a request counts as unanswered; zero: not judged

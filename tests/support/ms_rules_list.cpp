@@ -73,9 +73,12 @@ std::vector<MsRules::Pending>::iterator MsRules::pendingFor(const Sent &sent)
                 return other.act.id == act.id && !other.used.empty();
             });
         const bool series = act.kind == Act::Kind::Series;
+        // A list of writes that was begun in time goes on; what began it may have been a read.
+        const Duration within =
+            m_line.fresh + (act.kind == Act::Kind::Write ? m_line.stall : Duration());
         const bool fresh = series
             ? m_now - act.at <= kSeries
-            : m_now - std::max(act.at, m_answeredAt) <= m_line.fresh && m_now - act.at <= kOldest;
+            : m_now - std::max(act.at, m_answeredAt) <= within && m_now - act.at <= kOldest;
         if ((!fresh && !begun)
             || (one.voided && m_packetBegan >= *one.voided && m_now >= one.voidedAt + m_line.grace))
             return false;
@@ -308,7 +311,7 @@ void MsRules::saidStatus(TimePoint evidence, TimePoint at)
     m_now = std::max(m_now, at);
     if (evidence > at)
         violate("fresh", "a state from the future");
-    if (at - evidence > kEvidence)
+    if (at - evidence > kEvidence + m_line.stall)
         violate("fresh", "a state is told " + milliseconds(at - evidence) + " after it was read");
 }
 

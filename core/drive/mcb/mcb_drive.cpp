@@ -93,7 +93,8 @@ private:
     std::optional<TimePoint> nextStop() const override;
     bool travels(const Link::Request &request) const;
     Bytes frameWith(const Link::Request &request) const;
-    void sendInFrames(const Link::Request &request, TimePoint now);
+    void sendInFrames(
+        const Link::Request &request, std::optional<TimePoint> leaveBy, TimePoint now);
     /// A set-point that travels and is being read back: the answer to its write.
     struct Travelling {
         mcb::Words before, wanted;
@@ -330,7 +331,7 @@ bool McbDrive::send(const McbRequest &request, WishTask<McbProtocol> *wish, Time
         wish != nullptr && wish->motion() && !changes.empty())
         noteSent(*wish->motion(), inFrames ? frameWith(*one) : changes);
     if (inFrames) {
-        sendInFrames(*one, now);
+        sendInFrames(*one, leaveBy, now);
     } else if (one != nullptr) {
         Link::Request asked = *one;
         asked.leaveBy = leaveBy; // the drive may not be ready
@@ -367,11 +368,14 @@ Bytes McbDrive::frameWith(const Link::Request &request) const
 
 /// The frame that asks for the register has its new value already, and so has every one after it: what is read back is
 /// the answer.
-void McbDrive::sendInFrames(const Link::Request &request, TimePoint now)
+void McbDrive::sendInFrames(
+    const Link::Request &request, std::optional<TimePoint> leaveBy, TimePoint now)
 {
     m_confirming = {m_setPoints.of(request.address), request.words};
     setInFrames(request.address, request.words);
-    m_link.send({mcb::Command::Read, request.address}, now);
+    Link::Request asked{mcb::Command::Read, request.address};
+    asked.leaveBy = leaveBy;
+    m_link.send(std::move(asked), now);
 }
 
 void McbDrive::setInFrames(std::uint16_t address, mcb::WordView words)

@@ -24,15 +24,18 @@ using namespace std::chrono_literals;
 
 class McbPair {
 public:
-    explicit McbPair(simulation::McbBoardOptions options = {})
+    /// @param stall  how long the program may have no core
+    explicit McbPair(simulation::McbBoardOptions options = {}, Duration stall = {})
         : drive(std::make_unique<JudgedDrive>(drive::makeMcbDrive({}), judge))
         , board(simulation::makeMcbBoard(std::move(options)))
     {
         judge::Line line;
         const simulation::MotorTruth truth = board->truth(1);
         line.maxRpm = truth.maxRpm;
-        line.firstStop = 150ms;
-        line.repeat = 250ms;
+        line.firstStop = 150ms + stall;
+        line.repeat = 250ms + stall;
+        line.alarm += stall;
+        line.stall = stall;
         line.startParts = line.referenceParts = 2;
         line.suspect = line.lost = {}; // an exchange always brings bytes
         judge.watch(std::make_unique<judge::WireMcb>(), line);
@@ -114,10 +117,18 @@ public:
             board->advance(now);
             drive->handleTimeout(now);
             exchange();
-            const simulation::MotorTruth truth = board->truth(1);
-            judge.look(now, {{truth.driven, truth.idle, truth.rpm}});
+            letJudgeLook();
         }
         return true;
+    }
+    /// The program has no core for a while; the servo lives on.
+    void stall(Duration time)
+    {
+        for (const TimePoint end = now + time; now < end;) {
+            now = std::min(now + look, end);
+            board->advance(now);
+            letJudgeLook();
+        }
     }
     void runFor(Duration time)
     {
@@ -170,6 +181,11 @@ public:
     }
 
 private:
+    void letJudgeLook()
+    {
+        const simulation::MotorTruth truth = board->truth(1);
+        judge.look(now, {{truth.driven, truth.idle, truth.rpm}});
+    }
     void note(const Bytes &bytes)
     {
         const auto frame = mcb::decodeFrame(bytes);
