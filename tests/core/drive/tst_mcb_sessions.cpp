@@ -75,9 +75,12 @@ constexpr Duration kLongestStall = 900ms;
 
 struct Session {
     /// @param busy  the computer is, and the program has no core now and then
-    Session(std::uint64_t seed, bool busy)
+    /// @param rough  cables are pulled, currents too high for a moment, and speeds of all kinds asked for
+    Session(std::uint64_t seed, bool busy, bool rough)
         : isBusy(busy)
+        , isRough(rough)
         , stalls(seed + 1)
+        , rest(seed + 2)
         , random(seed)
         , pair(optionsOf(random, seed, resets), busy ? kLongestStall : Duration())
     {
@@ -93,8 +96,8 @@ struct Session {
         };
     }
 
-    bool isBusy;
-    Random stalls; ///< of their own, so that a session is the same without them
+    bool isBusy, isRough;
+    Random stalls, rest; ///< of their own, so that a session is the same without them
     support::WireTape tape;
     std::string tapeThen; ///< when something went wrong, for whoever looks for it
     Random random;
@@ -228,6 +231,37 @@ struct Session {
         pair.exchange();
     }
 
+    void roughen()
+    {
+        constexpr std::uint16_t kOvercurrent = 0x0040;
+        switch (rest.below(10)) {
+        case 0: // the cable was out, and the servo goes on by itself
+            for (const WishId id : asked)
+                pair.ended[id].resize(1); // nobody is there to end them
+            mayCarry = false;
+            pair.replaceDrive(makeMcbDrive({}));
+            pair.identified.reset();
+            pair.connect();
+            pair.runUntil([this] { return pair.identified.has_value(); }, 8s);
+            break;
+        case 1:
+            pair.board->setFaults(kOvercurrent);
+            pair.runFor(5ms);
+            pair.board->setFaults(0);
+            break;
+        case 2:
+            asked.push_back(pair.submit(Command{MotorAction::StopRamp, 1}));
+            break;
+        case 3:
+        case 4: {
+            const auto rpm = static_cast<std::int32_t>(rest.below(6000)) - 3000;
+            asked.push_back(pair.submit(SpeedRamp{1, rpm, rest.below(2) * 50ms}));
+            break;
+        }
+        default:
+            break;
+        }
+    }
     QString run()
     {
         pair.connect();
@@ -237,6 +271,8 @@ struct Session {
             act();
             if (isBusy && stalls.below(8) == 0)
                 pair.stall(stalls.below(1000) * kLongestStall / 1000);
+            if (isRough)
+                roughen();
             pair.runFor(std::chrono::milliseconds(1 + random.below(120)));
             finds(QString::fromStdString(pair.judge.verdict()));
         }
@@ -264,7 +300,7 @@ void TestMcbSessions::everythingEndsOnceWhateverHappens()
     const support::Seeds seeds = support::seedsOf(150, 10'000);
     std::uint64_t identified = 0, samples = 0, travelled = 0;
     const std::string wrong = support::playSeeds(seeds, [&](std::uint64_t seed) {
-        Session session(seed, seed % 2 == 0);
+        Session session(seed, seed % 2 == 0, seed % 4 < 2);
         const QString what = session.run();
         if (seeds.one)
             std::fputs(session.tapeThen.c_str(), stderr);
@@ -300,7 +336,7 @@ void TestMcbSessions::whatFailedOnceDoesNotFailAgain()
 {
     QFETCH(const quint64, seed);
     QFETCH(const bool, isBusy);
-    const QString what = Session(seed, isBusy).run();
+    const QString what = Session(seed, isBusy, false).run();
     QVERIFY2(what.isEmpty(), qPrintable(what));
 }
 
