@@ -177,6 +177,32 @@ public:
         return identified->catalog->resolve(name).value_or(0);
     }
 
+    /// The program has no core for a while: nothing leaves, and what comes waits for it. The board lives on. A packet whose
+    /// header has left is completed before: one that ends late is not what is looked for.
+    void stall(Duration time)
+    {
+        runUntil([this] { return m_sending.empty(); }, 20ms);
+        for (const TimePoint end = now + time; now < end;) {
+            now = std::min(end, now + kGrain);
+            board->advance(now);
+            if (const Bytes bytes = board->takeOutput(); !bytes.empty())
+                fly(m_toDrive, spoil(bytes, toDrive), toDrive);
+            deliverToBoard();
+            lookAtTruth();
+        }
+    }
+    /// The judge allows for stalls so long.
+    void expectStalls(Duration longest)
+    {
+        judge::Line &line = judge.line();
+        line.firstStop += longest;
+        line.repeat += longest;
+        line.alarm += longest;
+        line.suspect += longest;
+        line.lost += longest;
+        line.stall = longest;
+    }
+
     /// Another drive on the same line, as after a port was opened again or the program had died.
     void replaceDrive(std::unique_ptr<drive::Drive> other)
     {
@@ -331,12 +357,17 @@ private:
             queue.push_back({at, std::move(bytes)});
     }
 
-    void deliver()
+    void deliverToBoard()
     {
         while (!m_toBoard.empty() && m_toBoard.front().at <= now) {
             board->receive(m_toBoard.front().bytes, now);
             m_toBoard.pop_front();
         }
+    }
+
+    void deliver()
+    {
+        deliverToBoard();
         while (!m_toDrive.empty() && m_toDrive.front().at <= now) {
             const Bytes bytes = std::move(m_toDrive.front().bytes);
             m_toDrive.pop_front();
