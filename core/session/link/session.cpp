@@ -108,6 +108,9 @@ void Session::lookUp(TimePoint now)
     const bool armed = m_drive->armed();
     if (gap > Duration::zero()) {
         qCInfo(lcLink) << "nothing ran for" << toSeconds(gap) << "s";
+        // What was to leave before is too late, also a command behind its header.
+        if (!m_drive->stopOpen())
+            m_outbox.add({Output{.bytes = {}, .gapBefore = {}, .dropsEarlier = true}});
         m_drive->doubt(now);
     }
     const DeadMan::Verdict verdict = m_deadMan.judge(m_stamps.take(), armed, gap, elapsed);

@@ -147,6 +147,8 @@ private Q_SLOTS:
 
     void aSleepDisarmsAndDoubts();
     void aLateWakeDisarmsAndDoubts();
+    void whatWaitedToLeaveDoesNotLeaveBehindAGap_data();
+    void whatWaitedToLeaveDoesNotLeaveBehindAGap();
     void wakesOfEveryLatenessAreJudgedRightly();
     void whatWasQueuedDuringAGapComesAfterIt();
     void aStandstillOfBothStopsWhateverWakesFirst();
@@ -364,6 +366,35 @@ void TestDeadMan::aLateWakeDisarmsAndDoubts()
     QVERIFY(!bench.drive().armed());
     QCOMPARE(bench.interruptions.size(), 1U);
     QVERIFY(bench.interruptions[0].cause == Cause::Gap);
+}
+
+void TestDeadMan::whatWaitedToLeaveDoesNotLeaveBehindAGap_data()
+{
+    QTest::addColumn<Duration>("away");
+    QTest::addColumn<bool>("stopping");
+    QTest::addColumn<bool>("leaves");
+    QTest::newRow("a moment") << Duration(200ms) << false << true;
+    QTest::newRow("a sleep") << Duration(2s) << false << false;
+    QTest::newRow("a sleep during a stop") << Duration(2s) << true << true;
+}
+
+/// Behind the header of a packet there is a pause, and a computer may be put to sleep in it.
+void TestDeadMan::whatWaitedToLeaveDoesNotLeaveBehindAGap()
+{
+    QFETCH(Duration, away);
+    QFETCH(bool, stopping);
+    QFETCH(bool, leaves);
+    Attended bench;
+    bench.live(1s);
+    const Bytes header{0x29, 0, 0, 0xE0}, payload{0x19, 0};
+    bench.drive().outputs = {{header, {}}, {payload, 1500us}};
+    bench.drive().stopping = stopping;
+    bench.turn();
+    QCOMPARE(bench.port.written.back().bytes, header);
+    bench.now += away;
+    bench.session.attendFromAnyThread();
+    bench.turn();
+    QCOMPARE(bench.port.written.back().bytes == payload, leaves);
 }
 
 /// A thread that gets the processor late, by any time: within a second it is taken as it is, beyond it is a gap.
