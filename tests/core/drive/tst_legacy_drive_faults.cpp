@@ -20,8 +20,11 @@ struct Session : support::LinkPair {
     Session(const simulation::BoardOptions &options, std::uint64_t seed)
         : LinkPair(options, seed)
         , random(seed)
+        , stalls(seed + 1)
     {
         verdictTaken = true;
+        if (seed % 2 == 0)
+            expectStalls(longestStall = 900ms);
         onEvent = [this](const Event &event) { look(event); };
         const double rate = 2e-5 * static_cast<double>(1 + random.below(10));
         for (support::LineFaults *faults : {&toBoard, &toDrive}) {
@@ -75,6 +78,8 @@ struct Session : support::LinkPair {
     void work();
 
     support::Random random;
+    support::Random stalls; ///< of their own, so that a session is the same without them
+    Duration longestStall{}; ///< of a program on a busy computer, in every other session
     std::map<RegisterId, std::set<std::int64_t>> marks; ///< what each register may hold
     std::vector<WishId> wishes;
     std::string complaints;
@@ -135,6 +140,8 @@ void Session::work()
             drive->arm();
             break;
         }
+        if (longestStall > 0ms && stalls.chance(0.1))
+            stall(longestStall * stalls.below(100) / 100);
         runFor(std::chrono::milliseconds(random.below(80)));
     }
 }
