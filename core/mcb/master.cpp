@@ -236,8 +236,8 @@ std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
 
 void Master::work(TimePoint now)
 {
-    if (isLate(
-            now)) // and no frame before it is known: what travels with every frame may be of that request
+    // And no frame before that is known: what travels with every frame may be of that request.
+    if (isLate(now))
         return end(End::NotSent, now, {}, 0, Cause::Cancelled);
     if (m_hasLine && !m_ready && !m_readyBy && !m_exchange
         && (m_operation || m_state == State::Meeting || m_state == State::Seeking

@@ -87,8 +87,8 @@ public:
     };
     struct Searching { }; ///< out of step; nothing else goes on
     struct Back {
-        bool afterReset =
-            false; ///< the slave is in the config state, and nobody asked it to leave the cyclic one
+        /// The slave is in the config state, and nobody asked it to leave the cyclic one.
+        bool afterReset = false;
     };
     struct Lost {
         Cause cause = Cause::None;

@@ -359,8 +359,8 @@ void McbStreamTask::cut(const std::string &reason)
 {
     if (!finished() && m_unmapped)
         m_setPoints.end();
-    if (!finished()
-        && (m_unmapped || ended().id == 0)) // the drive's own one goes back to what was streamed
+    // The drive's own wish goes back to what was streamed.
+    if (!finished() && (m_unmapped || ended().id == 0))
         m_control.m_leftOff = true;
     WishTask::cut(reason);
 }
