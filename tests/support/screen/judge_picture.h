@@ -151,6 +151,11 @@ private:
         m_known = m_drawn = 0;
         const TimePoint now = m_moment.world().now();
         const TimePoint linked = m_moment.world().linkChanged();
+        // While a thread stood still the board's time and the picture's went apart: before that they do not fit as a whole.
+        m_steady =
+            static_cast<int>(
+                (toSeconds((now - m_moment.calm).time_since_epoch()) - range.from) / perColumn)
+            + off;
         // Where the samples are, were the newest packet just drawn.
         const bool known = m_moment.world().ofBoard([&](const judge::McpBoard &board) {
             bool any = false;
@@ -232,8 +237,8 @@ private:
         for (const Painted &one : m_painted) {
             const Trace &trace = *one.trace;
             const PictureInk::Column &painted = one.column;
-            if (painted.x + shift - kGap < m_known + kLoose)
-                continue; // from before the judge listened
+            if (painted.x + shift - kGap < m_known + kLoose || painted.x < m_steady)
+                continue; // from before the judge listened, or a thread stood still
             const int at = painted.x + shift;
             const auto sent = [&](int around) {
                 judge::Extremes all;
@@ -291,6 +296,7 @@ private:
     std::vector<std::pair<int, int>> m_mended; ///< columns at which a loss begins, and for how many
     bool m_labels = false; ///< of the cursors are there
     int m_linked = 0; ///< columns before the link stood
+    int m_steady = 0; ///< the first column that is judged
     int m_known = 0, m_drawn = 0; ///< columns from and to which the judge knows what is to be seen
 };
 
