@@ -28,3 +28,27 @@ function(rotorscope_precompile target)
         file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.gch.sum "${sum}\n")
     endif()
 endfunction()
+
+# rotorscope_batch(TARGET): compiles the files of a folder in batches, so that what they include is read once a batch. In exchange
+# the files of a folder share what they keep to themselves: of two things in unnamed namespaces each has a name of its own, or
+# both files use one. Since that holds for a folder, it does not matter where a batch ends. Call it behind the last source.
+function(rotorscope_batch target)
+    if(ROTORSCOPE_BATCH LESS 2)
+        return()
+    endif()
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    foreach(source ${sources})
+        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE folder)
+        cmake_path(GET folder PARENT_PATH folder)
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+        string(MAKE_C_IDENTIFIER "${folder}" group)
+        list(APPEND files_${group} "${source}")
+        list(LENGTH files_${group} count)
+        math(EXPR batch "(${count} - 1) / ${ROTORSCOPE_BATCH}")
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${batch})
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # g++ takes what a class of a batched file has of an unnamed namespace for something that others include.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()

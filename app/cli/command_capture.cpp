@@ -528,7 +528,7 @@ Outcome<int> CaptureRun::verdict() const
 
 Outcome<int> runCapture(Desk &desk) { return CaptureRun(desk).run(); }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kCaptureOptions[] = {
     kCyclicOption,
     {"hf", "A,B", "Signals at the rate of the control loop."},
     {"hf-rate", "N", "One sample every N + 1 control periods, 0 if not given."},
@@ -604,7 +604,7 @@ Outcome<bool> readCapture(const Given &given, Arguments &arguments)
 const Command kCapture{.name = "capture",
     .words = "--hf A,B --seconds S -o FILE.csv",
     .help = "Records signals into a CSV file, which appears whole or not at all.",
-    .options = kOptions,
+    .options = kCaptureOptions,
     .read = readCapture,
     .canMove = true,
     .ofOneMotor = true,

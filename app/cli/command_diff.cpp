@@ -15,13 +15,6 @@ bool isDevice(const QString &word) { return word == QLatin1String("device"); }
 
 using snapshots::Entry;
 
-QString hexOf(const Bytes &bytes)
-{
-    return QString::fromLatin1(QByteArray(
-        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-                                   .toHex(' '));
-}
-
 /// The value as people read it; "-" if there is none.
 QString textOf(const Entry *entry)
 {
@@ -145,7 +138,7 @@ Outcome<int> runDiff(Desk &desk)
     return printed;
 }
 
-constexpr OptionText kOptions[] = {kOnlyOption, {"all", "", "Measured registers, too."}};
+constexpr OptionText kDiffOptions[] = {kOnlyOption, {"all", "", "Measured registers, too."}};
 
 Outcome<bool> readDiff(const Given &given, Arguments &arguments)
 {
@@ -161,7 +154,7 @@ const Command kDiff{.name = "diff",
     .help = "Lists the registers that differ between two snapshots, or a snapshot and the board.",
     .least = 2,
     .most = 2,
-    .options = kOptions,
+    .options = kDiffOptions,
     .read = readDiff,
     .needsPort = false,
     .run = runDiff,

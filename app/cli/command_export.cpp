@@ -178,7 +178,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
     return kDone;
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kExportOptions[] = {
     {"o,output", "FILE", "The file to write; its ending says the format."},
     {"signals", "A,B", "Only these signals, in this order; separated by commas."},
     {"from", "S", "From this second of the session on."},
@@ -218,7 +218,7 @@ const Command kExport{.name = "export",
         "Writes the signals of a recording, or of a CSV file, in another format; or its registers.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kExportOptions,
     .read = readExport,
     .needsPort = false,
     .runAlone = runExport};

@@ -279,7 +279,7 @@ Outcome<int> runGains(Desk &desk)
     return kDone;
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kGainsOptions[] = {
     {"bandwidth", "W", "Of the current loop, in rad/s."},
     {"damping", "D", "Of the speed loop: 2 is quick, 4 is calm. Left out: it stays."},
     {"inertia", "J", "Of rotor and load in kg m2; few boards know it."},
@@ -340,7 +340,7 @@ const Command kGains{.name = "gains",
     .words = "--bandwidth W",
     .help =
         "Computes gains of the current and speed loops from the motor's values, and applies them.",
-    .options = kOptions,
+    .options = kGainsOptions,
     .read = readGains,
     .ofOneMotor = true,
     .run = runGains};

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kStandstillWithin = 10s; ///< a motor may coast
+constexpr auto kCoastsFor = 10s; ///< a motor may coast
 
 bool stands(drive::MotorState state)
 {
@@ -86,7 +86,7 @@ Outcome<int> runStop(const Arguments &arguments, Output &out)
 {
     const Interrupt interrupt;
     Conversation talk(arguments, interrupt);
-    const auto stopped = talk.stopAtOnce(kStandstillWithin);
+    const auto stopped = talk.stopAtOnce(kCoastsFor);
     if (!stopped)
         return tl::make_unexpected(stopped.error());
     const bool still = *stopped == drive::StopWord::Standstill;

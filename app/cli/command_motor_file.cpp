@@ -2,6 +2,7 @@
 #include "motor_facts.h"
 #include "session/files/motor_file.h"
 #include "snapshot_work.h"
+#include "values.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -14,11 +15,6 @@ using motor::MotorQuantity;
 using motor::MotorWarning;
 
 constexpr int kDigits = 7; ///< boards hold these numbers in 32 bits
-
-QString textOf(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString nameOf(MotorQuantity quantity)
 {
@@ -84,7 +80,7 @@ QString textOf(const std::optional<double> &value, std::string_view unit)
     if (!value)
         return QStringLiteral("-");
     const QString number = QString::number(*value, 'g', kDigits);
-    return unit.empty() ? number : number + QLatin1Char(' ') + textOf(unit);
+    return unit.empty() ? number : number + QLatin1Char(' ') + utf8Text(unit);
 }
 
 struct Derived {
@@ -102,7 +98,7 @@ std::vector<Derived> derivedOf(const drive::MotorFacts &facts)
 
 QJsonObject row(const QString &name, std::string_view unit, const std::optional<double> &board)
 {
-    return {{QStringLiteral("name"), name}, {QStringLiteral("unit"), textOf(unit)},
+    return {{QStringLiteral("name"), name}, {QStringLiteral("unit"), utf8Text(unit)},
         {QStringLiteral("board"), jsonOf(board)}};
 }
 
@@ -138,7 +134,7 @@ void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet 
             out.line(QStringLiteral("note: ") + wordOf(warning));
     }
     if (out.json())
-        out.line(QJsonObject{{QStringLiteral("motor"), textOf(facts.name)},
+        out.line(QJsonObject{{QStringLiteral("motor"), utf8Text(facts.name)},
             {QStringLiteral("values"), rows}, {QStringLiteral("derived"), derived},
             {QStringLiteral("warnings"), warnings}});
 }

@@ -36,21 +36,20 @@ const char *wordOf(catalog::ValueType type)
     return words[static_cast<std::size_t>(type)];
 }
 
-QString text(const std::string &utf8) { return QString::fromStdString(utf8); }
-
 QJsonObject jsonOf(const RegisterInfo &info, const QString &unit)
 {
     QJsonArray aliases;
     for (const std::string &alias : info.aliases)
-        aliases.append(text(alias));
-    return {{QStringLiteral("name"), text(info.name)}, {QStringLiteral("aliases"), aliases},
-        {QStringLiteral("id"), idText(info.id)},
+        aliases.append(QString::fromStdString(alias));
+    return {{QStringLiteral("name"), QString::fromStdString(info.name)},
+        {QStringLiteral("aliases"), aliases}, {QStringLiteral("id"), idText(info.id)},
         {QStringLiteral("type"), QLatin1String(wordOf(info.type))},
         {QStringLiteral("access"), QLatin1String(wordOf(info.access))},
-        {QStringLiteral("unit"), unit}, {QStringLiteral("group"), text(info.group)},
+        {QStringLiteral("unit"), unit},
+        {QStringLiteral("group"), QString::fromStdString(info.group)},
         {QStringLiteral("per_motor"), info.perMotor},
         {QStringLiteral("streams"), info.streaming != Streaming::Polled},
-        {QStringLiteral("help"), text(info.help)}};
+        {QStringLiteral("help"), QString::fromStdString(info.help)}};
 }
 
 /// The readable registers that this board does not give, asked for one by one: its build decides what it has.
@@ -79,7 +78,7 @@ Outcome<int> runRegisters(Desk &desk)
     QJsonArray list;
     for (const RegisterInfo &info : catalog.registers()) {
         const catalog::RegisterId id = catalog.withMotor(info, 1);
-        const QString unit = text(catalog.readScale(id).unit);
+        const QString unit = QString::fromStdString(catalog.readScale(id).unit);
         const bool given = !missing->contains(id);
         if (desk.out.json()) {
             QJsonObject object = jsonOf(info, unit);
@@ -92,7 +91,7 @@ Outcome<int> runRegisters(Desk &desk)
             : info.streaming == Streaming::Polled ? QString()
                                                   : QStringLiteral("streams");
         desk.out.line(QStringLiteral("%1 %2 %3 %4 %5 %6")
-                          .arg(text(info.name).leftJustified(28), idText(info.id),
+                          .arg(QString::fromStdString(info.name).leftJustified(28), idText(info.id),
                               QString::fromLatin1(wordOf(info.type)).leftJustified(4),
                               QString::fromLatin1(wordOf(info.access)).leftJustified(2),
                               unit.leftJustified(8), stream)

@@ -101,7 +101,7 @@ Outcome<int> runRestore(Desk &desk)
             .arg(left.join(QStringLiteral(", "))));
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kRestoreOptions[] = {
     kOnlyOption, {"force", "", "Also a snapshot of other hardware."}};
 
 Outcome<bool> readRestore(const Given &given, Arguments &arguments)
@@ -118,7 +118,7 @@ const Command kRestore{.name = "restore",
         "Writes back what differs from a snapshot, in as few requests as fit, and reads it back.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kRestoreOptions,
     .read = readRestore,
     .canMove = true,
     .run = runRestore};

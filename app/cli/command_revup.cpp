@@ -202,7 +202,7 @@ Outcome<int> runRevUp(Desk &desk)
     return kDone;
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kRevupOptions[] = {
     {"set", "", "Writes stages RPM,A,MS, or those of a file as revup --json prints them."}};
 
 Outcome<bool> readRevUp(const Given &given, Arguments &arguments)
@@ -221,7 +221,7 @@ const Command kRevUp{.name = "revup",
     .words = "[--set FILE|RPM,A,MS...]",
     .help = "Shows the stages of the start-up and what is wrong with them, or writes others.",
     .most = 5,
-    .options = kOptions,
+    .options = kRevupOptions,
     .read = readRevUp,
     .ofOneMotor = true,
     .numbers = true,

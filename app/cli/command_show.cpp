@@ -12,8 +12,6 @@ namespace {
 
 using session::RecordingReport;
 
-QString text(const std::string &words) { return QString::fromStdString(words); }
-
 QString endingWord(const RecordingReport &report)
 {
     if (!report.ending)
@@ -36,10 +34,11 @@ QString startText(const RecordingReport &report)
 
 QString happeningText(const record::Happening &happening)
 {
-    QString line = text(happening.name);
+    QString line = QString::fromStdString(happening.name);
     for (const auto &[key, value] : happening.fields) {
         if (!value.empty())
-            line += QStringLiteral(" %1=%2").arg(text(key), text(value));
+            line += QStringLiteral(" %1=%2").arg(
+                QString::fromStdString(key), QString::fromStdString(value));
     }
     line.replace(QLatin1Char('\n'), QLatin1Char(' '));
     return line;
@@ -63,8 +62,8 @@ QJsonObject json(const OpenedRecording &opened)
     const RecordingReport &report = opened.report;
     QJsonArray channels, happenings, notes, damage;
     for (const capture::ChannelInfo &info : opened.capture.channels()) {
-        QJsonObject channel{{QStringLiteral("name"), text(info.name)},
-            {QStringLiteral("unit"), text(info.unit)},
+        QJsonObject channel{{QStringLiteral("name"), QString::fromStdString(info.name)},
+            {QStringLiteral("unit"), QString::fromStdString(info.unit)},
             {QStringLiteral("kind"), kindWord(info.kind)},
             {QStringLiteral("samples"), static_cast<qint64>(opened.capture.size(info.id))}};
         if (const auto span = opened.capture.timeSpan(info.id)) {
@@ -76,21 +75,22 @@ QJsonObject json(const OpenedRecording &opened)
     for (const auto &[at, happening] : report.happenings) {
         QJsonObject fields;
         for (const auto &[key, value] : happening.fields)
-            fields.insert(text(key), text(value));
+            fields.insert(QString::fromStdString(key), QString::fromStdString(value));
         happenings.append(QJsonObject{{QStringLiteral("at_s"), capture::toSeconds(at)},
-            {QStringLiteral("what"), text(happening.name)}, {QStringLiteral("fields"), fields}});
+            {QStringLiteral("what"), QString::fromStdString(happening.name)},
+            {QStringLiteral("fields"), fields}});
     }
     for (const record::Note &note : report.notes)
         notes.append(QJsonObject{{QStringLiteral("from_s"), capture::toSeconds(note.from)},
             {QStringLiteral("to_s"), capture::toSeconds(note.to)},
-            {QStringLiteral("text"), text(note.text)}});
+            {QStringLiteral("text"), QString::fromStdString(note.text)}});
     for (const record::Damage &place : report.damage)
         damage.append(QJsonObject{{QStringLiteral("offset"), static_cast<qint64>(place.offset)},
             {QStringLiteral("bytes"), static_cast<qint64>(place.bytes)},
             {QStringLiteral("blocks"), static_cast<qint64>(place.blocks)},
             {QStringLiteral("text"), session::damageText(place)}});
-    return {{QStringLiteral("program"), text(report.begin.program)},
-        {QStringLiteral("source"), text(report.begin.source)},
+    return {{QStringLiteral("program"), QString::fromStdString(report.begin.program)},
+        {QStringLiteral("source"), QString::fromStdString(report.begin.source)},
         {QStringLiteral("start"), startText(report)},
         {QStringLiteral("ending"), endingWord(report)},
         {QStringLiteral("blocks"), static_cast<qint64>(report.blocks)},
@@ -107,15 +107,16 @@ void print(const OpenedRecording &opened, bool events, Output &out)
 {
     const RecordingReport &report = opened.report;
     out.line(QStringLiteral("0 s is %1, recorded by %2 from %3")
-                 .arg(startText(report), text(report.begin.program), text(report.begin.source)));
+                 .arg(startText(report), QString::fromStdString(report.begin.program),
+                     QString::fromStdString(report.begin.source)));
     out.line(QStringLiteral("Ended: %1; %2 blocks, %3 samples, %4 bytes of the line")
                  .arg(endingWord(report), QString::number(report.blocks),
                      QString::number(report.samples), QString::number(report.linkBytes)));
     for (const capture::ChannelInfo &info : opened.capture.channels()) {
         const auto span = opened.capture.timeSpan(info.id);
         out.line(QStringLiteral("%1 [%2] %3: %4 samples, %5 s to %6 s")
-                     .arg(text(info.name), text(info.unit), kindWord(info.kind),
-                         QString::number(opened.capture.size(info.id)),
+                     .arg(QString::fromStdString(info.name), QString::fromStdString(info.unit),
+                         kindWord(info.kind), QString::number(opened.capture.size(info.id)),
                          numberText(span ? span->from : 0.0), numberText(span ? span->to : 0.0)));
     }
     out.line(
@@ -130,7 +131,8 @@ void print(const OpenedRecording &opened, bool events, Output &out)
     for (const record::Note &note : report.notes)
         out.line(QStringLiteral("%1 s  note: %2")
                      .arg(numberText(capture::toSeconds(note.from)),
-                         text(note.text).replace(QLatin1Char('\n'), QLatin1Char(' '))));
+                         QString::fromStdString(note.text).replace(
+                             QLatin1Char('\n'), QLatin1Char(' '))));
     for (const record::Damage &place : report.damage)
         out.line(QStringLiteral("Damaged: %1").arg(session::damageText(place)));
 }
@@ -151,7 +153,7 @@ Outcome<int> runShow(const Arguments &arguments, Output &out)
     return kDone;
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kShowOptions[] = {
     {"events", "", "Prints what happened, line by line, with its time."}};
 
 Outcome<bool> readShow(const Given &given, Arguments &arguments)
@@ -167,7 +169,7 @@ const Command kShow{.name = "show",
     .help = "Says what is in a recording, and what is missing from it.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kShowOptions,
     .read = readShow,
     .needsPort = false,
     .runAlone = runShow};

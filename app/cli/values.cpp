@@ -28,18 +28,6 @@ struct Overloaded : Fs... {
 template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
 
-QString hexOf(const Bytes &bytes)
-{
-    return QString::fromLatin1(QByteArray(
-        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-                                   .toHex(' '));
-}
-
-QString textOf(const std::string_view &text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 /// Seven digits: more than a scale of a 16-bit number needs, without the noise of a product of two binary fractions.
 QString shownText(double value) { return QString::number(value, 'g', 7); }
 
@@ -48,7 +36,7 @@ QStringList flagsOf(const RegisterInfo &info, std::int64_t number)
     QStringList names;
     const auto add = [&names](const std::vector<std::string> &list) {
         for (const std::string &name : list)
-            names.append(textOf(name));
+            names.append(utf8Text(name));
     };
     if (info.name == "FAULTS_FLAGS") {
         add(catalog::faultNames(static_cast<std::uint16_t>(number & 0xFFFF)));
@@ -74,7 +62,7 @@ QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, 
         return QString::number(wire);
     if (info->meaning == Meaning::Enumeration)
         return QStringLiteral("%1 (%2)").arg(
-            textOf(catalog::valueName(info->name, number)), QString::number(wire));
+            utf8Text(catalog::valueName(info->name, number)), QString::number(wire));
     if (info->meaning == Meaning::Flags) {
         const QStringList flags = flagsOf(*info, number);
         return flags.isEmpty() ? QStringLiteral("none") : flags.join(QStringLiteral(", "));
@@ -83,7 +71,7 @@ QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, 
     const QString text = scale.factor == 1.0
         ? QString::number(number)
         : shownText(static_cast<double>(number) * scale.factor);
-    return scale.unit.empty() ? text : text + QLatin1Char(' ') + textOf(scale.unit);
+    return scale.unit.empty() ? text : text + QLatin1Char(' ') + utf8Text(scale.unit);
 }
 
 std::optional<double> numberOf(const QString &text)
@@ -124,7 +112,7 @@ QString valueText(const Catalog &catalog, RegisterId id, const Value &value, Dig
                     digits == Digits::Raw ? numberText(number) : shownText(number * scale.factor);
                 return digits == Digits::Raw || scale.unit.empty()
                     ? text
-                    : text + QLatin1Char(' ') + textOf(scale.unit);
+                    : text + QLatin1Char(' ') + utf8Text(scale.unit);
             },
             [](const std::string &text) { return plainText(text); },
             [](const Bytes &bytes) { return hexOf(bytes); },
@@ -135,7 +123,7 @@ QString valueText(const Catalog &catalog, RegisterId id, const Value &value, Dig
 QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value, Digits digits)
 {
     QJsonObject object{
-        {QStringLiteral("name"), textOf(catalog.nameOf(id))}, {QStringLiteral("id"), idText(id)}};
+        {QStringLiteral("name"), utf8Text(catalog.nameOf(id))}, {QStringLiteral("id"), idText(id)}};
     const RegisterInfo *info = catalog.find(id);
     const catalog::Scale scale = digits == Digits::Raw ? catalog::Scale{} : catalog.readScale(id);
     std::visit(
@@ -148,7 +136,8 @@ QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value,
                 else
                     object[QStringLiteral("value")] = static_cast<double>(number) * scale.factor;
                 if (info && info->meaning == Meaning::Enumeration)
-                    object[QStringLiteral("text")] = textOf(catalog::valueName(info->name, number));
+                    object[QStringLiteral("text")] =
+                        utf8Text(catalog::valueName(info->name, number));
                 if (info && info->meaning == Meaning::Flags)
                     object[QStringLiteral("flags")] =
                         QJsonArray::fromStringList(flagsOf(*info, number));
@@ -161,14 +150,14 @@ QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value,
             [&](const Bytes &bytes) { object[QStringLiteral("value")] = hexOf(bytes); },
         },
         value);
-    object[QStringLiteral("unit")] = textOf(scale.unit);
+    object[QStringLiteral("unit")] = utf8Text(scale.unit);
     return object;
 }
 
 Outcome<Value> parseValue(const Catalog &catalog, RegisterId id, const QString &text, Digits digits)
 {
     const RegisterInfo *info = catalog.find(id);
-    const QString name = textOf(catalog.nameOf(id));
+    const QString name = utf8Text(catalog.nameOf(id));
     if (info == nullptr)
         return failure(kUsage, QStringLiteral("%1 is not known and cannot be written.").arg(name));
     if (info->type == ValueType::Text)
@@ -227,6 +216,18 @@ Outcome<std::vector<RegisterId>> resolveNames(const Catalog &catalog, const QStr
         ids.push_back(*id);
     }
     return ids;
+}
+
+QString hexOf(const Bytes &bytes)
+{
+    return QString::fromLatin1(QByteArray(
+        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
+                                   .toHex(' '));
+}
+
+QString utf8Text(std::string_view utf8)
+{
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
 } // namespace cli

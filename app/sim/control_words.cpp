@@ -6,8 +6,6 @@
 
 namespace sim {
 
-namespace {
-
 std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t\r");
@@ -26,6 +24,8 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
         return std::nullopt;
     return value;
 }
+
+namespace {
 
 /// "load 0.05" or "load 0.05 2": the brake of a motor, the first if none is named.
 std::optional<std::string> loadMotor(std::string_view words, simulation::SimulatedBoard &board)

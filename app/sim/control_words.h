@@ -5,10 +5,14 @@
 #include "simulation/simulated_board.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace sim {
+
+std::string_view trimmed(std::string_view text);
+std::optional<std::uint64_t> number(std::string_view text, int base); ///< of 16 with or without 0x
 
 enum class Obeyed : std::uint8_t { Done, Quit };
 

@@ -53,8 +53,6 @@ char *writeNumber(char *at, double value, char decimal)
     return withDecimal(at, std::to_chars(at, at + kNumberWidth, value).ptr, decimal);
 }
 
-constexpr Nanos kSecond = 1'000'000'000;
-
 /// The digits of a number below 10^8, the first in the lowest byte: halves, then quarters, then digits side by side in
 /// one word, each by a multiplication that stands for a division.
 constexpr std::uint64_t eightDigits(std::uint32_t number)

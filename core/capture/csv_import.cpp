@@ -12,7 +12,6 @@ namespace capture {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr Nanos kSecond = 1'000'000'000;
 constexpr Nanos kDay = 86'400 * kSecond;
 constexpr Nanos kFarthest =
     4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, and so does a difference of two times

@@ -11,7 +11,7 @@ namespace capture {
 
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 20; ///< bytes
+constexpr std::size_t kBuffer = std::size_t{1} << 20; ///< bytes
 
 /// As Python writes it; NumPy reads the head as Python's literals.
 std::string quoted(std::string_view name)
@@ -136,7 +136,7 @@ bool NpyWriter::next(std::string_view &bytes)
     if (m_tooLong || (m_begun && m_row + m_gap == rows()))
         return false;
     m_piece = std::exchange(m_begun, true) ? std::string() : head();
-    while (m_row + m_gap < rows() && m_piece.size() < kPiece)
+    while (m_row + m_gap < rows() && m_piece.size() < kBuffer)
         putRow();
     bytes = m_piece;
     return true;

@@ -13,6 +13,7 @@ namespace capture {
 using Nanos = std::int64_t;
 
 constexpr double kNanosPerSecond = 1e9;
+constexpr Nanos kSecond = 1'000'000'000;
 
 /// The nearest one, for every time that comes in seconds: that of a sample may lie a hair before it as a floating-point
 /// number, and still means that sample.

@@ -2,21 +2,11 @@
 
 #include "drive/values.h"
 
-#include <charconv>
-
 namespace drive {
 
 namespace {
 
 constexpr std::size_t kMostNamed = 8; ///< registers in the detail of a write
-
-std::string number(double value)
-{
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-    return {text, end};
-}
 
 std::string inTime(std::chrono::milliseconds duration)
 {
@@ -42,7 +32,7 @@ std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &writ
     if (!value)
         return "?";
     const catalog::Scale scale = catalog.readScale(write.id);
-    return number(*value * scale.factor) + (scale.unit.empty() ? "" : " " + scale.unit);
+    return shortNumber(*value * scale.factor) + (scale.unit.empty() ? "" : " " + scale.unit);
 }
 
 struct Begin {
@@ -79,28 +69,28 @@ struct Begin {
     {
         record.act = MotionAct::TorqueRamp;
         record.motor = ramp.motor;
-        record.detail = number(ramp.amps) + " A" + inTime(ramp.duration);
+        record.detail = shortNumber(ramp.amps) + " A" + inTime(ramp.duration);
         return true;
     }
     bool operator()(const CurrentReference &reference)
     {
         record.act = MotionAct::CurrentReference;
         record.motor = reference.motor;
-        record.detail =
-            "Iq " + number(reference.iqAmps) + " A, Id " + number(reference.idAmps) + " A";
+        record.detail = "Iq " + shortNumber(reference.iqAmps) + " A, Id "
+            + shortNumber(reference.idAmps) + " A";
         return true;
     }
     bool operator()(const PositionRamp &ramp)
     {
         record.act = MotionAct::PositionRamp;
         record.motor = ramp.motor;
-        record.detail = number(ramp.radians) + " rad" + inTime(ramp.duration);
+        record.detail = shortNumber(ramp.radians) + " rad" + inTime(ramp.duration);
         return true;
     }
     bool operator()(const UserLimits &limits)
     {
         const auto text = [](double limit, const char *unit) {
-            return limit > 0.0 ? number(limit) + unit : std::string("none");
+            return limit > 0.0 ? shortNumber(limit) + unit : std::string("none");
         };
         record.act = MotionAct::Limits;
         record.detail = text(limits.maxSpeedRpm, " rpm") + ", " + text(limits.maxCurrentAmps, " A");
@@ -116,8 +106,8 @@ struct Begin {
     {
         record.act = MotionAct::CurrentScale;
         record.motor = scale.motor;
-        record.detail =
-            scale.fullScaleAmps > 0.0 ? number(scale.fullScaleAmps) + " A" : std::string("none");
+        record.detail = scale.fullScaleAmps > 0.0 ? shortNumber(scale.fullScaleAmps) + " A"
+                                                  : std::string("none");
         return true;
     }
     bool operator()(const Write &write)

@@ -4,7 +4,6 @@
 #include "drive/values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -17,14 +16,6 @@ constexpr double kGreatestDigits = 32767.0;
 double roundedDigits(const BoardFacts &board, int motor, double amps)
 {
     return std::nearbyint(amps / board.ampsPerDigit(motor));
-}
-
-std::string number(double value)
-{
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-    return {text, end};
 }
 
 std::string_view nameOf(LimitGap gap)
@@ -48,8 +39,8 @@ std::string unknown(const std::string &what, int motor)
 
 std::string beyond(double bound, std::string_view unit, bool own)
 {
-    return "beyond " + std::string(own ? "your own limit of " : "the limit of ") + number(bound)
-        + std::string(unit);
+    return "beyond " + std::string(own ? "your own limit of " : "the limit of ")
+        + shortNumber(bound) + std::string(unit);
 }
 
 } // namespace

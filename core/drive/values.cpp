@@ -2,6 +2,7 @@
 
 #include "catalog/limits.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace drive {
@@ -51,6 +52,14 @@ Result<std::int64_t, std::string> wholeNumberFor(ValueType type, const Value &va
         return fail("out of range " + std::to_string(std::llround(limits.least)) + " to "
             + std::to_string(std::llround(limits.greatest)));
     return *number;
+}
+
+std::string shortNumber(double value)
+{
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
+    return {text, end};
 }
 
 } // namespace drive

@@ -66,9 +66,21 @@ enum class ErrorCode : std::uint8_t {
     NoProfiler = 0x0C,
 };
 
+/// Registers that mean more to a program than their row in the table says.
+namespace number {
+constexpr std::uint8_t kTargetMotor = 0x00, kFlags = 0x01, kStatus = 0x02, kControlMode = 0x03,
+                       kSpeedRef = 0x04, kTorqueRef = 0x08, kFluxRef = 0x0C, kMotorPower = 0x1B,
+                       kDacOut1 = 0x1C, kDacOut2 = 0x1D, kSpeedMeas = 0x1E, kStages = 0x22,
+                       kMaxSpeed = 0x3F, kIqSpeedMode = 0x41, kFf1Q = 0x46, kFf1D = 0x47,
+                       kFf2 = 0x48, kFinalSpeed = 0x5B, kOnlyPowerPc = 0x5C, kOnlyStm32 = 0x6E,
+                       kSpeedKpDiv = 0x6E, kSpeedKiDiv = 0x6F, kUid = 0x70, kControlBoard = 0x72,
+                       kPowerBoard = 0x73;
+} // namespace number
+
 constexpr unsigned kMostMotors =
     7; ///< bits 7..5 of a request's header; 0 is the motor selected last
 constexpr std::size_t kRevUpStages = 5;
+constexpr std::size_t kStageBytes = 8;
 
 // Names as the documents have them; empty if there is none.
 std::string_view commandName(std::uint8_t id); ///< "START_MOTOR", ...

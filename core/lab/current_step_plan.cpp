@@ -14,9 +14,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "current step plan";
-constexpr int kMostRepeats = 100;
-constexpr double kShare = 0.35, kShareObserved = 0.45; ///< of the allowed speed
+constexpr const char *kCurrentStepEntry = "current step plan";
+constexpr double kSpeedUsed = 0.35, kSpeedUsedObserved = 0.45; ///< of the allowed speed
 /// Of it, around the speed: where the speed leaves that, the next current comes at once. A torque may push the motor further
 /// than it slows down while nothing pushes.
 constexpr double kBelow = 0.15, kAbove = 0.25;
@@ -24,7 +23,7 @@ constexpr double kLowest = 0.5; ///< of the speed
 /// Of the allowed speed, above what an observer needs, and at most of the way there: while the next current is on its
 /// way a light motor that nothing pushes goes on slowing down, by some 5 rpm each millisecond.
 constexpr double kRoom = 0.1, kMostRoom = 2.0 / 3.0;
-constexpr double kMargin = 0.2; ///< of the allowed speed, beyond these: for a host that stalls
+constexpr double kStallMargin = 0.2; ///< of the allowed speed, beyond these: for a host that stalls
 constexpr double kMostFlux = 0.7; ///< of the nominal current
 constexpr double kMostFluxObserved = 0.4; ///< an observer loses its rotor by more
 constexpr milliseconds kSettles = 300ms, kTakeOver = 300ms; ///< at the speed, and on the way to it
@@ -169,7 +168,7 @@ CurrentStepPlan currentStepPlanFor(const Subject &subject, bool flux, double fro
     double toAmps, const drive::UserLimits &caps)
 {
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
-    const double rpm = (subject.seesRotor() ? kShare : kShareObserved) * allowed;
+    const double rpm = (subject.seesRotor() ? kSpeedUsed : kSpeedUsedObserved) * allowed;
     const bool backwards = !flux && fromAmps + toAmps < 0.0;
     return {.flux = flux ? 1 : 0,
         .fromAmps = fromAmps,
@@ -220,7 +219,7 @@ Conditions conditionsOf(const CurrentStepPlan &plan, const Subject &subject)
         .approach = plan.approach,
         .leastRpm = backwards ? -high : low,
         .mostRpm = backwards ? -low : high,
-        .margin_rpm = kMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
+        .margin_rpm = kStallMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
         .user = plan.caps,
         .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
         .length = plan.repeat * (3 * plan.hold + kCoasts + kGently + kSettles) + kSettles};
@@ -239,7 +238,7 @@ std::unique_ptr<Course> courseOf(const CurrentStepPlan &plan, const Subject &sub
 
 record::Happening entryOf(const CurrentStepPlan &plan, const Subject &subject)
 {
-    record::Happening entry{kEntry, {}};
+    record::Happening entry{kCurrentStepEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
     return entry;
@@ -247,7 +246,7 @@ record::Happening entryOf(const CurrentStepPlan &plan, const Subject &subject)
 
 std::optional<RecordedCurrentSteps> recordedCurrentSteps(const record::Happening &happening)
 {
-    if (happening.name != kEntry)
+    if (happening.name != kCurrentStepEntry)
         return std::nullopt;
     RecordedCurrentSteps found{recordedMotor(happening), {}};
     eachField(found.plan, TakeFields(happening));

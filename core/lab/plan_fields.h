@@ -11,6 +11,9 @@
 
 namespace lab {
 
+constexpr int kMostRepeats = 100; ///< of the steps of a plan
+constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
+
 /// Puts fields into an entry.
 class PutFields {
 public:

@@ -14,11 +14,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "response plan";
-constexpr double kShare = 0.4; ///< of the allowed speed
+constexpr const char *kResponseEntry = "response plan";
+constexpr double kMostSpeed = 0.4; ///< of the allowed speed
 constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
-constexpr double kMargin = 3.0; ///< amplitudes beyond both
-constexpr double kLeastMargin_rpm = 120.0;
+constexpr double kMarginAmplitudes = 3.0; ///< amplitudes beyond both
 
 template <class Regulator, class Field>
 void eachGain(Regulator &regulator, Field &&field)
@@ -72,7 +71,7 @@ ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &ca
 {
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
     ResponsePlan plan;
-    plan.rpm = static_cast<int>(std::lround(kShare * allowed));
+    plan.rpm = static_cast<int>(std::lround(kMostSpeed * allowed));
     plan.amplitudeRpm = static_cast<int>(
         std::lround(std::max(kLeastDigits * subject.limits.speedStepRpm, kSpeedShare * plan.rpm)));
     plan.caps = caps;
@@ -105,7 +104,7 @@ Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
         .approach = plan.approach,
         .leastRpm = double(plan.rpm) - plan.amplitudeRpm,
         .mostRpm = double(plan.rpm) + plan.amplitudeRpm,
-        .margin_rpm = std::max(kLeastMargin_rpm, kMargin * plan.amplitudeRpm),
+        .margin_rpm = std::max(kLeastMargin_rpm, kMarginAmplitudes * plan.amplitudeRpm),
         .user = plan.caps,
         .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
         .length = plan.length};
@@ -119,7 +118,7 @@ std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subjec
 record::Happening entryOf(
     const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator)
 {
-    record::Happening entry{kEntry, {}};
+    record::Happening entry{kResponseEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
     eachGain(regulator, PutFields(entry));
@@ -128,7 +127,7 @@ record::Happening entryOf(
 
 std::optional<RecordedResponse> recordedResponse(const record::Happening &happening)
 {
-    if (happening.name != kEntry)
+    if (happening.name != kResponseEntry)
         return std::nullopt;
     RecordedResponse found{recordedMotor(happening), {}, {}};
     eachField(found.plan, TakeFields(happening));

@@ -14,12 +14,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "rest plan";
-constexpr double kLowShare = 0.25, kHighShare = 0.5; ///< of the nominal current
+constexpr const char *kRestEntry = "rest plan";
+constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal current
 constexpr int kLevels = 4; ///< along the magnets
 constexpr milliseconds kSpare =
     2s; ///< of the last stage: a host that stalls must not let a start-up fail
-constexpr double kMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
+constexpr double kDrawnMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
 
 /// No speed in any of them.
 drive::RegisterWrite stagesOf(const RestPlan &plan, const Subject &subject)
@@ -107,7 +107,7 @@ RestPlan restPlanFor(const Subject &subject, const drive::UserLimits &caps)
     double nominal = subject.limits.nominalCurrentAmps;
     if (caps.maxCurrentAmps > 0.0)
         nominal = std::min(nominal, caps.maxCurrentAmps);
-    return {.lowAmps = kLowShare * nominal, .highAmps = kHighShare * nominal, .caps = caps};
+    return {.lowAmps = kLowCurrent * nominal, .highAmps = kHighCurrent * nominal, .caps = caps};
 }
 
 std::string objectionTo(const RestPlan &plan, const Subject &subject)
@@ -136,7 +136,7 @@ Conditions conditionsOf(const RestPlan &plan, const Subject &subject)
     const Registers &registers = subject.registers;
     const bool sees = subject.seesRotor();
     Conditions conditions{.beginning = sees ? Beginning::AtRest : Beginning::WhileStarting,
-        .margin_rpm = kMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
+        .margin_rpm = kDrawnMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
         .user = plan.caps,
         .recorded = {sees ? registers.referenceD : registers.reference, registers.current,
             registers.currentD, registers.voltage, registers.voltageD, registers.speed,
@@ -156,7 +156,7 @@ std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject)
 
 record::Happening entryOf(const RestPlan &plan, const Subject &subject)
 {
-    record::Happening entry{kEntry, {}};
+    record::Happening entry{kRestEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
     return entry;
@@ -164,7 +164,7 @@ record::Happening entryOf(const RestPlan &plan, const Subject &subject)
 
 std::optional<RecordedRest> recordedRest(const record::Happening &happening)
 {
-    if (happening.name != kEntry)
+    if (happening.name != kRestEntry)
         return std::nullopt;
     RecordedRest found{recordedMotor(happening), {}};
     eachField(found.plan, TakeFields(happening));

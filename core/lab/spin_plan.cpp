@@ -13,14 +13,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "spin plan";
+constexpr const char *kSpinEntry = "spin plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
 constexpr double kFluxLowShare = 0.45, kFluxHighShare = 0.65; ///< inductances take fast turns
 constexpr double kAboveObserved =
     0.25; ///< of the way from what an observer needs to the higher speed
 constexpr double kFluxShare = 0.4; ///< of the nominal current
 /// Of the way between both speeds: for a host that stalls.
-constexpr double kMargin = 0.6, kFluxMargin = 1.3;
+constexpr double kSpinMargin = 0.6, kFluxMargin = 1.3;
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
@@ -178,8 +178,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .approach = plan.approach,
         .leastRpm = double(std::min(plan.lowRpm, plan.highRpm)),
         .mostRpm = double(std::max(plan.lowRpm, plan.highRpm)),
-        .margin_rpm =
-            (plan.fluxAmps > 0.0 ? kFluxMargin : kMargin) * std::abs(plan.highRpm - plan.lowRpm),
+        .margin_rpm = (plan.fluxAmps > 0.0 ? kFluxMargin : kSpinMargin)
+            * std::abs(plan.highRpm - plan.lowRpm),
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
@@ -203,7 +203,7 @@ std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 
 record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
 {
-    record::Happening entry{kEntry, {}};
+    record::Happening entry{kSpinEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
     return entry;
@@ -217,7 +217,7 @@ double leastTurning_degPerS(const RecordedSpin &spin)
 
 std::optional<RecordedSpin> recordedSpin(const record::Happening &happening)
 {
-    if (happening.name != kEntry)
+    if (happening.name != kSpinEntry)
         return std::nullopt;
     RecordedSpin found{recordedMotor(happening), {}};
     eachField(found.plan, TakeFields(happening));

@@ -12,10 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "step plan", *kJump = "jump A per rpm";
-constexpr int kMostRepeats = 100;
+constexpr const char *kStepEntry = "step plan", *kJumpField = "jump A per rpm";
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
-constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
 
 class StepCourse : public Course {
 public:
@@ -96,22 +94,22 @@ double jumpPerRpm(const Subject &subject, double gain, double exponent)
 
 record::Happening entryOf(const StepPlan &plan, const Subject &subject, double jump)
 {
-    record::Happening entry{kEntry, {}};
+    record::Happening entry{kStepEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
-    entry.fields.emplace_back(kJump, textOf(jump));
+    entry.fields.emplace_back(kJumpField, textOf(jump));
     return entry;
 }
 
 std::optional<RecordedSteps> recordedSteps(const record::Happening &happening)
 {
-    if (happening.name != kEntry)
+    if (happening.name != kStepEntry)
         return std::nullopt;
     RecordedSteps found{recordedMotor(happening), {}, 0.0};
     StepPlan &plan = found.plan;
     eachField(plan, TakeFields(happening));
     plan.repeat = std::min(plan.repeat, kMostRepeats);
-    found.jumpPerRpm = numberOf(happening, kJump).value_or(0.0);
+    found.jumpPerRpm = numberOf(happening, kJumpField).value_or(0.0);
     if (found.motor < 1 || plan.fromRpm == plan.toRpm || plan.repeat < 1 || plan.hold < 1ms)
         return std::nullopt;
     return found;

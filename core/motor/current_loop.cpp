@@ -11,7 +11,6 @@ namespace {
 constexpr double kBusDigits = 65536.0; // the bus voltage in ST's rule
 constexpr double kPhaseDigits = 32767.0; // the largest phase voltage, Vbus / sqrt(3)
 constexpr int kMostSamples = 100'000;
-constexpr double kFar = 1e3; // times the step
 
 /// When the samples first reach `level`, in samples; negative if they do not.
 double crossing(const std::vector<double> &samples, double level)

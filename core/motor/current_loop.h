@@ -13,6 +13,8 @@
 
 namespace motor {
 
+constexpr double kFar = 1e3; ///< times the step: an unstable loop is not followed further
+
 /// One axis of the motor, a phase. A salient motor has another inductance in q than in d.
 struct CurrentPlant {
     double rs_ohm = 0.0;

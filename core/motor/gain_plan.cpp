@@ -7,8 +7,6 @@ namespace motor {
 
 namespace {
 
-bool known(double value) { return std::isfinite(value) && value > 0.0; }
-
 bool isSpeed(GainId id) { return id == GainId::SpeedKp || id == GainId::SpeedKi; }
 bool isIntegral(GainId id)
 {

@@ -9,10 +9,7 @@ namespace {
 
 using std::numbers::pi, std::numbers::sqrt2, std::numbers::sqrt3;
 
-constexpr double kRadpsPerRpm = 2.0 * pi / 60.0;
 constexpr double kRadpsPerKrpm = 1000.0 * kRadpsPerRpm;
-
-bool known(double value) { return std::isfinite(value) && value > 0.0; }
 
 bool within(double value, double least, double most)
 {

@@ -3,11 +3,17 @@
 // Source: the equations of a PMSM in rotor coordinates; features 6.4 and 6.9 (Ld and Ls swapped by ST's generator).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace motor {
+
+constexpr double kRadpsPerRpm = 0.10471975511965977; ///< pi / 30
+
+/// Whether a figure is there: a number above 0.
+inline bool known(double value) { return std::isfinite(value) && value > 0.0; }
 
 /// 0: not known. Datasheets often give line-to-line values: R and L are twice these.
 struct MotorParameters {

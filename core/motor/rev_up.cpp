@@ -1,18 +1,17 @@
 #include "motor/rev_up.h"
 
+#include "motor/motor_constants.h"
 #include "motor/ramp.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace motor {
 
 namespace {
 
 constexpr std::size_t kStageBytes = 8;
-constexpr double kRadpsPerRpm = 2.0 * std::numbers::pi / 60.0;
 constexpr double kSecondsPerMs = 1e-3;
 
 } // namespace

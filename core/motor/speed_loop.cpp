@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kRadpsPerDigit = 2.0 * std::numbers::pi / 10.0; // 0.1 Hz
 
-constexpr double kFar = 1e3; // times the step: an unstable loop need not go on for ever
 constexpr double kStep = 0.02; // of the integration, in units of the lag
 constexpr double kFine = 0.05; // the same for the quick part of an averaged loop
 

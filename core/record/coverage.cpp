@@ -4,8 +4,6 @@
 
 namespace record {
 
-using Kind = capture::ChannelInfo::Kind;
-
 void Coverage::take(const Entry &entry)
 {
     if (const auto *layout = std::get_if<capture::StreamLayout>(&entry)) {
@@ -14,7 +12,7 @@ void Coverage::take(const Entry &entry)
         take(*block);
     } else if (const auto *polled = std::get_if<PolledValues>(&entry)) {
         for (const PolledValue &value : polled->values)
-            extend(value.id, Kind::Polled, value.at, value.at);
+            extend(value.id, capture::ChannelInfo::Kind::Polled, value.at, value.at);
     }
 }
 
@@ -28,17 +26,17 @@ void Coverage::take(const capture::SampleBlock &block)
         const Nanos last = base.timeOf(
             block.firstTick + static_cast<capture::Tick>(block.count - 1) * m_layout.fastStep);
         for (const capture::StreamSignal &signal : m_layout.fast)
-            extend(signal.id, Kind::Fast, first, last);
+            extend(signal.id, capture::ChannelInfo::Kind::Fast, first, last);
     }
     if (block.slow.empty())
         return;
     const Nanos first = base.timeOf(block.slow.front().tick);
     const Nanos last = base.timeOf(block.slow.back().tick);
     for (const capture::StreamSignal &signal : m_layout.slow)
-        extend(signal.id, Kind::Slow, first, last);
+        extend(signal.id, capture::ChannelInfo::Kind::Slow, first, last);
 }
 
-void Coverage::extend(RegisterId id, Kind kind, Nanos first, Nanos last)
+void Coverage::extend(RegisterId id, capture::ChannelInfo::Kind kind, Nanos first, Nanos last)
 {
     const auto [place, isNew] = m_spans.try_emplace({id, kind}, Span{first, last});
     if (isNew)

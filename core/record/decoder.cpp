@@ -12,9 +12,6 @@ namespace {
 
 constexpr std::size_t kLongestBlock = blockSize(kMostPayload);
 constexpr std::uint32_t kLongestOther = 1 << 20; ///< of a block that is no entry
-constexpr std::size_t kMostPolled = 65536; ///< registers remembered
-constexpr double kFarthest =
-    1e8; ///< seconds from the session's 0 s that a sample may be away: three years
 
 } // namespace
 
@@ -181,7 +178,7 @@ bool Decoder::isNews(const Entry &entry, bool repeated)
     if (const auto *polled = std::get_if<PolledRegister>(&entry)) {
         const auto found = m_polled.find(polled->id);
         const bool known = found != m_polled.end() && found->second == *polled;
-        if (m_polled.size() < kMostPolled || found != m_polled.end())
+        if (m_polled.size() < kMostRegisters || found != m_polled.end())
             m_polled[polled->id] = *polled;
         m_toldUndescribed = false;
         return !repeated || !known;
@@ -191,7 +188,7 @@ bool Decoder::isNews(const Entry &entry, bool repeated)
 
 bool Decoder::isDescribed(const PolledValues &values) const
 {
-    return m_polled.size() == kMostPolled
+    return m_polled.size() == kMostRegisters
         || std::all_of(values.values.begin(), values.values.end(),
             [this](const PolledValue &value) { return m_polled.contains(value.id); });
 }
@@ -202,11 +199,11 @@ bool Decoder::isDescribed(const capture::SampleBlock &block) const
         return false;
     const auto base = capture::TickBase::of(m_layout->tickHz, m_layout->originSeconds);
     const double hertz = static_cast<double>(base.milliHz) / 1000.0;
-    const double farthest = kFarthest * hertz;
+    const double farthest = kFarthest_s * hertz;
     const auto near = [farthest](double tick) { return std::abs(tick) < farthest; };
     const double end = static_cast<double>(block.firstTick)
         + static_cast<double>(block.count) * m_layout->fastStep;
-    return std::abs(m_layout->originSeconds) < kFarthest
+    return std::abs(m_layout->originSeconds) < kFarthest_s
         && near(static_cast<double>(block.firstTick)) && near(end)
         && std::all_of(block.slow.begin(), block.slow.end(),
             [&](const capture::SlowGroup &g) { return near(static_cast<double>(g.tick)); })

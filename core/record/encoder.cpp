@@ -15,7 +15,7 @@ using capture::Tick;
 
 constexpr std::size_t kReserve = 256; ///< bytes of data in the place kept for the end
 constexpr std::size_t kMostSampleBytes = kMostPayload / 2; ///< of one block that is added
-constexpr std::size_t kMostPolled = 4096; ///< registers that are described again
+constexpr std::size_t kMostDescribed = 4096; ///< registers that are described again
 const Bytes kPadding{'R', 'S', 1, 0};
 
 std::size_t slowWidth(const SampleBlock &block)
@@ -91,7 +91,7 @@ void Encoder::remember(const Entry &entry)
         m_overview.begin(*layout);
     }
     const auto *polled = std::get_if<PolledRegister>(&entry);
-    if (polled && m_polled.size() < kMostPolled)
+    if (polled && m_polled.size() < kMostDescribed)
         m_polled[polled->id] = *polled;
 }
 

@@ -16,6 +16,11 @@ namespace record {
 using capture::Nanos;
 using catalog::RegisterId;
 
+/// A recording tells of nothing that is further from its session's 0 s: three years.
+inline constexpr Nanos kFarthest = 100'000'000'000'000'000;
+inline constexpr double kFarthest_s = 1e8;
+inline constexpr std::size_t kMostRegisters = 65'536; ///< of which a reader remembers what was read
+
 /// The first entry of every recording, and the one that says when and by whom.
 struct Begin {
     std::int64_t startSeconds = 0; ///< UTC since 1970 of the session's 0 s, whole seconds

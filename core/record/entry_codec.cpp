@@ -15,7 +15,6 @@ using capture::SlowGroup;
 using capture::StreamLayout;
 using capture::StreamSignal;
 
-constexpr std::uint8_t kVersion = 1;
 constexpr std::size_t kLongestText = 0xFFFF;
 constexpr std::size_t kLeastSignal = 4 + 2 + 2 + 8 + 8; ///< bytes of one with empty texts
 
@@ -36,7 +35,7 @@ enum class Kind : std::uint8_t {
 ByteWriter start(Kind kind)
 {
     ByteWriter out;
-    out.text("RS").u8(kVersion).u8(static_cast<std::uint8_t>(kind));
+    out.text("RS").u8(kPayloadVersion).u8(static_cast<std::uint8_t>(kind));
     return out;
 }
 
@@ -260,7 +259,7 @@ std::optional<Decoded> takeLayout(ByteReader &in)
 
 std::optional<Decoded> takeSamples(ByteReader &in)
 {
-    constexpr capture::Tick kFarthest = capture::Tick{1} << 53; ///< 17,000 years at 16 kHz
+    constexpr capture::Tick kFarthestTick = capture::Tick{1} << 53; ///< 17,000 years at 16 kHz
     SampleBlock block;
     block.stream = in.u32();
     block.firstTick = in.s64();
@@ -270,7 +269,9 @@ std::optional<Decoded> takeSamples(ByteReader &in)
     const std::size_t slowCount = in.u16();
     const std::size_t groupCount = in.u32();
     const std::size_t groupBytes = 8 + 4 * slowCount;
-    const auto near = [](capture::Tick tick) { return tick > -kFarthest && tick < kFarthest; };
+    const auto near = [](capture::Tick tick) {
+        return tick > -kFarthestTick && tick < kFarthestTick;
+    };
     if (!near(block.firstTick) || !near(block.lostTicks) || block.lostTicks < 0
         || block.count > in.left() || (block.count == 0 && signalCount != 0)
         || std::max(signalCount, slowCount) > kMostSignals
@@ -412,7 +413,7 @@ Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat)
 Result<Decoded, PayloadError> decodeEntry(ByteView payload)
 {
     ByteReader in(payload);
-    const bool ours = in.u8() == 'R' && in.u8() == 'S' && in.u8() == kVersion;
+    const bool ours = in.u8() == 'R' && in.u8() == 'S' && in.u8() == kPayloadVersion;
     if (!ours)
         return fail(PayloadError::NotOurs);
     const std::uint8_t kind = in.u8();

@@ -9,6 +9,7 @@
 
 namespace record {
 
+constexpr std::uint8_t kPayloadVersion = 1;
 constexpr std::size_t kMostPayload = std::size_t{1} << 20; ///< bytes of one block
 constexpr std::size_t kMostSignals = 1024; ///< of a layout, fast or slow; boards have a handful
 

@@ -17,7 +17,6 @@ constexpr std::size_t kLeastBins = 256; ///< fewer are no picture
 constexpr std::size_t kMostOverviews = 64;
 constexpr std::size_t kHeadBytes = 4 + 4 + 8 + 8 + 4; ///< beside the layout and the bins
 constexpr Tick kMostTicks = Tick{1} << 60; ///< from the first to the last
-constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kKind = 11;
 
 void halve(Overview &overview)
@@ -42,10 +41,9 @@ std::size_t bytesOf(const Overview &overview)
 /// Within three years of the session's 0 s, as all samples of a recording are: times are 64 bits.
 bool isNear(const capture::StreamLayout &layout, double tick)
 {
-    constexpr double kFarthest = 1e8; // seconds
     const auto base = capture::TickBase::of(layout.tickHz, layout.originSeconds);
-    return std::abs(layout.originSeconds) < kFarthest
-        && std::abs(tick) < kFarthest * static_cast<double>(base.milliHz) / 1000.0;
+    return std::abs(layout.originSeconds) < kFarthest_s
+        && std::abs(tick) < kFarthest_s * static_cast<double>(base.milliHz) / 1000.0;
 }
 
 } // namespace
@@ -56,7 +54,7 @@ Result<Bytes, PayloadError> encodeOverview(const Overview &overview)
     if (!layout || layout->size() + kHeadBytes + bytesOf(overview) > kMostPayload)
         return fail(PayloadError::TooLong);
     ByteWriter out;
-    out.text("RS").u8(kVersion).u8(kKind);
+    out.text("RS").u8(kPayloadVersion).u8(kKind);
     out.u32(static_cast<std::uint32_t>(layout->size())).bytes(*layout);
     out.s64(overview.first).s64(overview.binTicks);
     out.u32(static_cast<std::uint32_t>(overview.bins()));
@@ -70,7 +68,7 @@ Result<Overview, PayloadError> decodeOverview(ByteView payload)
 {
     ByteReader in(payload);
     const ByteView mark = in.take(2);
-    if (mark.size() != 2 || mark[0] != 'R' || mark[1] != 'S' || in.u8() != kVersion)
+    if (mark.size() != 2 || mark[0] != 'R' || mark[1] != 'S' || in.u8() != kPayloadVersion)
         return fail(PayloadError::NotOurs);
     if (in.u8() != kKind)
         return fail(PayloadError::UnknownKind);

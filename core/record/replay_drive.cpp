@@ -23,13 +23,11 @@ constexpr Nanos kCatchUp =
 constexpr Duration kLookAgain = 50ms; ///< at the pace, which may have changed
 constexpr Duration kWhileFull = 4ms;
 constexpr Duration kReportEvery = 100ms;
-constexpr std::size_t kMostRegisters = 65'536;
 constexpr double kSliceSeconds = 0.02;
 constexpr Nanos kLookAhead =
     600'000'000; ///< samples are gathered for 250 ms and written behind what was told meanwhile
 constexpr std::size_t kMostPending = 5000;
 constexpr Nanos kNever = std::numeric_limits<Nanos>::min();
-constexpr Nanos kFarthest = 100'000'000'000'000'000; ///< three years from the session's 0 s
 
 bool isPlausible(Nanos at) { return at > -kFarthest && at < kFarthest; }
 

@@ -5,7 +5,6 @@
 namespace record {
 
 namespace {
-constexpr std::size_t kMostRegisters = 65536;
 } // namespace
 
 void Restorer::take(const Entry &entry)

@@ -8,9 +8,6 @@
 
 namespace record {
 
-/// A recording tells of nothing that is further from its session's 0 s: three years.
-inline constexpr Nanos kFarthest = 100'000'000'000'000'000;
-
 class Restorer {
 public:
     explicit Restorer(capture::Capture &capture)

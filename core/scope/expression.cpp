@@ -18,7 +18,7 @@ struct Function {
 double signOf(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
 // Lambdas, because the functions of <cmath> are overloaded.
-const std::array<Function, 16> kFunctions{{
+const std::array<Function, 16> kMathFunctions{{
     {"sin", [](double x) { return std::sin(x); }, nullptr},
     {"cos", [](double x) { return std::cos(x); }, nullptr},
     {"tan", [](double x) { return std::tan(x); }, nullptr},
@@ -39,9 +39,9 @@ const std::array<Function, 16> kFunctions{{
 
 const Function *find(std::string_view name)
 {
-    const auto *const found = std::find_if(kFunctions.begin(), kFunctions.end(),
+    const auto *const found = std::find_if(kMathFunctions.begin(), kMathFunctions.end(),
         [name](const Function &one) { return one.name == name; });
-    return found != kFunctions.end() ? found : nullptr;
+    return found != kMathFunctions.end() ? found : nullptr;
 }
 
 void define(mu::Parser &parser)
@@ -49,7 +49,7 @@ void define(mu::Parser &parser)
     parser.ClearFun();
     parser.ClearConst();
     parser.ClearPostfixOprt();
-    for (const Function &function : kFunctions) {
+    for (const Function &function : kMathFunctions) {
         if (function.one)
             parser.DefineFun(function.name, function.one);
         else

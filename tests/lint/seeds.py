@@ -48,6 +48,11 @@ SEEDS = [
     ('widgets/window/seed_long_too.cpp', function('Long::runToo', 350), None),
     *[(f'core/record/seed_sliced_{number}.cpp', function(f'Sliced::run{number}', 5),
        'core/record Sliced: in seed_sliced_0.cpp, seed_sliced_1.cpp, seed_sliced_2.cpp') for number in range(3)],
+    # Names in unnamed namespaces.
+    ('core/record/seed_one.cpp', 'namespace {\nconstexpr int kSeeded = 1;\nint seededSum(int a) { return a; }\n} // namespace\n',
+     'core/record: kSeeded is in seed_one.cpp:2, seed_two.cpp:2'),
+    ('core/record/seed_two.cpp', 'namespace {\nconstexpr int kOther = 1, kSeeded = 2;\nint seededSum(\n    int b)\n{\n    return b;\n}\n'
+     '} // namespace\n', 'core/record: seededSum(int) is in seed_one.cpp:3, seed_two.cpp:3'),
     # Functions that only tests call.
     ('core/record/seed_lonely.h', 'int seededProbe();\n', 'core/record/seed_lonely.h: only tests call seededProbe'),
     ('tests/core/record/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),

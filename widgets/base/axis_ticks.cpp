@@ -16,7 +16,7 @@ constexpr int kMostTicks = 1000;
 constexpr double kLeastDigits = 8.0;
 constexpr int kFewTicks = 3; ///< fewer say nothing of the scale
 
-int decimalsFor(double step)
+int decimalsOfStep(double step)
 {
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
 }
@@ -121,7 +121,7 @@ QString valueLabel(double value, double step, const QLocale &locale)
         value = 0.0; // no "-0"
     if (std::abs(value) >= 1e7 || step < 1e-6)
         return locale.toString(value, 'g', 6);
-    const int decimals = decimalsFor(step);
+    const int decimals = decimalsOfStep(step);
     if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
         value = 0.0; // nor what would be rounded to it
     return locale.toString(value, 'f', decimals);

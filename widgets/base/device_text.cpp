@@ -1,5 +1,6 @@
 #include "widgets/base/device_text.h"
 
+#include <QLabel>
 #include <QTextDocument>
 
 namespace widgets {
@@ -47,6 +48,15 @@ QString plainToolTip(const QString &text)
 {
     return Qt::mightBeRichText(text) ? QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped())
                                      : text;
+}
+
+QLabel *wrappedLabel(const char *objectName, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QLatin1String(objectName));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
 }
 
 } // namespace widgets

@@ -6,6 +6,9 @@
 
 #include <string_view>
 
+class QLabel;
+class QWidget;
+
 namespace widgets {
 
 /// Shows at most so many characters of a device's text.
@@ -21,5 +24,8 @@ QString deviceToolTip(std::string_view text);
 
 /// Plain text as a tool tip, which would guess whether it is rich text.
 QString plainToolTip(const QString &text);
+
+/// A label that takes no text for HTML, in as many lines as it needs.
+QLabel *wrappedLabel(const char *objectName, QWidget *parent);
 
 } // namespace widgets

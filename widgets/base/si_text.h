@@ -6,6 +6,8 @@
 
 namespace widgets {
 
+constexpr double kMilli = 1e3; ///< milliseconds in a second, millihenry in a henry
+
 /// @param unit  SI without prefix, e.g. "H"; units that take no prefix (rpm, V/krpm) keep theirs. Five
 ///              significant digits; a dash for what is not finite.
 QString siText(double value, const QString &unit);

@@ -49,4 +49,10 @@ int preferredSlot(const QString &unit)
     return 7;
 }
 
+QColor faded(QColor color, int alpha)
+{
+    color.setAlpha(alpha);
+    return color;
+}
+
 } // namespace widgets

@@ -14,6 +14,8 @@ constexpr int kTraceColors = 8;
 bool isDark(const QPalette &palette);
 QColor traceColor(int slot, bool dark); ///< slots repeat after kTraceColors
 
+QColor faded(QColor color, int alpha); ///< of 255
+
 /// Where a family of signals (currents, voltages, speeds, angles, the rest) starts to look for a free slot.
 int preferredSlot(const QString &unit);
 

@@ -12,7 +12,7 @@
 namespace widgets {
 
 namespace {
-constexpr qsizetype kLongest = 16;
+constexpr qsizetype kMostDigits = 16;
 
 struct TimeUnit {
     const char *name;
@@ -93,7 +93,7 @@ std::optional<double> ValueEdit::understood() const
     } else if (!m_unit.isEmpty() && text.endsWith(m_unit, Qt::CaseInsensitive)) {
         text.chop(m_unit.size());
     }
-    const auto number = readPlainNumber(text.trimmed(), kLongest);
+    const auto number = readPlainNumber(text.trimmed(), kMostDigits);
     if (!number)
         return std::nullopt;
     const double value = *number * scale;

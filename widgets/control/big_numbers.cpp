@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 constexpr int kColumns = 2;
-constexpr int kGap = 10;
+constexpr int kNumberGap = 10;
 
 QString dash() { return QStringLiteral("\u2013"); }
 
@@ -161,21 +161,21 @@ void BigNumbers::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRect all = rect().adjusted(kGap, kGap, -kGap, -kGap);
+    const QRect all = rect().adjusted(kNumberGap, kNumberGap, -kNumberGap, -kNumberGap);
     QRect state = all;
     state.setHeight(all.height() / 8);
     paintState(painter, state);
-    const QRect cells(
-        all.left(), state.bottom() + kGap, all.width(), all.bottom() - state.bottom() - kGap + 1);
+    const QRect cells(all.left(), state.bottom() + kNumberGap, all.width(),
+        all.bottom() - state.bottom() - kNumberGap + 1);
     // The first over the whole width, the others in pairs.
     const int rows = 1 + (static_cast<int>(m_cells.size()) - 1 + kColumns - 1) / kColumns;
-    const int height = (cells.height() - (rows - 1) * kGap) / rows;
-    const int width = (cells.width() - (kColumns - 1) * kGap) / kColumns;
+    const int height = (cells.height() - (rows - 1) * kNumberGap) / rows;
+    const int width = (cells.width() - (kColumns - 1) * kNumberGap) / kColumns;
     for (int i = 0; i < static_cast<int>(m_cells.size()); ++i) {
         const int row = i == 0 ? 0 : 1 + (i - 1) / kColumns;
         const int column = i == 0 ? 0 : (i - 1) % kColumns;
-        const QRect place(cells.left() + column * (width + kGap),
-            cells.top() + row * (height + kGap), i == 0 ? cells.width() : width, height);
+        const QRect place(cells.left() + column * (width + kNumberGap),
+            cells.top() + row * (height + kNumberGap), i == 0 ? cells.width() : width, height);
         paintCell(painter, place, m_cells[static_cast<std::size_t>(i)]);
     }
 }

@@ -30,7 +30,6 @@ constexpr int kMargin = kGrid;
 constexpr int kLeastScrolled = 60; ///< pixels: a set-point
 constexpr int kLeastRead = 40; ///< pixels: two of the read-outs
 /// Nothing has to be scrolled on a low screen after a stop, when its words stand there.
-constexpr int kGap = kFineGrid;
 
 /// As high as what is in it at its width, and lower where there is no room.
 class Scroll : public QScrollArea {
@@ -166,8 +165,8 @@ ControlPanel::ControlPanel(
 
     auto *fixed = new QWidget(this);
     auto *top = new QVBoxLayout(fixed);
-    top->setContentsMargins(kMargin, kGap, kMargin, 0);
-    top->setSpacing(kGap);
+    top->setContentsMargins(kMargin, kFineGrid, kMargin, 0);
+    top->setSpacing(kFineGrid);
     top->addWidget(m_state);
     connect(m_state, &StateBox::causesWanted, this, &ControlPanel::causesWanted);
     top->addWidget(line(this));
@@ -181,8 +180,8 @@ ControlPanel::ControlPanel(
     // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
     auto *read = new QWidget(this);
     auto *bottom = new QVBoxLayout(read);
-    bottom->setContentsMargins(kMargin, 0, kMargin, kGap);
-    bottom->setSpacing(kGap);
+    bottom->setContentsMargins(kMargin, 0, kMargin, kFineGrid);
+    bottom->setSpacing(kFineGrid);
     bottom->addWidget(line(this)); // what is measured has names of its own
     bottom->addWidget(m_readouts);
     auto *layout = new QVBoxLayout(this);
@@ -240,8 +239,8 @@ QWidget *ControlPanel::makeBody()
     m_changeScale->setFocusPolicy(Qt::TabFocus);
     m_readouts->putBeside("I_Q_MEAS", *m_changeScale);
     auto *layout = new QVBoxLayout(body);
-    layout->setContentsMargins(kMargin, kGap, kMargin, 0);
-    layout->setSpacing(kGap);
+    layout->setContentsMargins(kMargin, kFineGrid, kMargin, 0);
+    layout->setSpacing(kFineGrid);
     layout->addWidget(m_setpoints);
     layout->addWidget(line(this)); // its row has its name
     layout->addWidget(m_jog);

@@ -12,9 +12,9 @@
 namespace widgets {
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kStateColumns = 3;
 constexpr int kRows = 3; ///< that it has room for: no drive has more than eight steps
-constexpr int kGap = 3;
+constexpr int kCellGap = 3;
 constexpr int kPadding = 4; // above and below the text, together
 constexpr double kSmaller = 0.86; // than the font around
 
@@ -90,17 +90,19 @@ void StateStrip::describe()
 QSize StateStrip::sizeHint() const
 {
     const int height = QFontMetrics(smallFont(font(), true)).height() + kPadding;
-    return {kColumns * 76, kRows * (height + kGap) - kGap};
+    return {kStateColumns * 76, kRows * (height + kCellGap) - kCellGap};
 }
 
 QRect StateStrip::cellRect(std::size_t step) const
 {
-    const int rows = std::max(kRows, (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns);
-    const int row = static_cast<int>(step) / kColumns, column = static_cast<int>(step) % kColumns;
-    const int left = column * (width() + kGap) / kColumns;
-    const int right = (column + 1) * (width() + kGap) / kColumns - kGap;
-    const int top = row * (height() + kGap) / rows;
-    const int bottom = (row + 1) * (height() + kGap) / rows - kGap;
+    const int rows =
+        std::max(kRows, (static_cast<int>(m_steps.size()) + kStateColumns - 1) / kStateColumns);
+    const int row = static_cast<int>(step) / kStateColumns,
+              column = static_cast<int>(step) % kStateColumns;
+    const int left = column * (width() + kCellGap) / kStateColumns;
+    const int right = (column + 1) * (width() + kCellGap) / kStateColumns - kCellGap;
+    const int top = row * (height() + kCellGap) / rows;
+    const int bottom = (row + 1) * (height() + kCellGap) / rows - kCellGap;
     return {left, top, right - left, bottom - top};
 }
 

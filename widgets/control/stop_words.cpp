@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kGap = 1; ///< pixels between two lines
+constexpr int kLineGap = 1; ///< pixels between two lines
 
 constexpr std::array kOrder{drive::StopWord::Requested, drive::StopWord::Accepted,
     drive::StopWord::DriveIdle, drive::StopWord::Standstill};
@@ -42,7 +42,7 @@ StopWords::StopWords(QWidget *parent)
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(kGap);
+    grid->setVerticalSpacing(kLineGap);
     grid->setColumnStretch(0, 1);
     for (std::size_t i = 0; i < kWords; ++i) {
         Line &line = m_lines[i];
@@ -63,7 +63,7 @@ StopWords::StopWords(QWidget *parent)
 void StopWords::fitHeight()
 {
     constexpr int kLines = static_cast<int>(kWords);
-    setFixedHeight(kLines * fontMetrics().height() + (kLines - 1) * kGap);
+    setFixedHeight(kLines * fontMetrics().height() + (kLines - 1) * kLineGap);
 }
 
 void StopWords::changeEvent(QEvent *event)

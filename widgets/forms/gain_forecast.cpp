@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_plot.h"
@@ -15,7 +16,6 @@ namespace {
 
 using motor::GainId;
 
-constexpr double kMilli = 1e3;
 constexpr double kShownTimeConstants = 7.0;
 constexpr double kShownOfSpeed = 0.7; ///< of the predicted step
 

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/si_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/forms/gain_forecast.h"
 #include "widgets/forms/gain_label.h"
@@ -28,7 +29,6 @@ namespace {
 using motor::GainId;
 using motor::GainPlan;
 
-constexpr double kMilli = 1e3;
 constexpr int kSliderSteps = 1000;
 constexpr double kLeastBandwidth = 50.0, kMostBandwidth = 20000.0; ///< of the slider
 constexpr double kLeastDamping = 1.5, kMostDamping = 8.0;

@@ -2,6 +2,7 @@
 
 #include "drive/motor_view.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/gain_number.h"
 
 #include <QGridLayout>
@@ -13,7 +14,6 @@ namespace widgets {
 namespace {
 
 constexpr double kGcm2 = 1e7; ///< g cm2 in a kg m2
-constexpr double kMilli = 1e3;
 
 } // namespace
 

@@ -16,9 +16,8 @@
 namespace widgets {
 namespace {
 
-constexpr double kMilli = 1e-3;
 constexpr double kSmallest = 1e-9, kLargest = 1e9; ///< of what is typed, in the unit shown
-constexpr qsizetype kLongest = 16;
+constexpr qsizetype kMostTypedDigits = 16;
 
 } // namespace
 
@@ -112,8 +111,8 @@ void MotorConverter::take(const motor::MotorSheet &sheet)
         put(Field(field), 0.0);
     put(PolePairs, sheet.polePairs.value_or(0.0));
     put(PhaseOhm, sheet.rs_ohm.value_or(0.0));
-    put(PhaseHenry, sheet.lq_h.value_or(0.0) / kMilli);
-    put(Flux, sheet.flux_wb.value_or(0.0) / kMilli);
+    put(PhaseHenry, sheet.lq_h.value_or(0.0) * kMilli);
+    put(Flux, sheet.flux_wb.value_or(0.0) * kMilli);
     convert(PhaseOhm);
     convert(PhaseHenry);
     m_strength = Flux;
@@ -158,7 +157,7 @@ void MotorConverter::commit(Field field)
     const QString text = m_edits[field]->text();
     if (text == m_shown[field])
         return;
-    const auto read = readPlainNumber(text, kLongest);
+    const auto read = readPlainNumber(text, kMostTypedDigits);
     const bool whole = field != PolePairs || (read && *read == std::round(*read) && *read <= 100.0);
     if (!read || !(*read >= kSmallest) || *read > kLargest || !whole) {
         m_edits[field]->setText(m_shown[field]);
@@ -204,16 +203,16 @@ void MotorConverter::convert(Field from)
         return;
     const double flux_wb = m_strength == Ke ? motor::fluxOfKe_wb(typed, pairs)
         : m_strength == Kv                  ? motor::fluxOfKv_wb(typed, pairs)
-        : m_strength == Flux                ? typed * kMilli
-                                            : typed * kMilli / (1.5 * pairs);
+        : m_strength == Flux                ? typed / kMilli
+                                            : typed / kMilli / (1.5 * pairs);
     const auto show = [&](Field field, double value) {
         if (field != m_strength) // what was typed stays as it was typed
             put(field, value);
     };
     show(Ke, motor::keOfFlux_vrmsPerKrpm(flux_wb, pairs));
     show(Kv, motor::kvOfFlux_rpmpv(flux_wb, pairs));
-    show(Flux, number(PolePairs) ? flux_wb / kMilli : 0.0);
-    show(Kt, motor::ktOfFlux_nmpa(flux_wb, pairs) / kMilli);
+    show(Flux, number(PolePairs) ? flux_wb * kMilli : 0.0);
+    show(Kt, motor::ktOfFlux_nmpa(flux_wb, pairs) * kMilli);
 }
 
 void MotorConverter::tell()

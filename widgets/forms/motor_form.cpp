@@ -28,15 +28,6 @@
 namespace widgets {
 namespace {
 
-QLabel *makeText(const char *name, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 } // namespace
 
 MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription &description,
@@ -141,7 +132,7 @@ QWidget *MotorForm::makeLeft()
     m_tree->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(copy, &QAction::triggered, this, &MotorForm::copySelected);
     connect(&m_model, &QAbstractItemModel::modelReset, this, &MotorForm::expandGroups);
-    m_told = makeText("motorTold", left);
+    m_told = wrappedLabel("motorTold", left);
     m_told->hide();
 
     auto *layout = new QVBoxLayout(left);
@@ -158,7 +149,7 @@ QWidget *MotorForm::makeRight()
 {
     auto *right = new QWidget(this);
     right->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-    m_warnings = makeText("motorWarnings", right);
+    m_warnings = wrappedLabel("motorWarnings", right);
     auto *group = new QWidget(right);
     m_converter = new MotorConverter(group);
     auto *board = makeButton(

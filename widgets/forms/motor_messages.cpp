@@ -88,8 +88,6 @@ constexpr std::array kFields{
         QT_TRANSLATE_NOOP("Motor", "Signals at once, ST-LINK"), ""},
 };
 
-QString textOf(const std::string &text) { return QString::fromStdString(text); }
-
 QString wantedText(const session::MotorFileError &error)
 {
     using Wanted = session::MotorFileError::Wanted;
@@ -201,7 +199,7 @@ QString motorWarningText(motor::MotorWarning warning)
 QString motorFileErrorText(const session::MotorFileError &error)
 {
     using Kind = session::MotorFileError::Kind;
-    const QString place = deviceText(error.place), detail = textOf(error.detail);
+    const QString place = deviceText(error.place), detail = QString::fromStdString(error.detail);
     switch (error.kind) {
     case Kind::Unreadable:
         return Motor::tr("It cannot be read: %1").arg(detail);

@@ -17,8 +17,6 @@ namespace {
 constexpr quintptr kGroup = ~quintptr{0}; ///< internal id of groups; of rows: their group
 constexpr double kGcm2PerKgm2 = 1e7;
 
-QString textOf(const std::string &text) { return QString::fromStdString(text); }
-
 QString hexText(std::int64_t bits)
 {
     return QStringLiteral("0x")
@@ -118,7 +116,8 @@ void MotorModel::rebuild()
 
 MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structure) const
 {
-    Group group{textOf(structure.name), structureText(structure.name), {}, {}, false};
+    Group group{
+        QString::fromStdString(structure.name), structureText(structure.name), {}, {}, false};
     group.remark = !structure.bytes ? tr("not read yet")
         : structure.fields.empty()
         ? tr("%n byte(s) of an unknown form", nullptr, static_cast<int>(*structure.bytes))
@@ -127,8 +126,9 @@ MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structu
     group.readOnly = !structure.writable;
     for (const drive::StructureField &field : structure.fields) {
         const FieldText text = fieldText(structure.name, field.key);
-        Row row{textOf(field.key), text.name, {}, rawOf(field), {}, text.help, false};
-        const QString unit = textOf(field.unit);
+        Row row{
+            QString::fromStdString(field.key), text.name, {}, rawOf(field), {}, text.help, false};
+        const QString unit = QString::fromStdString(field.unit);
         if (field.flags && field.names.empty())
             row.value = tr("nothing of it", "no flag is set");
         else if (!field.names.empty())

@@ -8,7 +8,7 @@
 namespace widgets {
 namespace {
 
-constexpr double kLargest = 1e6;
+constexpr double kMostPreset = 1e6;
 constexpr std::array kKinds{"speed", "torque", "current", "position"};
 
 } // namespace
@@ -37,8 +37,9 @@ QList<RampPreset> rampPresetsOf(const QJsonArray &json)
         preset.name = object[QStringLiteral("name")].toString().left(kLongestPresetName);
         preset.target = object[QStringLiteral("target")].toDouble(std::nan(""));
         preset.second = object[QStringLiteral("second")].toDouble(std::nan(""));
-        if (preset.name.isEmpty() || known == kKinds.end() || !(std::abs(preset.target) <= kLargest)
-            || !(std::abs(preset.second) <= kLargest))
+        if (preset.name.isEmpty() || known == kKinds.end()
+            || !(std::abs(preset.target) <= kMostPreset)
+            || !(std::abs(preset.second) <= kMostPreset))
             continue;
         preset.kind = static_cast<RampKind>(known - kKinds.begin());
         presets.append(preset);

@@ -15,7 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int kPlanSlot = 0, kMeasuredSlot = 1;
-constexpr double kMargin = 0.08; ///< of a range, on either side
+constexpr double kAround = 0.08; ///< of a range, on either side
 constexpr double kShortest_s = 0.1;
 constexpr int kPathPoints = 100;
 
@@ -144,7 +144,7 @@ void RampPreview::draw()
         }
     std::vector<RampPicture::Point> plan = m_picture.plan;
     if (!plan.empty()) // and stays there
-        plan.push_back({end * (1.0 + kMargin), plan.back().value});
+        plan.push_back({end * (1.0 + kAround), plan.back().value});
     m_plan->setLineStyle(m_picture.stairs ? QCPGraph::lsStepLeft : QCPGraph::lsLine);
     fill(m_plan, plan);
     fill(m_measured, m_points);
@@ -153,8 +153,8 @@ void RampPreview::draw()
     m_now->setVisible(m_nowSeconds >= 0.0);
     m_now->point1->setCoords(m_nowSeconds, 0.0);
     m_now->point2->setCoords(m_nowSeconds, 1.0);
-    const double room = most > least ? kMargin * (most - least) : 1.0;
-    m_plot->xAxis->setRange(0.0, end * (1.0 + kMargin));
+    const double room = most > least ? kAround * (most - least) : 1.0;
+    m_plot->xAxis->setRange(0.0, end * (1.0 + kAround));
     m_plot->yAxis->setRange(least - room, most + room);
     m_plot->yAxis->setLabel(m_picture.label);
     m_plot->replot(QCustomPlot::rpQueuedReplot);

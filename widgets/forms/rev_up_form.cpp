@@ -35,15 +35,6 @@ constexpr qint64 kLargestFile = 1 << 20;
 /// Of two limits, 0 being none.
 double lowerLimit(double a, double b) { return !(a > 0.0) ? b : !(b > 0.0) ? a : std::min(a, b); }
 
-QLabel *makeText(const char *name, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 /// The sign of the speed set-point turns the whole rev-up around.
 bool turnsAgainst(const MeasuredStart &measured, const motor::RevUp &stages)
 {
@@ -73,7 +64,7 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
     , m_start(new RevUpStart(parts.device, parts.capture, this))
 {
     setObjectName(QStringLiteral("revUpForm"));
-    m_reason = makeText("revUpReason", this);
+    m_reason = wrappedLabel("revUpReason", this);
     makeBold(m_reason);
     auto *row = new QHBoxLayout;
     row->setSpacing(kGrid);
@@ -163,8 +154,8 @@ QWidget *RevUpForm::makeMiddle()
     m_chart->setObjectName(QStringLiteral("revUpChart"));
     m_chart->setMinimumSize(230, 120);
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-    m_hint = makeText("revUpHint", middle);
-    m_startText = makeText("revUpLastStart", middle);
+    m_hint = wrappedLabel("revUpHint", middle);
+    m_startText = wrappedLabel("revUpLastStart", middle);
     m_startText->setForegroundRole(QPalette::PlaceholderText);
     auto *layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -230,7 +221,7 @@ QWidget *RevUpForm::makeRight()
     auto *layout = new QVBoxLayout(right);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kHalfGrid);
-    m_factsText = makeText("revUpFacts", right);
+    m_factsText = wrappedLabel("revUpFacts", right);
     layout->addLayout(numbers);
     layout->addWidget(m_findings, 1);
     layout->addWidget(m_factsText);

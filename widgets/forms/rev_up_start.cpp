@@ -8,7 +8,7 @@
 namespace widgets {
 namespace {
 
-constexpr double kLongest = 400.0; ///< s; five stages of 65 s and some
+constexpr double kLongest_s = 400.0; ///< s; five stages of 65 s and some
 constexpr qsizetype kMostPoints = 20000;
 constexpr std::size_t kColumns = 300; ///< of a streamed current
 
@@ -61,7 +61,7 @@ void RevUpStart::takeStatus(int motor)
     if (m_result != Result::UnderWay)
         return;
     m_duration = at - m_begin;
-    if (m_duration > kLongest)
+    if (m_duration > kLongest_s)
         return end(Result::Stopped);
     if (revUp) {
         m_until = m_duration;

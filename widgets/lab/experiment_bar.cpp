@@ -310,11 +310,11 @@ void ExperimentBar::progressed()
         }
         const int elapsed = static_cast<int>(m_since.elapsed());
         progress.done += std::min(elapsed, msOf(m_part));
-        constexpr int kMilli = 1000;
+        constexpr int kMsPerSecond = 1000;
         progress.words =
             tr("%1: %2 s of about %3 s", "what is measured, times")
-                .arg(experimentName(m_experiments[m_part]), QString::number(elapsed / kMilli),
-                    QString::number((msOf(m_part) + kMilli - 1) / kMilli));
+                .arg(experimentName(m_experiments[m_part]), QString::number(elapsed / kMsPerSecond),
+                    QString::number((msOf(m_part) + kMsPerSecond - 1) / kMsPerSecond));
     }
     m_progress->setRange(0, progress.all);
     m_progress->setValue(progress.done);

@@ -1,5 +1,6 @@
 #include "widgets/lab/step_overlay.h"
 
+#include "widgets/base/si_text.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/lab/run_mark.h"
 #include "widgets/scope/drawing/axis_ticker.h"
@@ -13,10 +14,9 @@
 namespace widgets {
 namespace {
 
-constexpr double kLeast_s = 0.01; ///< that the axis shows
+constexpr double kLeastShown_s = 0.01; ///< that the axis shows
 constexpr int kTicks = 6; ///< of a curve
 constexpr double kRoom = 0.08; ///< of the speeds, above and below
-constexpr double kMilli = 1e3;
 
 } // namespace
 
@@ -41,7 +41,7 @@ void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up)
 {
     m_curves.clear();
     m_least_s = 0.0;
-    m_most_s = kLeast_s;
+    m_most_s = kLeastShown_s;
     for (const StepResult &result : results)
         for (const StepCurve &curve : result.curves) {
             if (curve.up != up || curve.seconds.isEmpty())
@@ -125,7 +125,7 @@ void StepOverlay::bound(const QCPRange &range)
 void StepOverlay::setLimits(double least, double most)
 {
     const double whole = m_most_s - m_least_s;
-    const double width = std::clamp(most - least, std::min(kLeast_s, whole), whole);
+    const double width = std::clamp(most - least, std::min(kLeastShown_s, whole), whole);
     m_from_s = std::clamp((least + most - width) / 2, m_least_s, m_most_s - width);
     m_to_s = m_from_s + width;
     draw();

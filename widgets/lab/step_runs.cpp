@@ -1,5 +1,6 @@
 #include "widgets/lab/step_runs.h"
 
+#include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/lab/run_mark.h"
 
@@ -14,28 +15,27 @@ namespace widgets {
 namespace {
 
 constexpr int kMarkHeight = 14; ///< pixels
-constexpr double kMilli = 1e3;
 const QChar kMinus(0x2212), kNarrow(0x202f);
 
 /// What a column shows of a series, and of one of its runs.
-struct Shown {
+struct Metric {
     std::optional<lab::Estimate> lab::StepSeries::*mean;
     std::optional<double> lab::StepRun::*run;
     double factor;
     int decimals;
     const char *unit;
 };
-constexpr std::array<Shown, 4> kShown{{
+constexpr std::array<Metric, 4> kMetrics{{
     {&lab::StepSeries::rise_s, &lab::StepRun::rise_s, kMilli, 1, "ms"},
     {&lab::StepSeries::overshoot_pct, &lab::StepRun::overshoot_pct, 1.0, 1, "%"},
     {&lab::StepSeries::settling_s, &lab::StepRun::settling_s, kMilli, 0, "ms"},
     {&lab::StepSeries::peakIq_a, &lab::StepRun::peakIq_a, 1.0, 2, "A"},
 }};
 
-const Shown *shownIn(int column)
+const Metric *shownIn(int column)
 {
     const int at = column - StepRuns::RiseColumn;
-    return at >= 0 && at < int(kShown.size()) ? &kShown[std::size_t(at)] : nullptr;
+    return at >= 0 && at < int(kMetrics.size()) ? &kMetrics[std::size_t(at)] : nullptr;
 }
 
 QString signedText(double value, int decimals)
@@ -145,7 +145,7 @@ QVariant StepRuns::headerData(int section, Qt::Orientation orientation, int role
 /// The mean of a series, with half of the interval where it is known, and the difference to the reference.
 QString StepRuns::number(const StepResult &result, int column) const
 {
-    const Shown *shown = shownIn(column);
+    const Metric *shown = shownIn(column);
     const auto &mean = result.series.*(shown->mean);
     if (!mean)
         return QStringLiteral("\u2013");
@@ -198,7 +198,7 @@ QString StepRuns::tip(const StepResult &result) const
     for (const lab::StepRun &run : result.series.runs) {
         QStringList values;
         for (int column = RiseColumn; column <= PeakColumn; ++column) {
-            const Shown &shown = *shownIn(column);
+            const Metric &shown = *shownIn(column);
             const auto &value = run.*(shown.run);
             values.append(headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
                 + QLatin1Char(' ')

@@ -25,10 +25,8 @@
 namespace widgets {
 
 namespace {
-constexpr int kSideWidth = 230;
-constexpr std::array kListColumns{
+constexpr std::array kMeasureColumns{
     120, 112, 112, 112, 104, 112, 112, 64}; // px, as in MeasureTable::Column
-enum Range { Picture, BetweenCursors };
 } // namespace
 
 MeasurePanel::MeasurePanel(
@@ -55,7 +53,7 @@ MeasurePanel::MeasurePanel(
     m_list->header()->setStretchLastSection(false);
     for (int column = 0; column < MeasureTable::kColumns; ++column)
         m_list->setColumnWidth(column, // the heading whole, in every language
-            std::max(kListColumns[static_cast<std::size_t>(column)],
+            std::max(kMeasureColumns[static_cast<std::size_t>(column)],
                 m_list->header()->sectionSizeHint(column)));
     m_list->installEventFilter(this);
     auto *side = new QWidget(this);

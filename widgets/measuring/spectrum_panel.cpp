@@ -30,10 +30,8 @@
 namespace widgets {
 
 namespace {
-constexpr int kSideWidth = 230;
 constexpr std::array kListColumns{28, 84, 52, 88, 80}; // px, as in SpectrumPeaks::Column
 constexpr int kMostAveraged = 256;
-enum Range { Picture, BetweenCursors };
 enum Axis { Hertz = -1, OrdersOfLargest = 0 }; // above: orders of that channel's speed
 enum Scale { Amplitude, Decibels };
 } // namespace

@@ -13,13 +13,13 @@
 namespace widgets {
 
 namespace {
-constexpr int kTraceSlot = 0;
+constexpr int kSpectrumSlot = 0;
 constexpr int kPeakSlot = 1;
 constexpr int kMostNumbers = 10;
 constexpr double kFloor = 1e-12; ///< of the unit; below it a level says nothing
 constexpr double kDecibelSpan = 100.0;
 constexpr double kLeastBins = 8.0; ///< that the axis shows
-constexpr double kRoom = 1.12; ///< above the highest line, for the numbers of the peaks
+constexpr double kPeakRoom = 1.12; ///< above the highest line, for the numbers of the peaks
 } // namespace
 
 SpectrumPlot::SpectrumPlot(QWidget *parent)
@@ -56,7 +56,7 @@ void SpectrumPlot::dress()
     const bool dark = isDark(colors);
     const QColor text = colors.color(QPalette::Text);
     KeyedPlot::dress();
-    m_trace->setPen(QPen(traceColor(kTraceSlot, dark), 0));
+    m_trace->setPen(QPen(traceColor(kSpectrumSlot, dark), 0));
     const QColor peak = traceColor(kPeakSlot, dark);
     m_dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, peak, 6));
     m_mark->setPen(QPen(text, 0, Qt::DashLine));
@@ -205,7 +205,7 @@ void SpectrumPlot::draw()
         const double top = 10.0 * std::ceil((most + 6.0) / 10.0);
         plot().yAxis->setRange(top - kDecibelSpan, top);
     } else {
-        const double wanted = most > 0.0 ? most * kRoom : 1.0;
+        const double wanted = most > 0.0 ? most * kPeakRoom : 1.0;
         const double step = tickStep(wanted, 8); // in steps, so that it stands still
         plot().yAxis->setRange(0.0, step * std::ceil(wanted / step));
     }

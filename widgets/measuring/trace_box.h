@@ -10,6 +10,11 @@ namespace widgets {
 
 class ScopeView;
 
+constexpr int kSideWidth = 230; ///< px, of a panel's list and choices
+
+/// Of a box with the stretches that are measured.
+enum MeasuredRange { Picture, BetweenCursors };
+
 /// The data of its entries are the channels.
 /// @param first  entry of a box in which nothing was chosen yet; the last one, if there are fewer
 void fillTraceBox(

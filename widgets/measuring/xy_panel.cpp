@@ -25,11 +25,11 @@
 namespace widgets {
 
 namespace {
-constexpr int kSideWidth = 250;
+constexpr int kXySideWidth = 250;
 constexpr qint64 kLeastMs = 50; ///< between two pictures
 constexpr double kNewest = 0.1; ///< seconds
 constexpr std::size_t kPointsAPixel = 8; ///< of the plot's width and height: some turns of a circle
-enum Range { Picture, NewestStretch, BetweenCursors };
+enum class XyRange { Picture, NewestStretch, BetweenCursors };
 
 /// What boards call the two; the first pair that is recorded is taken.
 struct Names {
@@ -71,7 +71,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     side->addWidget(m_note);
     side->addStretch(1);
     auto *sideWidget = new QWidget(this);
-    sideWidget->setFixedWidth(kSideWidth);
+    sideWidget->setFixedWidth(kXySideWidth);
     side->setContentsMargins(0, 0, 0, 0);
     sideWidget->setLayout(side);
     auto *layout = new QHBoxLayout(this);
@@ -85,7 +85,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     for (QComboBox *box : {m_x, m_y})
         connect(box, &QComboBox::currentIndexChanged, this, &XyPanel::compute);
     connect(m_range, &QComboBox::activated, this, [this](int range) {
-        if (range == BetweenCursors && !m_scope.cursors().visible())
+        if (range == static_cast<int>(XyRange::BetweenCursors) && !m_scope.cursors().visible())
             m_scope.cursorActions().toggle();
         compute();
     });
@@ -247,9 +247,10 @@ XyWanted XyPanel::wanted() const
 {
     ScopeView::TimeRange range = m_scope.visibleRange();
     const CursorPair &cursors = m_scope.cursors().pair();
-    if (m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible())
+    if (m_range->currentIndex() == static_cast<int>(XyRange::BetweenCursors)
+        && m_scope.cursors().visible())
         range = {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
-    else if (m_range->currentIndex() == NewestStretch)
+    else if (m_range->currentIndex() == static_cast<int>(XyRange::NewestStretch))
         range.from = std::max(range.from, range.to - kNewest);
     XyWanted wanted;
     const auto both = pair();

@@ -16,7 +16,6 @@ struct RunText {
     Q_DECLARE_TR_FUNCTIONS(RunText)
 };
 
-constexpr double kMilli = 1e3;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const QString kDash(QChar(0x2013));
 

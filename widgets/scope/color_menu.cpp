@@ -10,7 +10,7 @@
 namespace widgets {
 
 namespace {
-constexpr int kSwatch = 14; ///< pixels
+constexpr int kMenuSwatch = 14; ///< pixels
 
 struct Colors {
     Q_DECLARE_TR_FUNCTIONS(Colors)
@@ -18,7 +18,7 @@ struct Colors {
 
 QIcon swatch(const QColor &color)
 {
-    QPixmap square(kSwatch, kSwatch);
+    QPixmap square(kMenuSwatch, kMenuSwatch);
     square.fill(color);
     return square;
 }

@@ -8,8 +8,6 @@
 namespace widgets {
 namespace {
 
-constexpr int kReferenceAlpha = 130; ///< of 255
-
 char markOf(Reference which) { return which == Reference::A ? 'A' : 'B'; }
 
 } // namespace

@@ -19,11 +19,6 @@ constexpr int kFlagsBeside = 40; ///< pixels of both flags, beside which the dis
 constexpr double kDot = 3.0; ///< radius
 constexpr double kTriggerMark = 6.0; ///< half the side of its marks
 
-QColor faded(QColor color, int alpha)
-{
-    color.setAlpha(alpha);
-    return color;
-}
 } // namespace
 
 ScopeOverlay::ScopeOverlay(QCustomPlot &plot, const PlotStack &stack,

@@ -9,14 +9,8 @@ namespace widgets {
 
 namespace {
 constexpr int kBandAlpha = 30;
-constexpr int kReferenceAlpha = 130;
 constexpr double kPoint = 4.5; ///< half the side of a point's cross
 
-QColor faded(QColor color, int alpha)
-{
-    color.setAlpha(alpha);
-    return color;
-}
 } // namespace
 
 void ScopeOverlay::setMeasure(const MeasureMarks &marks)

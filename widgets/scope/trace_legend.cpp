@@ -8,7 +8,7 @@
 namespace widgets {
 
 namespace {
-constexpr double kMark = 10.0; ///< side of the coloured mark
+constexpr double kLegendMark = 10.0; ///< side of the coloured mark
 constexpr double kSpace = 6.0;
 constexpr double kBelow = 2.0; ///< between the last line and the plot
 
@@ -73,7 +73,7 @@ std::vector<TraceLegend::Entry> TraceLegend::entries() const
                     trace, isOld(trace, m_capture) ? std::nullopt : last, mParentPlot->locale());
         if (!trace.info.unit.empty())
             text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
-        const double wide = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;
+        const double wide = QFontMetricsF(font).horizontalAdvance(text) + kLegendMark + 3 * kSpace;
         const double room = at.y() > 0.0 ? width : width - note;
         if (at.x() > kSpace && at.x() + wide > room)
             at = {kSpace, at.y() + lineHeight()};
@@ -112,14 +112,15 @@ void TraceLegend::draw(QCPPainter *painter)
             ground.setAlpha(90);
             painter->fillRect(box, ground);
         }
-        painter->fillRect(QRectF(box.x() + kSpace / 2, box.center().y() - kMark / 2, kMark, kMark),
+        painter->fillRect(QRectF(box.x() + kSpace / 2, box.center().y() - kLegendMark / 2,
+                              kLegendMark, kLegendMark),
             traceColor(entry.trace->colorSlot, m_scopePlot.dark));
         QFont font = mParentPlot->font();
         font.setBold(selected);
         painter->setFont(font);
         painter->setPen(palette.color(QPalette::Text));
         // drawText takes the name as it is: a device's text is never rich text here.
-        painter->drawText(box.adjusted(kMark + kSpace + kSpace / 2, 0, 0, 0),
+        painter->drawText(box.adjusted(kLegendMark + kSpace + kSpace / 2, 0, 0, 0),
             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, entry.text);
         m_entries.emplace_back(box, entry.trace->channel);
     }

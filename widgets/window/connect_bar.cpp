@@ -8,6 +8,7 @@
 #include "widgets/base/messages.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/window/settings.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -25,7 +26,6 @@ namespace widgets {
 namespace {
 
 constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
-constexpr qsizetype kMostTyped = 8;
 constexpr int kConnectWidth = 110;
 constexpr int kPortWidth = 120; ///< at least: a bar 960 px wide has no more for it
 constexpr quint32 kSlowestBaud = 1200;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
 constexpr double kMostOnDisk_GB = 100'000.0;
-constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10, kMostTyped = 8;
+constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10;
 
 QString themeName(Theme theme)
 {

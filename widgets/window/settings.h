@@ -13,6 +13,8 @@
 
 namespace widgets {
 
+constexpr qsizetype kMostTyped = 8; ///< ports that were typed
+
 struct Settings {
     QByteArray geometry; ///< of the window, as Qt saves it
     QString port = QStringLiteral("sim");

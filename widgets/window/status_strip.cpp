@@ -20,7 +20,7 @@ constexpr Milliseconds kRatePeriod{1000};
 constexpr std::uint64_t kMostCounted = 999'999; ///< that is written out in the line
 constexpr int kLongestPlace = 28; ///< characters of a port that the line has room for
 constexpr int kPartMargin = kGrid; ///< at either side
-constexpr int kGap = 6; ///< of QStatusBar, between two parts
+constexpr int kPartGap = 6; ///< of QStatusBar, between two parts
 
 /// A number that keeps to its room; the tool tip has it whole.
 QString countText(std::uint64_t count)
@@ -118,9 +118,9 @@ void StatusStrip::resizeEvent(QResizeEvent *event)
 /// By what they have room for, not by what they say: nothing comes and goes while values change.
 void StatusStrip::fit()
 {
-    int left = contentsRect().width() - m_link->sizeHint().width() - kGap;
+    int left = contentsRect().width() - m_link->sizeHint().width() - kPartGap;
     for (SteadyLabel *part : {m_motor, m_faults, m_watchdog, m_lost, m_rate, m_bad, m_sizes}) {
-        left -= part->sizeHint().width() + kGap;
+        left -= part->sizeHint().width() + kPartGap;
         part->setVisible(left >= 0);
     }
     tellHidden();

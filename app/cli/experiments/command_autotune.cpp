@@ -15,7 +15,7 @@ using session::JsonText;
 
 namespace {
 
-constexpr double kMilli = 1e3;
+constexpr double kMsPerSecond = 1e3;
 
 Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
 {
@@ -140,7 +140,7 @@ QString line(const char *name, int proportional, int integral, double crossover_
     QString text = QString::fromLatin1(name).leftJustified(kWidth);
     for (const QString &cell : {QString::number(proportional), QString::number(integral),
              QString::number(crossover_hz, 'f', 1), QString::number(margin_deg, 'f', 0),
-             QString::number(ms, 'f', 2), QString::number(rise_s * kMilli, 'f', 1),
+             QString::number(ms, 'f', 2), QString::number(rise_s * kMsPerSecond, 'f', 1),
              QString::number(overshoot_pct, 'f', 1)})
         text += cell.rightJustified(kWidth);
     return text;
@@ -224,7 +224,7 @@ Outcome<int> runAutotune(Desk &desk)
     return verdict(tuned);
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kAutotuneOptions[] = {
     {"goal", "GOAL", "stiff, medium or quick: how near to instability; medium if not given."},
     {"seconds", "S", "How long each response takes, 4 to 40; 16 if not given."},
     {"apply", "", "Writes the gains, and proves them by a fresh response and steps."},
@@ -253,7 +253,7 @@ const Command kAutotune{.name = "autotune",
     .help =
         "Proposes gains of the speed loop from its measured response; --apply writes and proves "
         "them.",
-    .options = kOptions,
+    .options = kAutotuneOptions,
     .read = readAutotune,
     .canMove = true,
     .ownsMotor = true,

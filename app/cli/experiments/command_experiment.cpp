@@ -68,7 +68,7 @@ Outcome<int> runExperiment(Desk &desk)
     return run.run(*subject, {*plan});
 }
 
-constexpr OptionText kOptions[] = {kRunOption};
+constexpr OptionText kExperimentOptions[] = {kRunOption};
 
 } // namespace
 
@@ -77,7 +77,7 @@ const Command kExperiment{.name = "experiment",
     .help = "Carries out the experiment that a file plans; then all is as before.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kExperimentOptions,
     .read = readRunFile,
     .canMove = true,
     .ownsMotor = true,

@@ -21,7 +21,7 @@ Outcome<int> runIdentify(Desk &desk)
         *subject, {lab::restPlanFor(*subject, limits), lab::fluxPlanFor(*subject, limits)});
 }
 
-constexpr OptionText kOptions[] = {kRunOption};
+constexpr OptionText kIdentifyOptions[] = {kRunOption};
 
 Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
 {
@@ -41,7 +41,7 @@ const Command kIdentify{.name = "identify",
             "before.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kIdentifyOptions,
     .read = readIdentify,
     .canMove = true,
     .ownsMotor = true,

@@ -25,7 +25,7 @@ Outcome<int> runResponse(Desk &desk)
     return run.run(*subject, {plan});
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kResponseOptions[] = {
     {"seconds", "S", "How long it takes, 4 to 40; 16 if not given, 6 of a current."},
     {"speed", "RPM", "Around which it goes; 0.4 of what is allowed if not given."},
     {"amplitude", "RPM",
@@ -63,7 +63,7 @@ const Command kResponse{.name = "response",
         "is as before.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kResponseOptions,
     .read = readResponse,
     .canMove = true,
     .ownsMotor = true,

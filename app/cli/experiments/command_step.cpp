@@ -39,7 +39,7 @@ Outcome<int> runStep(Desk &desk)
     return run.run(*subject, {planFor(desk.arguments.step, *subject, desk)});
 }
 
-constexpr OptionText kOptions[] = {
+constexpr OptionText kStepOptions[] = {
     {"from", "RPM|A", "The speed to step from; amps of a torque or a flux."},
     {"to", "RPM|A", "The speed to step to; amps of a torque or a flux."},
     {"repeat", "N", "Steps up, and as many down; 5 if not given."},
@@ -114,7 +114,7 @@ const Command kStep{.name = "step",
             "before.",
     .least = 1,
     .most = 1,
-    .options = kOptions,
+    .options = kStepOptions,
     .read = readStep,
     .canMove = true,
     .ownsMotor = true,

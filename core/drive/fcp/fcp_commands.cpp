@@ -8,7 +8,7 @@ namespace drive {
 
 namespace {
 
-constexpr std::uint8_t kFinalSpeed = 0x5B, kControlMode = 0x03;
+using namespace fcp::number;
 
 fcp::CommandId commandOf(MotorAction action)
 {

@@ -10,10 +10,9 @@ namespace {
 
 using fcp::Dialect;
 
+using namespace fcp::number;
 constexpr double kRpmPerTenthHz = 6.0;
 constexpr int kMostLosses = 4; ///< of one question; the link itself gives up earlier
-constexpr std::uint8_t kStatus = 0x02, kStages = 0x22, kMaxSpeed = 0x3F, kOnlyPowerPc = 0x5C,
-                       kOnlyStm32 = 0x6E, kControlBoard = 0x72, kPowerBoard = 0x73;
 constexpr auto kBadMotor = static_cast<std::uint8_t>(fcp::ErrorCode::BadMotor);
 constexpr auto kNoTarget = static_cast<std::uint8_t>(fcp::ErrorCode::NoTargetDrive);
 

@@ -4,7 +4,6 @@ namespace drive {
 
 namespace {
 
-constexpr std::size_t kStageBytes = 8;
 constexpr auto kNotThere = static_cast<std::uint8_t>(fcp::ErrorCode::WriteOnly);
 
 } // namespace
@@ -38,8 +37,8 @@ fcp::Request FcpReads::request(std::span<const RegisterId> ids, std::size_t &cou
     const RegisterId id = ids.front();
     count = 1;
     if (isFcpRevUp(id))
-        return {
-            fcpMotor(id), fcp::GetRevUp{static_cast<std::uint8_t>(m_stages.size() / kStageBytes)}};
+        return {fcpMotor(id),
+            fcp::GetRevUp{static_cast<std::uint8_t>(m_stages.size() / fcp::kStageBytes)}};
     return {fcpMotor(id), fcp::GetRegister{fcpNumber(id)}};
 }
 
@@ -52,7 +51,7 @@ std::optional<std::vector<Reading>> FcpReads::readings(
             nackCode(answer) == kNotThere ? ReadStatus::NotSupported : ReadStatus::Refused;
     } else if (isFcpRevUp(reading.id)) {
         m_stages.insert(m_stages.end(), ack->data.begin(), ack->data.end());
-        if (m_stages.size() < kStageBytes * fcp::kRevUpStages)
+        if (m_stages.size() < fcp::kStageBytes * fcp::kRevUpStages)
             return std::vector<Reading>();
         reading.value = m_stages;
     } else {

@@ -14,13 +14,10 @@ namespace drive {
 
 namespace {
 
+using namespace fcp::number;
 constexpr std::uint32_t kStandardTable = 0x060400; ///< whose groups and gains the names stand for
-constexpr std::size_t kStageBytes = 8;
 constexpr std::int64_t kTorqueOnWire = 0, kSpeedOnWire = 1;
 constexpr std::int64_t kGreatestExponent = 15;
-constexpr std::uint8_t kTargetMotor = 0x00, kControlMode = 0x03, kFinalSpeed = 0x5B,
-                       kSpeedKpDiv = 0x6E, kSpeedKiDiv = 0x6F, kUid = 0x70, kControlBoard = 0x72,
-                       kPowerBoard = 0x73, kTorqueRef = 0x08, kFluxRef = 0x0C, kIqSpeedMode = 0x41;
 
 struct StandardName {
     std::uint8_t number;
@@ -157,11 +154,11 @@ Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &val
 
 std::optional<std::vector<fcp::RevUpStage>> revUpStages(ByteView raw)
 {
-    if (raw.size() != kStageBytes * fcp::kRevUpStages)
+    if (raw.size() != fcp::kStageBytes * fcp::kRevUpStages)
         return std::nullopt;
     std::vector<fcp::RevUpStage> stages;
     for (std::size_t i = 0; i < fcp::kRevUpStages; ++i)
-        if (auto stage = fcp::decodeRevUp(raw.subspan(i * kStageBytes, kStageBytes)))
+        if (auto stage = fcp::decodeRevUp(raw.subspan(i * fcp::kStageBytes, fcp::kStageBytes)))
             stages.push_back(*stage);
     return stages;
 }

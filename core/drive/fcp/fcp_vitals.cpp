@@ -9,7 +9,7 @@ namespace drive {
 
 namespace {
 
-constexpr std::uint8_t kFlags = 0x01, kStatus = 0x02, kSpeedMeas = 0x1E;
+using namespace fcp::number;
 
 struct StateName {
     std::int64_t number;

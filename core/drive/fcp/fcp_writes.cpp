@@ -21,8 +21,6 @@ std::string refuseAddress(const FcpFacts &board, RegisterId id)
     return {};
 }
 
-constexpr std::uint8_t kFinalSpeed = 0x5B;
-
 } // namespace
 
 std::string refuseStages(

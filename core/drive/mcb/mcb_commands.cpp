@@ -21,12 +21,11 @@ namespace {
 using namespace mcbreg;
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kShutdown = 0x06, kSwitchOn = 0x07, kEnable = 0x0F, kDisable = 0x00,
-                        kFaultReset = 0x80;
+constexpr std::uint16_t kSwitchOn = 0x07, kEnable = 0x0F, kDisable = 0x00, kFaultReset = 0x80;
 constexpr std::uint16_t kModeCurrent = 2, kModeVelocity = 3, kModeProfileVelocity = 19,
                         kModeProfilePosition = 20;
 constexpr Duration kStepWithin = 500ms; ///< of the state machine, without a motor that turns
-constexpr double kSecondsPerMinute = 60.0, kTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kFarthest_rad = 1e4;
 /// Added to the set-points of velocity, Iq and Id.
 constexpr std::array<std::uint16_t, 3> kOffsets{0x07B, 0x07C, 0x07D};

@@ -18,7 +18,6 @@ namespace {
 using Link = mcb::Master;
 
 /// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
-constexpr std::uint16_t kShutdown = 0x06;
 /// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that,
 /// or the length of its frames found, without which no STOP may be of use.
 constexpr Duration kOwnTurn = std::chrono::milliseconds(130);

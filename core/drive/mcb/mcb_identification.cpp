@@ -19,7 +19,6 @@ constexpr std::array kValues{mcbreg::kVendor, mcbreg::kProduct, mcbreg::kRevisio
 constexpr int kMostLosses = 3; ///< of a register, beyond what the link repeats by itself
 constexpr double kExchangeHz = 1000.0; ///< of the cyclic state
 constexpr double kMaxPolePairs = 100.0;
-constexpr double kSecondsPerMinute = 60.0;
 
 struct StateRow {
     std::uint16_t mask = 0, bits = 0;

@@ -261,7 +261,6 @@ std::optional<McbRequest> McbStreamTask::nextRequest(TimePoint)
 std::string McbStreamTask::reasonInStanding(std::uint16_t address, const McbAnswer &answer) const
 {
     constexpr const char *kMoves = "only while the motor stands";
-    constexpr double kSecondsPerMinute = 60.0;
     const auto value =
         answer.ok ? mcbValueOf(m_control.m_board, address, answer.words) : std::optional<Value>();
     const auto number = value ? asNumber(*value) : std::nullopt;

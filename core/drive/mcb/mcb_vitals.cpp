@@ -9,7 +9,6 @@ namespace drive {
 
 namespace {
 
-constexpr double kSecondsPerMinute = 60.0;
 constexpr int kErrorDigits = 8;
 
 bool isFault(MotorState state)

@@ -25,11 +25,6 @@ mcp::CommandId commandOf(MotorAction action)
     return mcp::CommandId::FaultAck;
 }
 
-RegisterId idOf(mcp::RegisterId id, int motor)
-{
-    return id.withMotor(static_cast<unsigned>(motor)).bits;
-}
-
 } // namespace
 
 CommandTask::CommandTask(WishId id, const Command &command, const McpFacts &board)

@@ -4,6 +4,7 @@
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/mcp/mcp_stream.h"
+#include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ constexpr int kMostRounds = 8; // of reading a structure until it is there, and 
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
 constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4,
                        kSensorHso = 5, kSensorZest = 6;
-
-RegisterId idOf(mcp::RegisterId id, int motor)
-{
-    return id.withMotor(static_cast<unsigned>(motor)).bits;
-}
 
 std::string versionText(std::uint32_t version)
 {

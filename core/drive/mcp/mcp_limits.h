@@ -17,6 +17,8 @@ std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Rea
 /// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
 std::string refuseStages(const McpFacts &board, int motor, ByteView raw);
 
+constexpr const char *kPosition = "CURRENT_POSITION"; ///< the register of where a shaft is
+
 /// Where a position ramp goes.
 struct RawPosition {
     double radians = 0.0, seconds = 0.0;

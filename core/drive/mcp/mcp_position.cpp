@@ -8,12 +8,6 @@
 
 namespace drive {
 
-namespace {
-
-constexpr const char *kPosition = "CURRENT_POSITION";
-
-} // namespace
-
 PositionTask::PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)

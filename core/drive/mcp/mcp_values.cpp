@@ -12,6 +12,11 @@ constexpr std::size_t kMaxRaw = 4096; // more than any request holds
 
 } // namespace
 
+RegisterId idOf(mcp::RegisterId id, int motor)
+{
+    return id.withMotor(static_cast<unsigned>(motor)).bits;
+}
+
 ValueType typeOf(const catalog::Catalog &catalog, RegisterId id)
 {
     if (const auto *info = catalog.find(id))

@@ -13,6 +13,9 @@
 
 namespace drive {
 
+/// The register of one motor.
+RegisterId idOf(mcp::RegisterId id, int motor);
+
 /// How a value of this id is stored: the catalogue's word, or unsigned of the width that the id itself tells.
 catalog::ValueType typeOf(const catalog::Catalog &catalog, RegisterId id);
 

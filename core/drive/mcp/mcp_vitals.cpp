@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::int64_t kInrushWait = 12;
 
-RegisterId idOf(mcp::RegisterId id, int motor)
-{
-    return id.withMotor(static_cast<unsigned>(motor)).bits;
-}
-
 } // namespace
 
 MotorState motorStateOf(std::int64_t status)

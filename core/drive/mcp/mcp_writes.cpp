@@ -13,8 +13,6 @@ namespace drive {
 
 namespace {
 
-constexpr const char *kPosition = "CURRENT_POSITION";
-
 bool isPositionRamp(RegisterId id) { return (id & ~RegisterId{7}) == mcp::reg::kPositionRamp.bits; }
 
 bool isDatalogRegister(RegisterId id)

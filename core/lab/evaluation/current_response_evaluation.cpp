@@ -13,17 +13,15 @@ namespace lab {
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr std::size_t kTransform = 2048;
+constexpr std::size_t kCurrentTransform = 2048;
 constexpr std::size_t kLowestBin = 3; ///< what is slower leaks into the first ones
-constexpr double kBand = 0.08; ///< of a frequency: bins this near are taken together
+constexpr double kNear = 0.08; ///< of a frequency: bins this near are taken together
 constexpr double kHighest = 0.4; ///< of the sample rate
 constexpr double kLeastCoherence = 0.5;
 constexpr double kAround = 2.0; ///< bins to either side of what is left out
-constexpr int kLeastSegments = 8;
+constexpr int kLeastCurrentSegments = 8;
 /// Standard error that is always there, of a gain: what windows leak, and what goes round by way of the speed.
-constexpr double kScale = 0.015;
+constexpr double kGainError = 0.015;
 
 /// From the first set-point until the speed is brought elsewhere.
 struct Span {
@@ -74,7 +72,7 @@ struct Mask {
 std::size_t addPoint(
     FrequencyResponse &found, const CrossSpectra &fine, std::size_t first, const Mask &mask)
 {
-    const double most = static_cast<double>(first) * (1.0 + kBand);
+    const double most = static_cast<double>(first) * (1.0 + kNear);
     double weight = 0.0, weighted = 0.0, own = 0.0;
     Complex cross;
     int bins = 0;
@@ -97,7 +95,7 @@ std::size_t addPoint(
     point.coherence = std::min(1.0, std::norm(cross) / both);
     point.plant = cross / weight;
     point.relative =
-        std::hypot(std::sqrt(varianceOf(point.coherence, bins * fine.averages)), kScale);
+        std::hypot(std::sqrt(varianceOf(point.coherence, bins * fine.averages)), kGainError);
     point.loop = point.plant / (1.0 - point.plant);
     point.loopRelative = point.relative / std::abs(1.0 - point.plant);
     if (point.coherence >= kLeastCoherence)
@@ -131,7 +129,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
     if (segments.empty())
         return fail(std::string("it holds no samples of that time"));
     const double sampleHz = 1.0 / segments.front().step_s;
-    CrossSpectrum sum(kTransform, sampleHz, 1);
+    CrossSpectrum sum(kCurrentTransform, sampleHz, 1);
     double turned_deg = 0.0, time_s = 0.0, amps = 0.0, samples = 0.0;
     for (const Segment &segment : segments) {
         sum.add(segment.values);
@@ -140,7 +138,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         amps = std::accumulate(segment.values[1].begin(), segment.values[1].end(), amps);
         samples += static_cast<double>(segment.values[1].size());
     }
-    if (sum.count() < kLeastSegments)
+    if (sum.count() < kLeastCurrentSegments)
         return fail(std::string("too little of it is without a gap: a second is needed"));
     const CrossSpectra fine = sum.result();
     constexpr double kTurn_deg = 360.0;
@@ -149,7 +147,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         .turn_hz = 1.0 / plan->regulator.period_s,
         .bin_hz = fine.binHz};
     FrequencyResponse found;
-    const auto end = static_cast<std::size_t>(kHighest * static_cast<double>(kTransform));
+    const auto end = static_cast<std::size_t>(kHighest * static_cast<double>(kCurrentTransform));
     for (std::size_t bin = kLowestBin; bin < end;)
         bin = addPoint(found, fine, bin, mask);
     if (found.points.empty())

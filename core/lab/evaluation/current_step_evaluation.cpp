@@ -11,9 +11,9 @@ namespace lab {
 namespace {
 
 /// The two steps of each repetition: behind them the motor coasts, and its speed is controlled again.
-class Finder {
+class CurrentStepFinder {
 public:
-    explicit Finder(const RecordedCurrentSteps &plan)
+    explicit CurrentStepFinder(const RecordedCurrentSteps &plan)
         : m_plan(plan)
     {
     }
@@ -148,7 +148,7 @@ Result<MeasuredSteps, std::string> currentSteps(
         plan = recordedCurrentSteps(at->second);
     if (!plan)
         return fail(std::string("it is no recording of a series of current steps"));
-    Finder finder(*plan);
+    CurrentStepFinder finder(*plan);
     for (; at != happenings.end() && !finder.over; ++at)
         finder.take(at->first, at->second);
     const bool flux = plan->plan.flux != 0;

@@ -17,7 +17,7 @@ namespace lab {
 namespace {
 
 /// Voltages count the real bus, which the board tells in whole volts.
-constexpr double kScale = 0.015;
+constexpr double kVoltageScale = 0.015;
 /// And what a bridge loses grows a little with the current.
 constexpr double kScaleAtRest = 0.02;
 /// Along the magnets, where a motor that saturates was seen to be 1.7 % lower.
@@ -192,7 +192,7 @@ std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture
     found.ld_h = withScale(fit->estimate(kLd), kAlong);
     const bool hall = spin.angle.starts_with("HALL");
     found.lq_h = withScale(fit->estimate(kLq), hall ? kJumpByHall : kJump);
-    found.flux_wb = withScale(fit->estimate(kFlux), kScale);
+    found.flux_wb = withScale(fit->estimate(kFlux), kVoltageScale);
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
     return {};

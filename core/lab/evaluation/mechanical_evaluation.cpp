@@ -21,7 +21,7 @@ constexpr std::size_t kUnknowns = 5;
 constexpr double kLeastTime_s = 3.0;
 /// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and scales to
 /// a few parts in a thousand.
-constexpr double kScale = 5e-3;
+constexpr double kTorqueScale = 5e-3;
 constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than its voltages are off
 /// What Hall sensors make of a torque is unsure by this share of hallLag(): the most that was seen of simulated motors, 36 that
 /// differ in speed, poles, inertia and brake. Nothing is told where it is more than a few percent.
@@ -141,7 +141,7 @@ Mechanics mechanicsOf(const RecordedSpin &spin, const Fits &fits)
     found.fan_nms2 = told(fan, kFan, digit_nm / (fastest * fastest));
     if (!found.fan)
         found.fan_nms2 = {0.0, 0.0, std::max(0.0, *found.fan_nms2.high)};
-    widen(found, spin, std::hypot(unsure, kScale));
+    widen(found, spin, std::hypot(unsure, kTorqueScale));
     if (better && !found.fan) { // it might be one
         Mechanics other;
         tell(fan, other);

@@ -15,8 +15,6 @@ namespace lab {
 
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr double kSample_s = 1e-3;
 constexpr std::size_t kTransform =
     2048; ///< shorter ones leak from below, where the speed moves most
@@ -163,11 +161,11 @@ void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoin
     double hz, double phase, double relative)
 {
     // How gain and phase fall around it, by the logarithm of the frequency.
-    constexpr double kAround = 1.5, kLeastSlope = 0.2;
+    constexpr double kFarOff = 1.5, kLeastSlope = 0.2;
     double squares = 0.0, gains = 0.0, phases = 0.0;
     for (const ResponsePoint *point : points) {
         const double far = std::log(point->hz / hz);
-        if (std::abs(far) > std::log(kAround))
+        if (std::abs(far) > std::log(kFarOff))
             continue;
         squares += far * far;
         gains += far * std::log(std::abs(point->loop));

@@ -12,9 +12,9 @@ namespace lab {
 namespace {
 
 /// The steps between the plan and the end of the series: set-points without a ramp, each until the next one.
-class Finder {
+class StepFinder {
 public:
-    explicit Finder(const RecordedSteps &plan)
+    explicit StepFinder(const RecordedSteps &plan)
         : m_plan(plan)
     {
     }
@@ -183,7 +183,7 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         plan = recordedSteps(at->second);
     if (!plan)
         return fail(std::string("it is no recording of a series of steps"));
-    Finder finder(*plan);
+    StepFinder finder(*plan);
     for (; at != happenings.end() && !finder.over; ++at)
         finder.take(at->first, at->second);
     const StepChannels channels{fastChannel(capture, plan->reference),

@@ -1,5 +1,7 @@
 #include "lab/evaluation/tuning.h"
 
+#include "lab/maths/cross_spectra.h"
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -9,7 +11,6 @@ namespace lab {
 
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// K exp(-s T) / (s + a): rpm for each ampere.

@@ -12,7 +12,7 @@ namespace lab {
 
 namespace {
 
-constexpr double kSlice_s = 1e-3, kStretch_s = 50e-3;
+constexpr double kSlice_s = 1e-3, kWindow_s = 50e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// How far the dead time's loss lies along q, for each volt of a phase: each phase loses against its own current.
@@ -174,7 +174,7 @@ void rotorSpeeds(std::vector<TurningSlices> &slices)
     std::vector<std::pair<Stretch, double>> stretches;
     Rows rows;
     for (TurningSlices &one : slices) {
-        const auto length = static_cast<std::size_t>(std::lround(kStretch_s / one.step_s));
+        const auto length = static_cast<std::size_t>(std::lround(kWindow_s / one.step_s));
         for (std::size_t at = 0; at + length <= one.all.size(); at += length) {
             stretches.emplace_back(
                 stretchOf(std::span(one.all).subspan(at, length), one.step_s), one.step_s);

@@ -1,9 +1,9 @@
 #include "lab/maths/cross_spectra.h"
 
+#include <cmath>
 #include <kissfft/kissfft.hh>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -46,7 +46,6 @@ CrossSpectrum::CrossSpectrum(std::size_t size, double sampleHz, std::size_t othe
 
 void CrossSpectrum::add(std::span<const std::vector<double>> stretch)
 {
-    using Complex = std::complex<double>;
     kissfft<double> transform(m_size, false);
     std::vector<Complex> in(m_size);
     std::vector<std::vector<Complex>> out(stretch.size(), std::vector<Complex>(m_size));

@@ -8,11 +8,13 @@
 
 namespace lab {
 
+using Complex = std::complex<double>;
+
 struct CrossSpectra {
     double binHz = 0.0;
     int averages = 0; ///< that are independent: half of those that overlap
     std::vector<double> instrument; ///< of the first signal with itself, one a bin
-    std::vector<std::vector<std::complex<double>>> cross; ///< of each other signal with it
+    std::vector<std::vector<Complex>> cross; ///< of each other signal with it
     std::vector<std::vector<double>> own; ///< of each other signal with itself
 
     /// The sum of so many bins from one on, as a single bin of as many averages more.

@@ -16,7 +16,6 @@ namespace {
 using simulation::FcpMotor;
 using simulation::FcpRig;
 
-constexpr qint64 kMostBytes = 1 << 20;
 constexpr double kMostFrameTimer_ms = 60'000;
 
 /// Reads members of objects; the first thing that is wrong stays in `problem`.
@@ -180,7 +179,7 @@ Result<FcpRig, std::string> readFcpRig(const QByteArray &json)
 
 Result<FcpRig, std::string> readFcpRigFile(const QString &path)
 {
-    const auto content = readWholeFile(path, kMostBytes);
+    const auto content = readWholeFile(path, kMostText);
     if (!content)
         return fail(path.toStdString() + ": " + content.error().toStdString());
     auto rig = readFcpRig(*content);

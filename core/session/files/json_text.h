@@ -9,6 +9,9 @@
 
 namespace session {
 
+/// A key of a QJsonObject.
+inline QString keyOf(const char *name) { return QString::fromLatin1(name); }
+
 class JsonText {
 public:
     enum class Layout : bool { OneLine, Indented };

@@ -18,7 +18,6 @@ using catalog::Access;
 using simulation::McbRegister;
 using simulation::McbRig;
 
-constexpr qint64 kMostBytes = 1 << 20;
 constexpr int kMostDelay = 1000; ///< frames
 
 template <class T>
@@ -140,7 +139,7 @@ Result<McbRig, QString> readMcbRig(const QByteArray &json)
 
 Result<McbRig, QString> readMcbRigFile(const QString &path)
 {
-    const auto content = readWholeFile(path, kMostBytes);
+    const auto content = readWholeFile(path, kMostText);
     if (!content)
         return fail(content.error());
     return readMcbRig(*content);

@@ -24,7 +24,6 @@ using simulation::ParameterInfo;
 using simulation::PlantParameters;
 using Kind = MotorFileError::Kind;
 
-constexpr qint64 kMostBytes = 1 << 20; ///< a file of parameters has a few hundred
 constexpr double kRoomAboveSupply = 1.5; ///< as the presets have it
 
 /// Where a figure of a description stands in a file.
@@ -292,7 +291,7 @@ MotorSheet MotorFile::sheet() const
 
 Result<MotorFile, MotorFileError> readMotor(const QByteArray &json)
 {
-    if (json.size() > kMostBytes)
+    if (json.size() > kMostText)
         return fail(MotorFileError{.kind = Kind::TooLarge});
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
@@ -313,9 +312,9 @@ Result<MotorFile, MotorFileError> readMotor(const QByteArray &json)
 
 Result<MotorFile, MotorFileError> readMotorFile(const QString &path)
 {
-    if (QFileInfo(path).size() > kMostBytes)
+    if (QFileInfo(path).size() > kMostText)
         return fail(MotorFileError{.kind = Kind::TooLarge});
-    const auto content = readWholeFile(path, kMostBytes);
+    const auto content = readWholeFile(path, kMostText);
     if (!content)
         return fail(
             MotorFileError{.kind = Kind::Unreadable, .detail = content.error().toStdString()});

@@ -1,6 +1,7 @@
 #include "session/files/motor_file_st.h"
 
 #include "motor/motor_constants.h"
+#include "session/files/json_text.h"
 #include "simulation/plant/presets.h"
 
 #include <QJsonObject>
@@ -33,8 +34,6 @@ constexpr std::array kNumbers{kPolePairs, kNominalCurrent, kResistance, kInducta
     kBus, kInertia, kFriction};
 /// Known, and of no use here.
 constexpr std::array kOthers{"id", "label", "description", "hardwareFamily", "magneticStructure"};
-
-QString keyOf(const char *name) { return QString::fromLatin1(name); }
 
 class StReader {
 public:
@@ -88,12 +87,12 @@ private:
 
     void takeName()
     {
-        constexpr qsizetype kMostBytes = 23;
+        constexpr qsizetype kMostNameBytes = 23;
         for (const char *name : {"label", "id"}) {
             QByteArray text = m_object[keyOf(name)].toString().toUtf8();
             if (text.isEmpty() || m_file.given.contains("motor.name"))
                 continue;
-            while (text.size() > kMostBytes) // whole characters only
+            while (text.size() > kMostNameBytes) // whole characters only
                 text = QString::fromUtf8(text).chopped(1).toUtf8();
             motor().name = text.toStdString();
             give("motor.name");

@@ -9,7 +9,7 @@ namespace session {
 
 namespace {
 
-const QLatin1String kStages("stages"), kSpeed("speed_rpm"), kAmps("current_a"),
+const QLatin1String kStages("stages"), kStageSpeed("speed_rpm"), kAmps("current_a"),
     kDigits("current_digits"), kDuration("duration_ms");
 
 /// A whole number within the range; a member that is missing is none.
@@ -27,7 +27,7 @@ std::optional<motor::RevUpStage> stageOf(const QJsonObject &object, double ampsP
     const double amps = object[kAmps].toDouble(nan);
     const double digits =
         object[kDigits].toDouble(ampsPerDigit > 0.0 ? std::round(amps / ampsPerDigit) : nan);
-    const auto speed = whole<std::int32_t>(object[kSpeed].toDouble(nan), -32767, 32767);
+    const auto speed = whole<std::int32_t>(object[kStageSpeed].toDouble(nan), -32767, 32767);
     const auto current = whole<std::int16_t>(digits, -32768, 32767);
     const auto duration = whole<std::uint16_t>(object[kDuration].toDouble(nan), 0, 65535);
     if (!speed || !current || !duration)
@@ -41,7 +41,7 @@ QJsonArray revUpStagesJson(const motor::RevUp &stages, double ampsPerDigit)
 {
     QJsonArray list;
     for (const motor::RevUpStage &stage : stages) {
-        QJsonObject object{{kSpeed, stage.speed_rpm}, {kDigits, stage.current_digits},
+        QJsonObject object{{kStageSpeed, stage.speed_rpm}, {kDigits, stage.current_digits},
             {kDuration, stage.duration_ms}};
         if (ampsPerDigit > 0.0)
             object[kAmps] = stage.current_digits * ampsPerDigit;

@@ -1,5 +1,7 @@
 #include "session/files/run.h"
 
+#include "session/files/json_text.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
@@ -7,11 +9,9 @@
 namespace session {
 namespace {
 
-constexpr char kFormat[] = "rotorscope-run";
-constexpr int kVersion = 1;
+constexpr char kRunFormat[] = "rotorscope-run";
+constexpr int kRunVersion = 1;
 constexpr int kMostNumber = 1'000'000;
-
-QString key(const char *name) { return QString::fromLatin1(name); }
 
 QString stemOf(const QString &folder, int number)
 {
@@ -51,14 +51,14 @@ QByteArray runJson(const Run &run)
         plan[name] = value;
     for (auto gain = run.gains.begin(); gain != run.gains.end(); ++gain)
         gains[gain.key()] = gain.value();
-    const QJsonObject object{{key("format"), key(kFormat)}, {key("version"), kVersion},
-        {key("at"), run.at}, {key("board"), run.board}, {key("motor"), run.motor},
-        {key("motor_name"), run.motorName}, {key("experiment"), run.experiment},
-        {key("plan"), plan}, {key("end"), run.end}, {key("reason"), run.reason},
-        {key("gains"), gains},
-        {key("result"), run.result.isEmpty() ? QJsonValue() : QJsonValue(run.result)},
-        {key("notes"), QJsonArray::fromStringList(run.notes)}, {key("note"), run.note},
-        {key("starred"), run.starred}};
+    const QJsonObject object{{keyOf("format"), keyOf(kRunFormat)}, {keyOf("version"), kRunVersion},
+        {keyOf("at"), run.at}, {keyOf("board"), run.board}, {keyOf("motor"), run.motor},
+        {keyOf("motor_name"), run.motorName}, {keyOf("experiment"), run.experiment},
+        {keyOf("plan"), plan}, {keyOf("end"), run.end}, {keyOf("reason"), run.reason},
+        {keyOf("gains"), gains},
+        {keyOf("result"), run.result.isEmpty() ? QJsonValue() : QJsonValue(run.result)},
+        {keyOf("notes"), QJsonArray::fromStringList(run.notes)}, {keyOf("note"), run.note},
+        {keyOf("starred"), run.starred}};
     return QJsonDocument(object).toJson();
 }
 
@@ -68,29 +68,29 @@ Result<Run, QString> readRunJson(const QByteArray &json)
     const QJsonObject object = QJsonDocument::fromJson(json, &error).object();
     if (error.error != QJsonParseError::NoError)
         return fail(error.errorString());
-    if (object[key("format")] != QJsonValue(key(kFormat)))
+    if (object[keyOf("format")] != QJsonValue(keyOf(kRunFormat)))
         return fail(QStringLiteral("it is no run"));
-    if (object[key("version")].toInt() != kVersion)
+    if (object[keyOf("version")].toInt() != kRunVersion)
         return fail(QStringLiteral("it is of a later version"));
     Run run;
-    run.at = object[key("at")].toInteger();
-    run.board = object[key("board")].toString();
-    run.motor = object[key("motor")].toInt(1);
-    run.motorName = object[key("motor_name")].toString();
-    run.experiment = object[key("experiment")].toString();
-    run.end = object[key("end")].toString();
-    run.reason = object[key("reason")].toString();
-    run.result = object[key("result")].toObject();
-    run.note = object[key("note")].toString();
-    run.starred = object[key("starred")].toBool();
-    const QJsonObject plan = object[key("plan")].toObject();
+    run.at = object[keyOf("at")].toInteger();
+    run.board = object[keyOf("board")].toString();
+    run.motor = object[keyOf("motor")].toInt(1);
+    run.motorName = object[keyOf("motor_name")].toString();
+    run.experiment = object[keyOf("experiment")].toString();
+    run.end = object[keyOf("end")].toString();
+    run.reason = object[keyOf("reason")].toString();
+    run.result = object[keyOf("result")].toObject();
+    run.note = object[keyOf("note")].toString();
+    run.starred = object[keyOf("starred")].toBool();
+    const QJsonObject plan = object[keyOf("plan")].toObject();
     for (auto field = plan.begin(); field != plan.end(); ++field)
         run.plan.append({field.key(), field.value().toString()});
-    const QJsonObject gains = object[key("gains")].toObject();
+    const QJsonObject gains = object[keyOf("gains")].toObject();
     for (auto gain = gains.begin(); gain != gains.end(); ++gain)
         if (gain.value().isDouble())
             run.gains[gain.key()] = gain.value().toDouble();
-    const QJsonArray notes = object[key("notes")].toArray();
+    const QJsonArray notes = object[keyOf("notes")].toArray();
     for (const auto &note : notes)
         run.notes.append(note.toString());
     return run;

@@ -15,10 +15,7 @@
 namespace session {
 namespace {
 
-constexpr qint64 kMostBytes = 1 << 20; ///< of a run's own file
 constexpr std::array kEnds{"complete", "refused", "aborted", "interrupted", "lost"};
-
-QString text(const std::string &utf8) { return QString::fromStdString(utf8); }
 
 Run runOf(const EndedRun &ended)
 {
@@ -27,12 +24,12 @@ Run runOf(const EndedRun &ended)
     run.board = ended.board;
     run.motor = ended.motor;
     run.motorName = ended.motorName;
-    run.experiment = text(ended.plan.name);
+    run.experiment = QString::fromStdString(ended.plan.name);
     for (const auto &[name, value] : ended.plan.fields)
-        run.plan.append({text(name), text(value)});
+        run.plan.append({QString::fromStdString(name), QString::fromStdString(value)});
     std::sort(run.plan.begin(), run.plan.end()); // as they are read back
     run.end = QString::fromLatin1(kEnds.at(static_cast<std::size_t>(ended.outcome.end)));
-    run.reason = text(ended.outcome.reason);
+    run.reason = QString::fromStdString(ended.outcome.reason);
     return run;
 }
 
@@ -68,7 +65,7 @@ Result<RunBook, QString> readRunBook(
         const int number = runNumberOf(file);
         if (number == 0 || dir.filePath(file) != runFileOf(dir.path(), number))
             continue;
-        const auto content = readWholeFile(dir.filePath(file), kMostBytes);
+        const auto content = readWholeFile(dir.filePath(file), kMostText);
         auto run = content ? readRunJson(*content) : Result<Run, QString>(fail(content.error()));
         if (!run) {
             book.problems.append(QStringLiteral("%1: %2").arg(file, run.error()));
@@ -88,7 +85,7 @@ Result<RunBook, QString> readRunBook(
 QString annotateRun(const QString &folder, int number, const QString &note, bool starred)
 {
     const QString path = runFileOf(folder, number);
-    const auto content = readWholeFile(path, kMostBytes);
+    const auto content = readWholeFile(path, kMostText);
     if (!content)
         return content.error();
     if (const auto run = readRunJson(*content); !run)

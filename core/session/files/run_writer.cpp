@@ -17,8 +17,6 @@
 namespace session {
 namespace {
 
-QString text(const std::string &utf8) { return QString::fromStdString(utf8); }
-
 int nextNumber(const QString &folder)
 {
     int last = 0;
@@ -35,13 +33,14 @@ QMap<QString, double> gainsOf(const snapshots::Snapshot &registers, int motor)
     for (const snapshots::Entry &entry : registers.entries)
         if (const auto number = drive::asNumber(entry.value);
             number && entry.motor == motor && record::isGain(entry.name))
-            gains[text(entry.name)] = *number;
+            gains[QString::fromStdString(entry.name)] = *number;
     return gains;
 }
 
 QString systemTextOf(const RecordingFile &file)
 {
-    return file.failure() ? text(file.failure()->text) : QStringLiteral("the disk takes no more");
+    return file.failure() ? QString::fromStdString(file.failure()->text)
+                          : QStringLiteral("the disk takes no more");
 }
 
 } // namespace
@@ -117,14 +116,14 @@ void RunWriter::evaluate()
     const auto found = lab::findingIn(capture, happenings);
     if (!found) {
         if (m_run.experiment != QLatin1String(kStretch)) // which need not have one
-            m_run.notes.append(text(found.error()));
+            m_run.notes.append(QString::fromStdString(found.error()));
         return;
     }
     m_run.result = QJsonDocument::fromJson(findingJson(*found)).object();
     if (const std::string lack = lab::lackOf(*found); !lack.empty())
-        m_run.notes.append(text(lack));
+        m_run.notes.append(QString::fromStdString(lack));
     for (const std::string &note : lab::notesOf(*found))
-        m_run.notes.append(text(note));
+        m_run.notes.append(QString::fromStdString(note));
 }
 
 } // namespace session

@@ -2,6 +2,7 @@
 
 #include "catalog/limits.h"
 #include "mcp/structure_fields.h"
+#include "session/files/json_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,17 +23,10 @@ using catalog::ValueType;
 using snapshots::Entry;
 using snapshots::Snapshot;
 
-constexpr int kVersion = 1;
+constexpr int kSnapshotVersion = 1;
 constexpr qsizetype kMostRegisters = 10'000;
-constexpr char kFormat[] = "rotorscope-snapshot";
-constexpr std::array kTypes{"u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
-
-QString key(const char *name) { return QString::fromLatin1(name); }
-
-QString textOf(const std::string &text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
+constexpr char kSnapshotFormat[] = "rotorscope-snapshot";
+constexpr std::array kTypeWords{"u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
 
 QString hexOf(const char *data, std::size_t size)
 {
@@ -49,51 +43,54 @@ QJsonObject fieldsJson(const Entry &entry, const Bytes &bytes)
 {
     QJsonObject object;
     for (const mcp::Field &field : mcp::fieldsOf({static_cast<std::uint16_t>(entry.id)}, bytes)) {
-        const auto put = [&](const QJsonValue &value) { object[textOf(field.name)] = value; };
+        const auto put = [&](const QJsonValue &value) {
+            object[QString::fromStdString(field.name)] = value;
+        };
         if (const auto *whole = std::get_if<std::int64_t>(&field.value))
             put(static_cast<qint64>(*whole));
         else if (const auto *number = std::get_if<double>(&field.value))
             put(finite(*number));
         else
-            put(textOf(std::get<std::string>(field.value)));
+            put(QString::fromStdString(std::get<std::string>(field.value)));
     }
     return object;
 }
 
 void putValue(QJsonObject &object, const Entry &entry)
 {
-    const QString raw = key("raw");
+    const QString raw = keyOf("raw");
     if (const auto *whole = std::get_if<std::int64_t>(&entry.value)) {
         object[raw] = static_cast<qint64>(*whole);
     } else if (const auto *number = std::get_if<double>(&entry.value)) {
         object[raw] = finite(*number);
         const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(*number));
-        object[key("bits")] = QStringLiteral("%1").arg(bits, 8, 16, QLatin1Char('0')).toUpper();
+        object[keyOf("bits")] = QStringLiteral("%1").arg(bits, 8, 16, QLatin1Char('0')).toUpper();
     } else if (const auto *text = std::get_if<std::string>(&entry.value)) {
-        object[raw] = textOf(*text);
-        if (textOf(*text).toStdString() != *text)
-            object[key("bytes")] = hexOf(text->data(), text->size());
+        object[raw] = QString::fromStdString(*text);
+        if (QString::fromStdString(*text).toStdString() != *text)
+            object[keyOf("bytes")] = hexOf(text->data(), text->size());
     } else {
         const auto &bytes = std::get<Bytes>(entry.value);
         object[raw] = hexOf(reinterpret_cast<const char *>(bytes.data()), bytes.size());
         if (const QJsonObject fields = fieldsJson(entry, bytes); !fields.isEmpty())
-            object[key("fields")] = fields;
+            object[keyOf("fields")] = fields;
     }
 }
 
 QJsonObject jsonOf(const Entry &entry)
 {
-    QJsonObject object{{key("name"), textOf(entry.name)}, {key("motor"), entry.motor},
-        {key("id"),
+    QJsonObject object{{keyOf("name"), QString::fromStdString(entry.name)},
+        {keyOf("motor"), entry.motor},
+        {keyOf("id"),
             QStringLiteral("0x")
                 + QString::number(entry.id, 16).toUpper().rightJustified(4, QLatin1Char('0'))},
-        {key("group"), textOf(entry.group)},
-        {key("type"), key(kTypes[static_cast<std::size_t>(entry.type)])},
-        {key("tunable"), entry.tunable}};
+        {keyOf("group"), QString::fromStdString(entry.group)},
+        {keyOf("type"), keyOf(kTypeWords[static_cast<std::size_t>(entry.type)])},
+        {keyOf("tunable"), entry.tunable}};
     putValue(object, entry);
     if (entry.shown) {
-        object[key("value")] = finite(*entry.shown);
-        object[key("unit")] = textOf(entry.unit);
+        object[keyOf("value")] = finite(*entry.shown);
+        object[keyOf("unit")] = QString::fromStdString(entry.unit);
     }
     return object;
 }
@@ -102,16 +99,18 @@ QJsonArray listOf(const std::vector<std::string> &texts)
 {
     QJsonArray list;
     for (const std::string &text : texts)
-        list.append(textOf(text));
+        list.append(QString::fromStdString(text));
     return list;
 }
 
 QJsonObject jsonOf(const drive::Identity &board)
 {
-    return {{key("protocol"), textOf(board.protocol)}, {key("firmware"), textOf(board.firmware)},
-        {key("version"), textOf(board.version)}, {key("control_board"), textOf(board.controlBoard)},
-        {key("power_boards"), listOf(board.powerBoards)},
-        {key("motor_names"), listOf(board.motorNames)}, {key("motors"), board.motors}};
+    return {{keyOf("protocol"), QString::fromStdString(board.protocol)},
+        {keyOf("firmware"), QString::fromStdString(board.firmware)},
+        {keyOf("version"), QString::fromStdString(board.version)},
+        {keyOf("control_board"), QString::fromStdString(board.controlBoard)},
+        {keyOf("power_boards"), listOf(board.powerBoards)},
+        {keyOf("motor_names"), listOf(board.motorNames)}, {keyOf("motors"), board.motors}};
 }
 
 QByteArray compact(const QJsonObject &object)
@@ -145,28 +144,28 @@ Read wholeOf(const QJsonValue &raw, ValueType type)
 Read floatOf(const QJsonObject &object)
 {
     bool ok = false;
-    const QString bits = object[key("bits")].toString();
+    const QString bits = object[keyOf("bits")].toString();
     const std::uint32_t number = bits.toUInt(&ok, 16);
     if (ok && bits.size() == 8)
         return Value(static_cast<double>(std::bit_cast<float>(number)));
-    if (!object[key("raw")].isDouble())
+    if (!object[keyOf("raw")].isDouble())
         return fail(Problem::NoNumber);
-    return Value(static_cast<double>(static_cast<float>(object[key("raw")].toDouble())));
+    return Value(static_cast<double>(static_cast<float>(object[keyOf("raw")].toDouble())));
 }
 
 Read valueOf(const QJsonObject &object, ValueType type)
 {
-    const QJsonValue raw = object[key("raw")];
+    const QJsonValue raw = object[keyOf("raw")];
     if (type == ValueType::F32)
         return floatOf(object);
     if (catalog::isInteger(type))
         return wholeOf(raw, type);
     if (!raw.isString())
         return fail(Problem::NoText);
-    if (type == ValueType::Text && !object.contains(key("bytes")))
+    if (type == ValueType::Text && !object.contains(keyOf("bytes")))
         return Value(raw.toString().toStdString());
     const auto bytes =
-        bytesOfHex(type == ValueType::Text ? object[key("bytes")].toString() : raw.toString());
+        bytesOfHex(type == ValueType::Text ? object[keyOf("bytes")].toString() : raw.toString());
     if (!bytes)
         return fail(Problem::NotBytes);
     if (type == ValueType::Text)
@@ -177,30 +176,31 @@ Read valueOf(const QJsonObject &object, ValueType type)
 Result<Entry, Problem> entryOf(const QJsonObject &object)
 {
     Entry entry;
-    entry.name = object[key("name")].toString().toStdString();
+    entry.name = object[keyOf("name")].toString().toStdString();
     if (entry.name.empty())
         return fail(Problem::NoName);
-    entry.motor = object[key("motor")].toInt(-1);
+    entry.motor = object[keyOf("motor")].toInt(-1);
     if (entry.motor < 0 || entry.motor > 7)
         return fail(Problem::NoMotor);
     bool ok = false;
-    entry.id = object[key("id")].toString().toUInt(&ok, 16);
+    entry.id = object[keyOf("id")].toString().toUInt(&ok, 16);
     if (!ok || entry.id > 0xFFFF)
         return fail(Problem::NoId);
-    entry.group = object[key("group")].toString().toStdString();
-    const QByteArray type = object[key("type")].toString().toLatin1();
-    const auto at = std::find(kTypes.begin(), kTypes.end(), std::string_view(type.constData()));
-    if (at == kTypes.end())
+    entry.group = object[keyOf("group")].toString().toStdString();
+    const QByteArray type = object[keyOf("type")].toString().toLatin1();
+    const auto at =
+        std::find(kTypeWords.begin(), kTypeWords.end(), std::string_view(type.constData()));
+    if (at == kTypeWords.end())
         return fail(Problem::NoType);
-    entry.type = static_cast<ValueType>(at - kTypes.begin());
-    entry.tunable = object[key("tunable")].toBool();
+    entry.type = static_cast<ValueType>(at - kTypeWords.begin());
+    entry.tunable = object[keyOf("tunable")].toBool();
     auto value = valueOf(object, entry.type);
     if (!value)
         return fail(value.error());
     entry.value = std::move(*value);
-    if (object.contains(key("value")))
-        entry.shown = object[key("value")].toDouble(std::numeric_limits<double>::quiet_NaN());
-    entry.unit = object[key("unit")].toString().toStdString();
+    if (object.contains(keyOf("value")))
+        entry.shown = object[keyOf("value")].toDouble(std::numeric_limits<double>::quiet_NaN());
+    entry.unit = object[keyOf("unit")].toString().toStdString();
     return entry;
 }
 
@@ -215,15 +215,17 @@ std::vector<std::string> textsOf(const QJsonValue &list)
 
 drive::Identity identityOf(const QJsonObject &object)
 {
-    const auto text = [&](const char *name) { return object[key(name)].toString().toStdString(); };
+    const auto text = [&](const char *name) {
+        return object[keyOf(name)].toString().toStdString();
+    };
     drive::Identity board;
     board.protocol = text("protocol");
     board.firmware = text("firmware");
     board.version = text("version");
     board.controlBoard = text("control_board");
-    board.powerBoards = textsOf(object[key("power_boards")]);
-    board.motorNames = textsOf(object[key("motor_names")]);
-    board.motors = object[key("motors")].toInt(1);
+    board.powerBoards = textsOf(object[keyOf("power_boards")]);
+    board.motorNames = textsOf(object[keyOf("motor_names")]);
+    board.motors = object[keyOf("motors")].toInt(1);
     return board;
 }
 
@@ -256,8 +258,8 @@ int lineOfRegister(const QByteArray &text, qsizetype number)
 
 QByteArray snapshotJson(const Snapshot &snapshot)
 {
-    QByteArray text = "{\"format\":\"" + QByteArray(kFormat)
-        + "\",\"version\":" + QByteArray::number(kVersion)
+    QByteArray text = "{\"format\":\"" + QByteArray(kSnapshotFormat)
+        + "\",\"version\":" + QByteArray::number(kSnapshotVersion)
         + ",\n\"board\":" + compact(jsonOf(snapshot.board)) + ",\n\"registers\":[";
     const char *separator = "\n";
     for (const Entry &entry : snapshot.entries) {
@@ -282,17 +284,17 @@ Result<Snapshot, SnapshotFileError> readSnapshotJson(const QByteArray &text)
             .number = 0,
             .name = {},
             .parserText = error.errorString()});
-    if (root[key("format")].toString() != key(kFormat))
+    if (root[keyOf("format")].toString() != keyOf(kSnapshotFormat))
         return wrong(Problem::NotASnapshot);
-    if (root[key("version")].toInt() != kVersion)
+    if (root[keyOf("version")].toInt() != kSnapshotVersion)
         return wrong(Problem::NewerVersion);
-    if (!root[key("registers")].isArray())
+    if (!root[keyOf("registers")].isArray())
         return wrong(Problem::NoRegisters);
-    const QJsonArray registers = root[key("registers")].toArray();
+    const QJsonArray registers = root[keyOf("registers")].toArray();
     if (registers.size() > kMostRegisters)
         return wrong(Problem::TooManyRegisters);
     Snapshot snapshot;
-    snapshot.board = identityOf(root[key("board")].toObject());
+    snapshot.board = identityOf(root[keyOf("board")].toObject());
     std::set<std::pair<std::string, int>> seen;
     for (qsizetype i = 0; i < registers.size(); ++i) {
         const QJsonObject object = registers[i].toObject();
@@ -303,7 +305,7 @@ Result<Snapshot, SnapshotFileError> readSnapshotJson(const QByteArray &text)
             return fail(SnapshotFileError{.problem = entry.error(),
                 .line = lineOfRegister(text, i),
                 .number = static_cast<int>(i + 1),
-                .name = object[key("name")].toString(),
+                .name = object[keyOf("name")].toString(),
                 .parserText = {}});
         snapshot.entries.push_back(std::move(*entry));
     }

@@ -8,6 +8,8 @@
 
 namespace session {
 
+constexpr qint64 kMostText = 1 << 20; ///< bytes of a file of parameters, which has a few hundred
+
 /// Replaces the file or leaves what was there. @return  empty, or the system's words for what went wrong
 QString writeWholeFile(const QString &path, const QByteArray &content);
 

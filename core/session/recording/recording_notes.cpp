@@ -14,7 +14,7 @@ namespace session {
 
 namespace {
 
-constexpr qint64 kPiece = 1 << 20;
+constexpr qint64 kCopied = 1 << 20;
 
 /// A short write is no success: commit() would put a truncated file in place (Qt 6.4).
 bool writeAll(QSaveFile &file, const void *bytes, qint64 size)
@@ -92,7 +92,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
     Tail tail;
     const double size = static_cast<double>(std::max<qint64>(1, from.size()));
     while (true) {
-        const QByteArray piece = from.read(kPiece);
+        const QByteArray piece = from.read(kCopied);
         if (from.error() != QFileDevice::NoError)
             return failed(from.errorString());
         if (piece.isEmpty())

@@ -30,6 +30,8 @@ private:
 QString portHolder(const QString &path);
 
 /// What can be seen of an open port without reading from it.
+PortProblem problemOf(int error); ///< an errno of who opens a device: POSIX alone has it
+
 struct PortHealth {
     bool hungUp = false; ///< the device is gone
     bool inputWaiting = false; ///< bytes not read yet

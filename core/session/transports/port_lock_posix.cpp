@@ -21,8 +21,6 @@
 
 namespace session {
 
-namespace {
-
 PortProblem problemOf(int error)
 {
     switch (error) {
@@ -41,6 +39,8 @@ PortProblem problemOf(int error)
         return PortProblem::Other;
     }
 }
+
+namespace {
 
 PortError errorOf(int error, const QString &path)
 {

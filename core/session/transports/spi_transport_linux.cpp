@@ -1,4 +1,5 @@
 // spidev for the frames, libgpiod 1.6 for the ready line.
+#include "session/transports/port_lock.h"
 #include "session/transports/spi_transport.h"
 
 #include <QSocketNotifier>
@@ -24,23 +25,6 @@ constexpr std::uint32_t kMode =
 constexpr std::uint8_t kWordBits = 8; ///< what every driver can do
 /// Without a ready line: how long a drive may take before the next frame. No source says it.
 constexpr std::chrono::milliseconds kWithoutLine{1};
-
-PortProblem problemOf(int error)
-{
-    switch (error) {
-    case ENOENT:
-    case ENODEV:
-    case ENXIO:
-        return PortProblem::NotFound;
-    case EACCES:
-    case EPERM:
-        return PortProblem::NoPermission;
-    case EBUSY:
-        return PortProblem::Busy;
-    default:
-        return PortProblem::Other;
-    }
-}
 
 PortError lastError(const char *what)
 {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Duration kMfPeriod = std::chrono::milliseconds(1);
 constexpr Duration kNotice = std::chrono::microseconds(100); ///< from a request to its answer
+using namespace fcp::number;
 constexpr std::uint8_t kSpeedMode = 3, kTorqueMode = 4; ///< as the firmware numbers them
 constexpr Duration kPrintedFrameTime = std::chrono::milliseconds(25);
 
@@ -38,9 +39,6 @@ constexpr std::array kSignals{Link<Signals>{0x08, &Signals::iQRef},
     Link<Signals>{0x20, &Signals::iD}, Link<Signals>{0x21, &Signals::fluxWeakeningBus},
     Link<Signals>{0x49, &Signals::ffVq}, Link<Signals>{0x4A, &Signals::ffVd},
     Link<Signals>{0x4B, &Signals::ffVqPi}, Link<Signals>{0x4C, &Signals::ffVdPi}};
-constexpr std::uint8_t kSpeedRef = 0x04, kMotorPower = 0x1B, kSpeedMeas = 0x1E, kMaxSpeed = 0x3F,
-                       kFf1Q = 0x46, kFf1D = 0x47, kFf2 = 0x48, kFinalSpeed = 0x5B,
-                       kSpeedKpDiv = 0x6E, kSpeedKiDiv = 0x6F;
 
 /// Where firmware before 6.0 goes through a state of its own for a turn of its medium-frequency task; 0: nowhere.
 std::uint8_t stateBetween(MotorState from, MotorState to)
@@ -241,10 +239,10 @@ FcpRig rigOf(const BoardOptions &options, const Build &build)
     rig.integersInBoardInfo = options.profile == "legacy-text";
     rig.motors.resize(static_cast<std::size_t>(build.motors));
     for (FcpMotor &motor : rig.motors) {
-        using Sensing = FcpMotor::Sensing;
-        motor.sensing = build.mainSensor == SpeedSensor::Encoder ? Sensing::Encoder
-            : build.mainSensor == SpeedSensor::Hall              ? Sensing::Hall
-                                                                 : Sensing::Pll;
+        using Sensor = FcpMotor::Sensing;
+        motor.sensing = build.mainSensor == SpeedSensor::Encoder ? Sensor::Encoder
+            : build.mainSensor == SpeedSensor::Hall              ? Sensor::Hall
+                                                                 : Sensor::Pll;
         if (build.sensorless())
             motor.revUp.resize(fcp::kRevUpStages);
     }

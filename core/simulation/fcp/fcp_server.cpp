@@ -13,14 +13,11 @@ using fcp::encodeNack;
 using fcp::ErrorCode;
 using fcp::FrameCode;
 
-// Registers that are more than a stored number.
-constexpr std::uint8_t kTargetMotor = 0x00, kFlags = 0x01, kStatus = 0x02, kControlMode = 0x03,
-                       kSpeedRef = 0x04, kTorqueRef = 0x08, kFluxRef = 0x0C, kDacOut1 = 0x1C,
-                       kDacOut2 = 0x1D, kStages = 0x22, kIqSpeedMode = 0x41, kRampFinalSpeed = 0x5B;
+using namespace fcp::number;
 // States that commands lead from and to.
 constexpr std::uint8_t kIdle = 0, kIdleStart = 3, kRun = 6, kAnyStop = 7, kStopIdle = 9,
                        kFaultOver = 11;
-constexpr std::uint8_t kTorqueMode = 0, kSpeedMode = 1;
+constexpr std::uint8_t kTorqueOnWire = 0, kSpeedOnWire = 1;
 
 /// A number of the register's type, as far as it reaches.
 std::int64_t rawNumber(catalog::ValueType type, const StaleBytes &bytes)
@@ -135,17 +132,17 @@ Bytes FcpServer::execute(std::uint8_t code, std::size_t length)
 
 bool FcpServer::isBuilt(const fcp::Register &which) const
 {
-    using Sensing = FcpMotor::Sensing;
-    const Sensing sensing = motor().sensing;
+    using Sensor = FcpMotor::Sensing;
+    const Sensor sensing = motor().sensing;
     switch (which.need) {
     case fcp::Need::Nothing:
         return true;
     case fcp::Need::Pll:
-        return sensing == Sensing::Pll;
+        return sensing == Sensor::Pll;
     case fcp::Need::Cordic:
-        return sensing == Sensing::Cordic;
+        return sensing == Sensor::Cordic;
     case fcp::Need::Sensor:
-        return sensing == Sensing::Encoder || sensing == Sensing::Hall;
+        return sensing == Sensor::Encoder || sensing == Sensor::Hall;
     case fcp::Need::FluxWeakening:
         return m_rig.fluxWeakening;
     case fcp::Need::FeedForward:
@@ -229,7 +226,7 @@ bool FcpServer::setSpecial(std::uint8_t id, std::int64_t value)
     case kIqSpeedMode:
         wait({now(kTorqueRef), digits});
         return true;
-    case kRampFinalSpeed:
+    case kFinalSpeed:
         ramp(static_cast<std::int32_t>(value), 0);
         return true;
     default:
@@ -247,10 +244,10 @@ Bytes FcpServer::selectMotor(std::uint8_t motor)
 
 Bytes FcpServer::setControlMode(std::uint8_t mode)
 {
-    if (mode == kTorqueMode || mode == kSpeedMode) {
+    if (mode == kTorqueOnWire || mode == kSpeedOnWire) {
         motor().controlMode = mode;
         if (m_machine != nullptr)
-            m_machine->setControlMode(m_selected, mode == kTorqueMode);
+            m_machine->setControlMode(m_selected, mode == kTorqueOnWire);
     } else if (powerPc()) {
         return encodeNack(ErrorCode::WrongSet);
     }
@@ -326,8 +323,8 @@ std::int32_t FcpServer::inSteps(std::int32_t speed_rpm) const
 void FcpServer::ramp(std::int32_t speed_rpm, std::uint16_t duration_ms)
 {
     const std::int32_t speed = inSteps(speed_rpm);
-    motor().registers[kRampFinalSpeed] = speed;
-    motor().controlMode = kSpeedMode;
+    motor().registers[kFinalSpeed] = speed;
+    motor().controlMode = kSpeedOnWire;
     m_waiting[m_selected] = Ramp{speed};
     if (m_machine != nullptr)
         m_machine->rampSpeed(m_selected, speed, duration_ms);
@@ -335,7 +332,7 @@ void FcpServer::ramp(std::int32_t speed_rpm, std::uint16_t duration_ms)
 
 void FcpServer::wait(Currents currents)
 {
-    motor().controlMode = kTorqueMode;
+    motor().controlMode = kTorqueOnWire;
     m_waiting[m_selected] = currents;
     if (m_machine != nullptr)
         m_machine->setCurrents(m_selected, currents.iq, currents.id);
@@ -345,7 +342,7 @@ void FcpServer::torqueRamp(std::int16_t torque, std::uint16_t duration_ms)
 {
     if (m_machine == nullptr)
         return wait({torque, static_cast<std::int16_t>(valueOf(kFluxRef))});
-    motor().controlMode = kTorqueMode;
+    motor().controlMode = kTorqueOnWire;
     m_machine->rampTorque(m_selected, torque, duration_ms);
 }
 

@@ -5,8 +5,8 @@ namespace simulation {
 
 namespace {
 
-constexpr int kAverageShift = 5; ///< of 32 control periods
-constexpr int kMoreBits = 8;
+constexpr int kWeakeningShift = 5; ///< of 32 control periods
+constexpr int kWeakeningBits = 8;
 
 } // namespace
 
@@ -18,15 +18,16 @@ void FluxWeakening::clear()
 
 void FluxWeakening::watch(Qd voltage)
 {
-    m_q += (voltage.q * (1 << kMoreBits) - m_q) >> kAverageShift;
-    m_d += (voltage.d * (1 << kMoreBits) - m_d) >> kAverageShift;
+    m_q += (voltage.q * (1 << kWeakeningBits) - m_q) >> kWeakeningShift;
+    m_d += (voltage.d * (1 << kWeakeningBits) - m_d) >> kWeakeningShift;
 }
 
 Qd FluxWeakening::step(Qd wanted, std::int32_t currentLimit, std::int32_t demagnetising,
     const Tuning &tuning, Signals &out)
 {
     const auto square = [](std::int64_t x) { return x * x; };
-    const std::int32_t length = squareRoot(square(m_q >> kMoreBits) + square(m_d >> kMoreBits));
+    const std::int32_t length =
+        squareRoot(square(m_q >> kWeakeningBits) + square(m_d >> kWeakeningBits));
     out.fluxWeakeningBus = static_cast<std::int16_t>(length * 1000 / kDigitsMax);
     const std::int32_t target = tuning.fluxBus * kDigitsMax / 1000;
     m_loop.follow({tuning.fluxKp, tuning.fluxKi, tuning.fluxKpDiv, tuning.fluxKiDiv});

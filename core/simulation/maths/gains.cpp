@@ -8,7 +8,6 @@ namespace simulation {
 
 namespace {
 
-constexpr int kMaxShift = 15;
 constexpr int kCurrentKpShift = 10, kCurrentKiShift = 14;
 constexpr int kSpeedKpShift = 9, kSpeedKiShift = 14;
 constexpr int kPllKpShift = 14, kPllKiShift = 15;

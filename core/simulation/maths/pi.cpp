@@ -5,7 +5,7 @@ namespace simulation {
 
 namespace {
 
-constexpr int kMaxShift = 31;
+constexpr int kMostPiShift = 31;
 
 } // namespace
 
@@ -34,11 +34,11 @@ std::int16_t Pi::step(std::int32_t error)
     return static_cast<std::int16_t>(cut);
 }
 
-void Pi::setKpShift(int shift) { m_gains.kpShift = std::clamp(shift, 0, kMaxShift); }
+void Pi::setKpShift(int shift) { m_gains.kpShift = std::clamp(shift, 0, kMostPiShift); }
 
 void Pi::setKiShift(int shift)
 {
-    m_gains.kiShift = std::clamp(shift, 0, kMaxShift);
+    m_gains.kiShift = std::clamp(shift, 0, kMostPiShift);
     const std::int32_t limit = saturate32(std::int64_t{kDigitsMax} << m_gains.kiShift);
     m_integralLimits = {-limit, limit};
 }
@@ -48,7 +48,7 @@ void Pi::follow(Gains gains)
     m_gains.kp = gains.kp;
     m_gains.ki = gains.ki;
     setKpShift(gains.kpShift);
-    if (std::clamp(gains.kiShift, 0, kMaxShift) != m_gains.kiShift)
+    if (std::clamp(gains.kiShift, 0, kMostPiShift) != m_gains.kiShift)
         setKiShift(gains.kiShift);
 }
 

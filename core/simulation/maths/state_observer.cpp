@@ -5,7 +5,6 @@ namespace simulation {
 
 namespace {
 
-constexpr int kMaxShift = 15;
 constexpr std::int32_t kDigitsPerRadian = 10430; // 65536 / 2 pi
 constexpr std::int32_t kTurnRange = 1043038; // a hundred times as much: what F3 makes room for
 

@@ -16,6 +16,8 @@
 
 namespace simulation {
 
+constexpr int kMaxShift = 15; ///< of 16 bits
+
 struct ObserverConstants {
     std::int16_t c1 = 0, c3 = 0,
                  c5 = 0; ///< resistance, back-EMF, voltage: of the motor and the scales

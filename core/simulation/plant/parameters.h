@@ -8,6 +8,8 @@
 
 namespace simulation {
 
+constexpr double kTurn = 6.283185307179586; ///< rad
+
 /// A permanent magnet synchronous motor.
 struct MotorParameters {
     std::string name = "Sim PMSM 24V"; ///< as the board tells it, 23 bytes at most

@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace simulation {
 
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Cogs pull a rotor without current to where they do not pull: it rests at one of them.
 double restingAngle(const MotorParameters &motor, double share)

@@ -10,7 +10,6 @@ namespace simulation {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::array<unsigned, 6> kForward{5, 1, 3, 2, 6, 4};
 
 double wrapped(double value, double span)

@@ -128,14 +128,14 @@ PlantParameters ipm48()
 
 const std::array<Preset, 5> &table()
 {
-    static const std::array<Preset, 5> kTable{{
+    static const std::array<Preset, 5> kPresets{{
         {"pm24", "24 V, 4 pole pairs, 5 A, sensorless", pm24()},
         {"prop12", "12 V outrunner with propeller, 7 pole pairs, 12 A, sensorless", prop12()},
         {"servo24", "24 V servo, 5 pole pairs, 7 A, encoder of 1000 pulses", servo24()},
         {"blower36", "36 V blower with fan, 4 pole pairs, 12 A, Hall sensors", blower36()},
         {"ipm48", "48 V salient motor, 4 pole pairs, 20 A, sensorless", ipm48()},
     }};
-    return kTable;
+    return kPresets;
 }
 
 } // namespace

@@ -2,13 +2,10 @@
 #include "simulation/plant/rotor.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace simulation {
 
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 } // namespace
 

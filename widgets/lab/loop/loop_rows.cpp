@@ -1,6 +1,7 @@
 #include "widgets/lab/loop/loop_rows.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/si_text.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/value_text.h"
 
@@ -13,7 +14,6 @@
 namespace widgets {
 namespace {
 
-constexpr double kMilli = 1e3;
 constexpr int kMark = 12; ///< pixels
 const QString kNone = QStringLiteral("\u2013");
 

@@ -12,6 +12,8 @@
 
 namespace widgets {
 
+constexpr int kReferenceAlpha = 130; ///< of 255: what is drawn of a reference
+
 /// Traces that the user keeps to compare with.
 enum class Reference : std::uint8_t { A, B };
 

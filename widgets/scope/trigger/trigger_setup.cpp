@@ -9,7 +9,7 @@
 namespace widgets {
 
 namespace {
-struct Trigger {
+struct TriggerText {
     Q_DECLARE_TR_FUNCTIONS(Trigger)
 };
 
@@ -69,36 +69,36 @@ QString typeText(TriggerType type)
 {
     switch (type) {
     case TriggerType::Edge:
-        return Trigger::tr("Edge");
+        return TriggerText::tr("Edge");
     case TriggerType::Level:
-        return Trigger::tr("Level");
+        return TriggerText::tr("Level");
     case TriggerType::Window:
-        return Trigger::tr("Window");
+        return TriggerText::tr("Window");
     case TriggerType::Pulse:
-        return Trigger::tr("Pulse width");
+        return TriggerText::tr("Pulse width");
     case TriggerType::Slew:
-        return Trigger::tr("Slew");
+        return TriggerText::tr("Slew");
     case TriggerType::Dropout:
-        return Trigger::tr("Dropout");
+        return TriggerText::tr("Dropout");
     case TriggerType::NthEdge:
-        return Trigger::tr("N-th edge");
+        return TriggerText::tr("N-th edge");
     case TriggerType::StateChange:
-        return Trigger::tr("State change");
+        return TriggerText::tr("State change");
     case TriggerType::Fault:
-        return Trigger::tr("Fault");
+        return TriggerText::tr("Fault");
     case TriggerType::RegisterWrite:
-        return Trigger::tr("Register write");
+        return TriggerText::tr("Register write");
     case TriggerType::SetPoint:
-        return Trigger::tr("Set-point", "type of the trigger");
+        return TriggerText::tr("Set-point", "type of the trigger");
     }
     return {};
 }
 
 QList<WayText> wayTexts(TriggerType type)
 {
-    const WayText rising{QStringLiteral("\u2197"), Trigger::tr("rising")};
-    const WayText falling{QStringLiteral("\u2198"), Trigger::tr("falling")};
-    const WayText either{QStringLiteral("\u2195"), Trigger::tr("either way")};
+    const WayText rising{QStringLiteral("\u2197"), TriggerText::tr("rising")};
+    const WayText falling{QStringLiteral("\u2198"), TriggerText::tr("falling")};
+    const WayText either{QStringLiteral("\u2195"), TriggerText::tr("either way")};
     switch (type) {
     case TriggerType::Edge:
     case TriggerType::Dropout:
@@ -106,14 +106,14 @@ QList<WayText> wayTexts(TriggerType type)
     case TriggerType::Slew:
         return {rising, falling, either};
     case TriggerType::Level:
-        return {{QStringLiteral("\u2265"), Trigger::tr("at or above")},
-            {QStringLiteral("\u2264"), Trigger::tr("at or below")}};
+        return {{QStringLiteral("\u2265"), TriggerText::tr("at or above")},
+            {QStringLiteral("\u2264"), TriggerText::tr("at or below")}};
     case TriggerType::Window:
-        return {{QStringLiteral("\u21a6"), Trigger::tr("leaves the window")},
-            {QStringLiteral("\u21a4"), Trigger::tr("enters the window")}};
+        return {{QStringLiteral("\u21a6"), TriggerText::tr("leaves the window")},
+            {QStringLiteral("\u21a4"), TriggerText::tr("enters the window")}};
     case TriggerType::Pulse:
-        return {{QStringLiteral("+"), Trigger::tr("positive pulse")},
-            {QStringLiteral("\u2212"), Trigger::tr("negative pulse")}};
+        return {{QStringLiteral("+"), TriggerText::tr("positive pulse")},
+            {QStringLiteral("\u2212"), TriggerText::tr("negative pulse")}};
     case TriggerType::StateChange:
     case TriggerType::Fault:
     case TriggerType::RegisterWrite:
@@ -125,20 +125,20 @@ QList<WayText> wayTexts(TriggerType type)
 
 QString levelName(TriggerType type)
 {
-    return fieldsOf(type).upper ? Trigger::tr("Lower level") : Trigger::tr("Level");
+    return fieldsOf(type).upper ? TriggerText::tr("Lower level") : TriggerText::tr("Level");
 }
 
 QString modeText(scope::Mode mode)
 {
     switch (mode) {
     case scope::Mode::Auto:
-        return Trigger::tr("Auto", "mode of the trigger");
+        return TriggerText::tr("Auto", "mode of the trigger");
     case scope::Mode::Normal:
-        return Trigger::tr("Normal", "mode of the trigger");
+        return TriggerText::tr("Normal", "mode of the trigger");
     case scope::Mode::Single:
-        return Trigger::tr("Single", "mode of the trigger");
+        return TriggerText::tr("Single", "mode of the trigger");
     case scope::Mode::Roll:
-        return Trigger::tr("Roll", "mode of the trigger");
+        return TriggerText::tr("Roll", "mode of the trigger");
     }
     return {};
 }
@@ -147,15 +147,15 @@ QString stateText(scope::AcquisitionState state)
 {
     switch (state) {
     case scope::AcquisitionState::Stop:
-        return Trigger::tr("Hold", "state of the trigger");
+        return TriggerText::tr("Hold", "state of the trigger");
     case scope::AcquisitionState::Armed:
-        return Trigger::tr("Armed", "state of the trigger");
+        return TriggerText::tr("Armed", "state of the trigger");
     case scope::AcquisitionState::Triggered:
-        return Trigger::tr("Trig'd", "state of the trigger");
+        return TriggerText::tr("Trig'd", "state of the trigger");
     case scope::AcquisitionState::Auto:
-        return Trigger::tr("Auto", "state of the trigger");
+        return TriggerText::tr("Auto", "state of the trigger");
     case scope::AcquisitionState::Roll:
-        return Trigger::tr("Roll", "state of the trigger");
+        return TriggerText::tr("Roll", "state of the trigger");
     }
     return {};
 }
@@ -164,26 +164,26 @@ QString ageText(double seconds)
 {
     const QLocale locale;
     if (seconds < 0.95)
-        return Trigger::tr("%1 s ago").arg(locale.toString(std::max(seconds, 0.0), 'f', 1));
+        return TriggerText::tr("%1 s ago").arg(locale.toString(std::max(seconds, 0.0), 'f', 1));
     if (seconds < 120.0)
-        return Trigger::tr("%1 s ago")
+        return TriggerText::tr("%1 s ago")
             .arg(locale.toString(std::floor(std::max(seconds, 1.0)), 'f', 0));
-    return Trigger::tr("%1 min ago").arg(locale.toString(std::floor(seconds / 60.0), 'f', 0));
+    return TriggerText::tr("%1 min ago").arg(locale.toString(std::floor(seconds / 60.0), 'f', 0));
 }
 
 QString conditionErrorText(scope::ConditionError error)
 {
     switch (error) {
     case scope::ConditionError::NotFinite:
-        return Trigger::tr("A level or a time is no number.");
+        return TriggerText::tr("A level or a time is no number.");
     case scope::ConditionError::NegativeHysteresis:
-        return Trigger::tr("The hysteresis is below zero.");
+        return TriggerText::tr("The hysteresis is below zero.");
     case scope::ConditionError::LevelsSwapped:
-        return Trigger::tr("The upper level has to be above the lower one.");
+        return TriggerText::tr("The upper level has to be above the lower one.");
     case scope::ConditionError::NoTime:
-        return Trigger::tr("These times leave nothing to wait for.");
+        return TriggerText::tr("These times leave nothing to wait for.");
     case scope::ConditionError::NoCount:
-        return Trigger::tr("The count has to be at least 1.");
+        return TriggerText::tr("The count has to be at least 1.");
     }
     return {};
 }

@@ -19,7 +19,6 @@ using namespace simulation;
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kHf = 16000.0;
 constexpr std::uint16_t kTimerPeriod = 5312; // 170 MHz
 
