@@ -9,6 +9,15 @@
 
 namespace cli {
 
+QString otherBoards()
+{
+    QStringList words;
+    for (const session::PortChoice &choice : session::simulatedBoards())
+        if (!choice.title.isEmpty())
+            words.append(choice.path);
+    return words.join(QStringLiteral(", "));
+}
+
 namespace {
 
 constexpr OptionText kMotorOption{"motor", "N", "Number of the motor, 1 if not given."};
@@ -48,16 +57,6 @@ QString protocolWords(const QString &between)
     for (const drive::ProtocolChoice &choice : drive::protocolChoices())
         words.append(QString::fromLatin1(choice.word.data(), int(choice.word.size())));
     return words.join(between);
-}
-
-/// As --port has them.
-QString otherBoards()
-{
-    QStringList words;
-    for (const session::PortChoice &choice : session::simulatedBoards())
-        if (!choice.title.isEmpty())
-            words.append(choice.path);
-    return words.join(QStringLiteral(", "));
 }
 
 void addCommonOptions(QCommandLineParser &parser)

@@ -118,6 +118,8 @@ struct Arguments {
 Outcome<Arguments> parseArguments(
     const QStringList &line, std::span<const Command *const> commands);
 
+QString otherBoards(); ///< beside sim, as --port takes them: "sim:legacy, ..."
+
 Outcome<RampArguments> rampOf(const QString &rpm, const QString &milliseconds);
 
 } // namespace cli

@@ -29,9 +29,8 @@ QString sentenceOf(const session::PortError &error, const Arguments &arguments)
         return {};
     case PortProblem::NotFound:
         if (port.startsWith(QLatin1String("sim:")))
-            return QStringLiteral("There is no simulated board %1; there are sim, sim:legacy, "
-                                  "sim:powerpc and sim:mcb.")
-                .arg(port);
+            return QStringLiteral("There is no simulated board %1; there are sim, %2.")
+                .arg(port, otherBoards());
         return QStringLiteral("There is no serial port %1; check the cable, or list the ports with "
                               "rotorscope-cli ports.")
             .arg(port);

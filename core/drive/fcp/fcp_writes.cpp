@@ -77,7 +77,8 @@ std::string FcpWriteTask::plan(const RegisterWrite &write)
     if (!bytes)
         return bytes.error();
     this->write({fcpMotor(id), fcp::SetRegister{fcpNumber(id), *bytes}});
-    return which->info.id == kFinalSpeed ? refuseWireSpeed(m_board, motor, number) : std::string();
+    return which->info.id == fcp::number::kFinalSpeed ? refuseWireSpeed(m_board, motor, number)
+                                                      : std::string();
 }
 
 } // namespace drive
