@@ -31,12 +31,12 @@ void Batcher::add(drive::Event event)
         if (!started->layout.empty())
             m_streams[started->layout.id].step = started->layout.fastStep;
     }
+    if (auto *readings = std::get_if<drive::RegistersRead>(&event))
+        return addReadings(std::move(*readings));
     if (!behind()) {
         m_waiting.push_back(std::move(event));
         return;
     }
-    if (auto *readings = std::get_if<drive::RegistersRead>(&event))
-        return addReadings(std::move(*readings));
     if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
         const int motor = status->motor;
         return replace(std::move(event), [motor](const drive::Event &old) {
@@ -78,23 +78,28 @@ void Batcher::addBlock(capture::SampleBlock block)
     m_waiting.push_back(std::move(block));
 }
 
-/// Older readings of the same registers go, so that the newest stand last, behind whatever else was
-/// told meanwhile.
 void Batcher::addReadings(drive::RegistersRead event)
+{
+    m_waitingReadings += event.readings.size();
+    if (behind() && m_waitingReadings > m_config.maxWaitingReadings)
+        dropOlderThan(event);
+    m_waiting.push_back(std::move(event));
+}
+
+void Batcher::dropOlderThan(const drive::RegistersRead &event)
 {
     std::unordered_set<drive::RegisterId> fresh;
     for (const drive::Reading &reading : event.readings)
         fresh.insert(reading.id);
     for (drive::Event &old : m_waiting) {
         if (auto *readings = std::get_if<drive::RegistersRead>(&old))
-            std::erase_if(
+            m_waitingReadings -= std::erase_if(
                 readings->readings, [&](const drive::Reading &r) { return fresh.contains(r.id); });
     }
     std::erase_if(m_waiting, [](const drive::Event &old) {
         const auto *readings = std::get_if<drive::RegistersRead>(&old);
         return readings && readings->readings.empty();
     });
-    m_waiting.push_back(std::move(event));
 }
 
 template <class Same>
@@ -132,6 +137,7 @@ BatchPtr Batcher::hand()
     batch->droppedForDisplay = m_dropped;
     m_waiting.clear();
     m_waitingValues = 0;
+    m_waitingReadings = 0;
     ++m_unacknowledged;
     return batch;
 }

@@ -2,10 +2,10 @@
 // given time; it never emits anything itself.
 //
 // While the receiver keeps up, every event is handed on as it came. While two batches are
-// unacknowledged, what waits is thinned: the newest reading of each register, the newest status of
-// each motor and the newest counters stay, samples beyond the bound are dropped, counted, and shown
-// as lost ticks of the next block. What happened once (ends of wishes, stops, identities) always
-// stays.
+// unacknowledged, what waits is thinned: the newest status of each motor and the newest counters
+// stay. Readings and samples are drawn and stay up to a bound; beyond it the newest reading of each
+// register stays, and samples are dropped, counted, and shown as lost ticks of the next block. What
+// happened once (ends of wishes, stops, identities) always stays.
 #pragma once
 
 #include "drive/event.h"
@@ -33,6 +33,7 @@ public:
         int maxUnacknowledged = 2;
         std::size_t maxWaitingValues =
             2'000'000; ///< sample values, about 20 s of a full 1.8 Mbaud link
+        std::size_t maxWaitingReadings = 20'000; ///< of registers, about 20 s of the fastest link
         std::size_t maxLinkChanges = 8; ///< link states kept while waiting; the newest ones
     };
 
@@ -64,6 +65,9 @@ private:
     bool behind() const { return m_unacknowledged >= m_config.maxUnacknowledged; }
     void addBlock(capture::SampleBlock block);
     void addReadings(drive::RegistersRead event);
+    /// Readings of the same registers go that came before, so that the newest stand last, behind
+    /// whatever else was told meanwhile.
+    void dropOlderThan(const drive::RegistersRead &event);
     template <class Same>
     void replace(drive::Event event, Same same);
     BatchPtr hand();
@@ -71,6 +75,7 @@ private:
     Config m_config{};
     std::vector<drive::Event> m_waiting;
     std::size_t m_waitingValues = 0;
+    std::size_t m_waitingReadings = 0;
     std::uint64_t m_dropped = 0;
     int m_unacknowledged = 0;
     TimePoint m_notBefore{};

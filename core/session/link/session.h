@@ -3,9 +3,9 @@
 // every slot may be called queued.
 //
 // What the drive tells is handed on in batches: at most one every 16 ms, and never more than two
-// that the receiver has not acknowledged, so a flooded link never floods an event loop. While it
-// waits, registers are coalesced (the newest value of each wins) and samples beyond the bound are
-// dropped for display only, counted, and shown as gaps.
+// that the receiver has not acknowledged, so a flooded link never floods an event loop. Beyond a
+// bound, of the readings that wait the newest of each register stays, and samples are dropped for
+// display only, counted, and shown as gaps.
 //
 // A port that is unplugged is told once, with portChanged(Closed, why), and all wishes end. Then
 // the session tries to open it again every 500 ms until it succeeds or close() is called
