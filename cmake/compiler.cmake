@@ -24,7 +24,7 @@ else()
         $<$<BOOL:${ROTORSCOPE_WERROR}>:-Werror>
         # g++ 12 at -O3 takes the growth of a std::vector for an overflow, and what an empty std::optional or another part of a
         # std::variant would hold for used; what it says at -O1 counts.
-        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized>)
+        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict>)
 endif()
 
 if(NOT MSVC) # what Debian's own packages are hardened with
