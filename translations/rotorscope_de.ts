@@ -1075,10 +1075,6 @@
         <translation>Die Schnittstelle ist offen, aber kein Board antwortet. Prüfen Sie Baudrate, Kabel und Versorgung des Boards.</translation>
     </message>
     <message>
-        <source>Bytes arrive but make no sense. The baud rate is probably not the board&apos;s: try another one.</source>
-        <translation>Es kommen Bytes an, aber sie ergeben keinen Sinn. Die Baudrate ist vermutlich nicht die des Boards: Versuchen Sie eine andere.</translation>
-    </message>
-    <message>
         <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
         <translation>Das Board antwortet, einigt sich aber nicht auf die Einstellungen der Verbindung. Setzen Sie das Board zurück und verbinden Sie erneut.</translation>
     </message>
@@ -1093,14 +1089,6 @@
     <message>
         <source>The board was reset. It is connected again; arm it before you go on.</source>
         <translation>Das Board wurde zurückgesetzt. Es ist wieder verbunden; geben Sie es frei, bevor Sie weitermachen.</translation>
-    </message>
-    <message>
-        <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
-        <translation>Verbindung verloren. Der Motor dreht vielleicht noch; der Antrieb soll ihn nach %1 ms selbst anhalten.</translation>
-    </message>
-    <message>
-        <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
-        <translation>Verbindung verloren. Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
     </message>
     <message>
         <source>There is no port %1. Plug the board in, then choose it from the list.</source>
@@ -1121,10 +1109,6 @@
     <message>
         <source>%1 refuses this baud rate. Choose another one.</source>
         <translation>%1 lehnt diese Baudrate ab. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <source>%1 was unplugged. The motor may still be turning (this drive has no communication time-out).</source>
-        <translation>%1 wurde abgezogen. Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
     </message>
     <message>
         <source>The recording %1 cannot be read. Choose another file.</source>
@@ -1411,6 +1395,26 @@
     <message>
         <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
         <translation>Nichts treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one.</source>
+        <translation>Es kommen Bytes an, aber sie ergeben keinen Sinn. Die Baudrate oder das Protokoll ist vermutlich nicht das des Boards: Versuchen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>No motor was driven when the board was last heard.</source>
+        <translation>Kein Motor war angetrieben, als das Board zuletzt antwortete.</translation>
+    </message>
+    <message>
+        <source>The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
+        <translation>Der Motor dreht vielleicht noch; der Antrieb soll ihn nach %1 ms selbst anhalten.</translation>
+    </message>
+    <message>
+        <source>The motor may still be turning (this drive has no communication time-out).</source>
+        <translation>Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged.</source>
+        <translation>%1 wurde abgezogen.</translation>
     </message>
 </context>
 <context>
@@ -2917,15 +2921,15 @@
     </message>
     <message>
         <source>port open</source>
-        <translation>Schnittstelle offen</translation>
+        <translation>Port offen</translation>
     </message>
     <message>
         <source>port not open</source>
-        <translation>Schnittstelle nicht offen</translation>
+        <translation>Port nicht offen</translation>
     </message>
     <message>
         <source>port closed</source>
-        <translation>Schnittstelle geschlossen</translation>
+        <translation>Port geschlossen</translation>
     </message>
     <message>
         <source>no board</source>
@@ -4304,6 +4308,10 @@
     <message>
         <source>This firmware is not known: registers are shown raw and nothing is written.</source>
         <translation>Diese Firmware ist nicht bekannt: Register werden roh gezeigt, und nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Link lost. %1 %2</source>
+        <translation>Verbindung verloren. %1 %2</translation>
     </message>
 </context>
 <context>

@@ -1075,10 +1075,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bytes arrive but make no sense. The baud rate is probably not the board&apos;s: try another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1092,14 +1088,6 @@
     </message>
     <message>
         <source>The board was reset. It is connected again; arm it before you go on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1120,10 +1108,6 @@
     </message>
     <message>
         <source>%1 refuses this baud rate. Choose another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 was unplugged. The motor may still be turning (this drive has no communication time-out).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1410,6 +1394,26 @@
     </message>
     <message>
         <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motor was driven when the board was last heard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor may still be turning (this drive has no communication time-out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was unplugged.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4302,6 +4306,10 @@
     <name>widgets::LinkNews</name>
     <message>
         <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link lost. %1 %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

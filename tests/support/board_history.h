@@ -63,6 +63,12 @@ public:
         bool kept; ///< now, and not before; else it is there again, and still kept from before
         bool alone; ///< none was kept before
     };
+    bool isDriven() const ///< any motor, at the newest moment
+    {
+        return !m_moments.empty()
+            && std::any_of(m_moments.back().motors.begin(), m_moments.back().motors.end(),
+                [](const simulation::MotorTruth &is) { return is.driven; });
+    }
     /// Each fault that came.
     const std::vector<Fault> &faults() const { return m_faults; }
 

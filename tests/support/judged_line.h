@@ -136,6 +136,11 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_history.span(motor, now() - time, now());
     }
+    bool isDriven() ///< any motor, now
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_history.isDriven();
+    }
     /// When a motor had a fault. @param again  also one that it still kept from before
     std::vector<TimePoint> faultTimes(int motor, bool again)
     {

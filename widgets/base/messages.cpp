@@ -66,8 +66,8 @@ QString linkReasonText(drive::LinkReason reason)
         return Messages::tr("The port is open but no board answers. Check the baud rate, the cable "
                             "and the board's power.");
     case LinkReason::OnlyGarbage:
-        return Messages::tr("Bytes arrive but make no sense. The baud rate is probably not the "
-                            "board's: try another one.");
+        return Messages::tr("Bytes arrive but make no sense. The baud rate or the protocol is "
+                            "probably not the board's: try another one.");
     case LinkReason::NoAgreement:
         return Messages::tr("The board answers but does not agree on the settings of the link. "
                             "Reset the board and connect again.");
@@ -123,14 +123,16 @@ QString interruptionText(const session::Interruption &what)
     return {};
 }
 
-QString linkLostText(std::optional<std::chrono::milliseconds> watchdog)
+QString motorsOutOfReachText(bool wereAtRest, std::optional<std::chrono::milliseconds> watchdog)
 {
+    if (wereAtRest)
+        return Messages::tr("No motor was driven when the board was last heard.");
     if (watchdog)
-        return Messages::tr("Link lost. The motor may still be turning; the drive is to stop it "
-                            "by itself after %1 ms.")
+        return Messages::tr("The motor may still be turning; the drive is to stop it by itself "
+                            "after %1 ms.")
             .arg(QString::number(watchdog->count()));
     return Messages::tr(
-        "Link lost. The motor may still be turning (this drive has no communication time-out).");
+        "The motor may still be turning (this drive has no communication time-out).");
 }
 
 QString portProblemText(const session::PortError &error, const QString &port)
@@ -158,9 +160,7 @@ QString portProblemText(const session::PortError &error, const QString &port)
     case PortProblem::BadSpeed:
         return Messages::tr("%1 refuses this baud rate. Choose another one.").arg(name);
     case PortProblem::Unplugged:
-        return Messages::tr("%1 was unplugged. The motor may still be turning (this drive has no "
-                            "communication time-out).")
-            .arg(name);
+        return Messages::tr("%1 was unplugged.").arg(name);
     case PortProblem::TakenOver:
         return Messages::tr(
             "Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, "

@@ -23,8 +23,8 @@ bool noBoardFound(const drive::LinkChanged &link);
 QString linkReasonText(drive::LinkReason reason);
 /// What the banner says of time that was not attended.
 QString interruptionText(const session::Interruption &what);
-/// What the banner says when contact to a board is gone. @param watchdog  of the drive, if it has one
-QString linkLostText(std::optional<std::chrono::milliseconds> watchdog);
+/// What the banner says of the motors when contact to a board is gone. @param watchdog  of the drive, if it has one
+QString motorsOutOfReachText(bool wereAtRest, std::optional<std::chrono::milliseconds> watchdog);
 /// Why a port could not be opened or is gone, and what to do; empty for None.
 QString portProblemText(const session::PortError &error, const QString &port);
 QString outcomeText(drive::Outcome outcome);

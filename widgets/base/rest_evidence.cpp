@@ -60,6 +60,12 @@ bool RestEvidence::heardOfAll(int motors) const
     return m_left || static_cast<int>(m_heard.size()) >= motors;
 }
 
+bool RestEvidence::wereAtRest(int motors) const
+{
+    // Only motors of the board are in it: as many as it has are all of them.
+    return m_underWay.empty() && static_cast<int>(m_atRest.size()) >= motors;
+}
+
 bool RestEvidence::mayTurn(int motors, TimePoint now) const
 {
     if (!m_moved || m_left)

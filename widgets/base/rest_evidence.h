@@ -24,6 +24,8 @@ public:
 
     /// A motor may turn, for all that was seen.
     bool mayTurn(int motors, TimePoint now) const;
+    /// All motors were seen at rest, however long ago, after whatever was asked for last had ended.
+    bool wereAtRest(int motors) const;
     /// The board has told of each motor what it does, or the user has said that it does not matter.
     bool heardOfAll(int motors) const;
 

@@ -23,6 +23,7 @@ public:
         QObject *parent = nullptr);
 
     bool mayTurn() const { return m_shutdown.mayTurn(); } ///< a motor
+    bool wereAtRest() const { return m_shutdown.wereAtRest(); } ///< all motors, when last heard
     bool underWay() const { return m_shutdown.underWay(); }
     void before(Act act); ///< at once, or after the motors were stopped, or asked for
     /// A motor that is seen to turn may be meant to: that is asked first.

@@ -7,11 +7,12 @@
 
 namespace widgets {
 
-LinkNews::LinkNews(
-    const Device &device, std::function<bool()> connecting, Banner &banner, QObject *parent)
+LinkNews::LinkNews(const Device &device, std::function<bool()> connecting,
+    std::function<bool()> wereAtRest, Banner &banner, QObject *parent)
     : QObject(parent)
     , m_device(device)
     , m_connecting(std::move(connecting))
+    , m_wereAtRest(std::move(wereAtRest))
     , m_banner(banner)
 {
 }
@@ -91,17 +92,20 @@ LinkNews::Message LinkNews::message() const
     const session::PortError error = m_device.portError();
     const drive::LinkChanged link = m_device.link();
     const bool known = m_device.identified().has_value();
+    const auto ofMotors = [this] {
+        return motorsOutOfReachText(m_wereAtRest(), m_device.identified()->identity.watchdog);
+    };
     if (!m_device.portOpen() && error.problem != session::PortProblem::None) {
-        const bool lost = error.problem == session::PortProblem::Unplugged
-            || error.problem == session::PortProblem::TakenOver;
-        return {Banner::Kind::Bad, portProblemText(error, m_device.endpoint().path),
-            lost ? Told::Loss : Told::Link};
+        const QString problem = portProblemText(error, m_device.endpoint().path);
+        if (error.problem == session::PortProblem::Unplugged)
+            return {Banner::Kind::Bad,
+                known ? QStringLiteral("%1 %2").arg(problem, ofMotors()) : problem, Told::Loss};
+        return {Banner::Kind::Bad, problem,
+            error.problem == session::PortProblem::TakenOver ? Told::Loss : Told::Link};
     }
     if (link.state == LinkState::Lost && known)
         return {Banner::Kind::Bad,
-            linkLostText(m_device.identified()->identity.watchdog) + QLatin1Char(' ')
-                + linkReasonText(link.reason),
-            Told::Loss};
+            tr("Link lost. %1 %2").arg(ofMotors(), linkReasonText(link.reason)), Told::Loss};
     if (link.state == LinkState::Lost)
         return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
     if (link.state == LinkState::Connecting && link.reason != drive::LinkReason::None)

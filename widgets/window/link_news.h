@@ -16,8 +16,9 @@ class LinkNews : public QObject {
     Q_OBJECT
 public:
     /// @param connecting  a connection is open or looked for
-    LinkNews(const Device &device, std::function<bool()> connecting, Banner &banner,
-        QObject *parent = nullptr);
+    /// @param wereAtRest  all motors, when they were last heard
+    LinkNews(const Device &device, std::function<bool()> connecting,
+        std::function<bool()> wereAtRest, Banner &banner, QObject *parent = nullptr);
 
     /// Contact was lost: told until there is contact again.
     bool tellsLoss() const { return m_told == Told::Loss; }
@@ -48,6 +49,7 @@ private:
 
     const Device &m_device;
     std::function<bool()> m_connecting;
+    std::function<bool()> m_wereAtRest;
     Banner &m_banner;
     Told m_told = Told::Other;
     QString m_said; ///< of the link, in this happening

@@ -253,7 +253,8 @@ QWidget *MainWindow::makeTop()
     // Over the plots: what one is about to click stays where it is.
     auto *banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")), this);
     m_news = new LinkNews(
-        m_device, [this] { return m_connectBar->connecting(); }, *banner, this);
+        m_device, [this] { return m_connectBar->connecting(); },
+        [this] { return m_leaving->wereAtRest(); }, *banner, this);
 
     auto *layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);

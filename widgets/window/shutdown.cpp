@@ -32,17 +32,22 @@ Shutdown::Shutdown(Device &device, std::function<TimePoint()> clock, QObject *pa
     });
 }
 
+int Shutdown::motors() const
+{
+    const auto &board = m_device.identified();
+    return board ? board->identity.motors : 1;
+}
+
 bool Shutdown::mayTurn() const
 {
     if (replaying(m_device))
         return false; // what turned then does not turn now
-    const auto &board = m_device.identified();
-    const int motors = board ? board->identity.motors : 1;
-    if (m_rest.mayTurn(motors, m_clock()))
+    if (m_rest.mayTurn(motors(), m_clock()))
         return true;
     // A board that answers but has not said yet what its motors do may have one that turns.
+    const auto &board = m_device.identified();
     const bool tells = m_device.answering() && (!board || board->identity.knownFirmware);
-    return tells && !m_rest.heardOfAll(motors);
+    return tells && !m_rest.heardOfAll(motors());
 }
 
 void Shutdown::begin()

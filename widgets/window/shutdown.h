@@ -21,6 +21,8 @@ public:
 
     /// A motor may turn: the connection must not be left without a stop, or the user's word.
     bool mayTurn() const;
+    /// Every motor was at rest when it was last heard, however long ago, and nothing was asked for since.
+    bool wereAtRest() const { return m_rest.wereAtRest(motors()); }
     /// The board answers, and no motor of it may turn.
     bool restIsSeen() const { return m_device.answering() && !mayTurn(); }
     /// The user's choice: motors that may turn stay as they are. Until the next arming or connection.
@@ -36,6 +38,7 @@ Q_SIGNALS:
     void notConfirmed();
 
 private:
+    int motors() const;
     void check();
 
     Device &m_device;

@@ -34,6 +34,9 @@ public:
                 untrue("beside a board that answers");
         if (is("was reset") && !m_moment.world().wasReset())
             untrue("and nobody reset it");
+        // Nobody else starts these boards: what was at rest when it was last heard is so now.
+        if (is("No motor was driven") && m_moment.world().isDriven())
+            untrue("and a motor is driven");
         fileIs(sentence);
     }
 

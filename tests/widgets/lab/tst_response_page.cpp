@@ -102,10 +102,24 @@ private:
         auto *plot = bench.rig.window.findChild<widgets::BodePlot *>();
         QCOMPARE(plot->curves().size(), 3);
 
+        // The same digits weigh twice as much from here on: the promise is not kept, and that is told with the way back.
+        const auto divisor = bench.rig.workbench.registers().idOf("SPEED_KP_DIV").value_or(0);
+        const std::int64_t half = bench.held("SPEED_KP_DIV") - 1;
+        QVERIFY(half > 0);
+        bench.rig.workbench.edits().write(QStringLiteral("half the divisor"), {{divisor, half}});
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP_DIV"), half, 10'000);
+        QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
+        QVERIFY(bench.runToItsEnd("proveRun"));
+        const QString worse = bench.said("responseSentence");
+        QVERIFY2(worse.contains(QLatin1String("Worse than predicted"))
+                && worse.contains(QLatin1String("Back to the old gains")),
+            qPrintable(worse));
+        QVERIFY(rowOf(bench, "proof").ms->value > proof.ms->value);
+
         bench.press("responseBack");
         QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
         QTRY_COMPARE(bench.held("SPEED_KI"), ki);
-        QCOMPARE(bench.rig.workbench.edits().steps().count(), 2);
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 3);
         QTRY_VERIFY(!bench.find<QPushButton>("responseBack")->isEnabled());
         bench.rig.workbench.edits().undo();
         QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), std::int64_t(*medium.kp), 10'000);

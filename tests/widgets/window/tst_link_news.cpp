@@ -82,6 +82,47 @@ private Q_SLOTS:
         QVERIFY(banner()->isVisible());
     }
 
+    void whatWasDrivenLastIsToldWithTheLoss_data()
+    {
+        QTest::addColumn<int>("state");
+        QTest::addColumn<QString>("words");
+        const QString turning = QStringLiteral("may still be turning");
+        QTest::newRow("not known") << static_cast<int>(drive::MotorState::Unknown) << turning;
+        QTest::newRow("running") << static_cast<int>(drive::MotorState::Running) << turning;
+        QTest::newRow("stopping") << static_cast<int>(drive::MotorState::Stopping) << turning;
+        for (const drive::MotorState rest :
+            {drive::MotorState::Idle, drive::MotorState::FaultNow, drive::MotorState::FaultOver})
+            QTest::addRow("at rest, %d", static_cast<int>(rest))
+                << static_cast<int>(rest) << QStringLiteral("No motor was driven");
+    }
+
+    void whatWasDrivenLastIsToldWithTheLoss()
+    {
+        QFETCH(const int, state);
+        QFETCH(const QString, words);
+        facts::feed(device(), {facts::status(static_cast<drive::MotorState>(state))});
+        link(LinkState::Lost, LinkReason::Silence);
+        QVERIFY2(banner()->text().contains(words), qPrintable(banner()->text()));
+        device().portChanged(
+            session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+        QVERIFY2(banner()->text().contains(words), qPrintable(banner()->text()));
+    }
+
+    /// A START that may have arrived is no rest, whatever was heard before it.
+    void whatMayHaveArrivedCountsAsDriven()
+    {
+        const drive::WishId start = device().submit(drive::Command{drive::MotorAction::Start, 1});
+        link(LinkState::Lost, LinkReason::Silence);
+        QVERIFY(banner()->text().contains(QStringLiteral("may still be turning")));
+        drive::Ended ended;
+        ended.id = start;
+        ended.outcome = drive::Outcome::Unknown;
+        facts::feed(device(), {ended});
+        device().portChanged(
+            session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+        QVERIFY(banner()->text().contains(QStringLiteral("may still be turning")));
+    }
+
     void aFirmwareThatIsNotKnownIsToldOnce()
     {
         drive::Identified board = facts::identified();

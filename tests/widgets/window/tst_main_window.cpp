@@ -291,6 +291,7 @@ private Q_SLOTS:
 
     void aLostLinkStaysToldUntilTheBoardAnswers()
     {
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
         feed({LinkState::Lost, LinkReason::Silence});
         QVERIFY(banner()->isVisible());
         QVERIFY(banner()->kind() == widgets::Banner::Kind::Bad);
@@ -343,6 +344,7 @@ private Q_SLOTS:
         QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: 500 ms"));
         QVERIFY(
             shown->toolTip().contains(QStringLiteral("fed by a live window, only while armed")));
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
         feed({LinkState::Lost, LinkReason::Silence});
         QVERIFY(banner()->text().contains(QStringLiteral("stop it by itself after 500 ms")));
         QVERIFY(!banner()->text().contains(QStringLiteral("no communication time-out")));
