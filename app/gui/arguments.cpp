@@ -64,8 +64,12 @@ Arguments readArguments(const std::vector<std::string> &arguments)
         } else if (word.size() > 1 && word[0] == '-' && word[1] != '-') {
             if (cursor.at + 1 < arguments.size() && !arguments[cursor.at + 1].starts_with('-'))
                 ++cursor.at; // Qt's own option and its value
-        } else {
+        } else if (word.starts_with('-')) {
             result.error = "\"" + word + "\" is not an option; see --help.";
+        } else if (!result.file.empty()) {
+            result.error = "One file can be opened, not \"" + word + "\" besides; see --help.";
+        } else {
+            result.file = word;
         }
     }
     return result;
@@ -73,8 +77,9 @@ Arguments readArguments(const std::vector<std::string> &arguments)
 
 std::string helpText()
 {
-    return "Usage: rotorscope [OPTION]...\n"
-           "Opens the workbench for tuning electric motors.\n"
+    return "Usage: rotorscope [OPTION]... [FILE]\n"
+           "Opens the workbench for tuning electric motors, and in it FILE: a recording (.pcapng), "
+           "CSV,\nor a workspace.\n"
            "\n"
            "  --port PORT      choose this port: a device path, or sim for the simulated board\n"
            "  --baud N         choose this baud rate\n"

@@ -14,6 +14,7 @@ struct Arguments {
     std::string port; ///< empty: the last one used
     std::uint32_t baud = 0; ///< 0: the last one used
     std::string language; ///< empty: the system's
+    std::string file; ///< to open: a recording, CSV, or a workspace; empty: none
     std::string error; ///< one line that says what to do; empty if all was understood
 };
 

@@ -15,6 +15,7 @@
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
 
+#include <QFile>
 #include <QIcon>
 #include <QLibraryInfo>
 #include <QScreen>
@@ -90,6 +91,9 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     });
     if (arguments.connect)
         QTimer::singleShot(0, window.connectBar(), &widgets::ConnectBar::connectOrDisconnect);
+    if (!arguments.file.empty())
+        QTimer::singleShot(0, &window,
+            [&window, path = QFile::decodeName(arguments.file.c_str())] { window.openFile(path); });
     const int status = QApplication::exec();
     widgets::saveSettings(window.settings(), settingsFile);
     return status;

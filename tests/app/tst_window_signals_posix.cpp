@@ -1,5 +1,5 @@
 // The program rotorscope itself, without a screen: asked to end by a signal while a motor turns, it stops the motor,
-// waits for the evidence and goes.
+// waits for the evidence and goes; what it cannot open it says at once.
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
 
@@ -12,6 +12,7 @@ class TestWindowSignals : public QObject {
 private Q_SLOTS:
     void aSignalStopsTheMotorBeforeTheProgramEnds_data();
     void aSignalStopsTheMotorBeforeTheProgramEnds();
+    void theCommandLineTakesOneFile();
 };
 
 namespace {
@@ -63,6 +64,17 @@ void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds()
     QCOMPARE(window.exitStatus(), QProcess::NormalExit);
     QCOMPARE(window.exitCode(), 0);
     QCOMPARE(board.cli("get STATUS --raw").out, idle);
+}
+
+void TestWindowSignals::theCommandLineTakesOneFile()
+{
+    QProcess window;
+    window.start(support::programFile(QStringLiteral("rotorscope")),
+        {QStringLiteral("a.pcapng"), QStringLiteral("b.csv")});
+    QVERIFY(window.waitForFinished(kLong_ms));
+    QCOMPARE(window.exitCode(), 2);
+    const QByteArray told = window.readAllStandardError();
+    QVERIFY2(told.contains("\"b.csv\""), told.constData());
 }
 
 QTEST_GUILESS_MAIN(TestWindowSignals)

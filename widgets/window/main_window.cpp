@@ -337,12 +337,15 @@ void MainWindow::makeWorkspaces()
     m_recentMenu = menu;
     connect(m_opening, &Opening::used, m_recent, &RecentFiles::add);
     connect(m_workspaces, &Workspaces::used, m_recent, &RecentFiles::add);
-    connect(m_recent, &RecentFiles::chosen, this, [this](const QString &path) {
-        if (path.endsWith(QLatin1String(".workspace")))
-            m_workspaces->open(path);
-        else
-            m_opening->openPath(path);
-    });
+    connect(m_recent, &RecentFiles::chosen, this, &MainWindow::openFile);
+}
+
+void MainWindow::openFile(const QString &path)
+{
+    if (path.endsWith(QLatin1String(".workspace")))
+        m_workspaces->open(path);
+    else
+        m_opening->openPath(path);
 }
 
 void MainWindow::finishTools() { m_tools->docks().makeAll(); }

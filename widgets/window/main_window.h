@@ -63,6 +63,7 @@ public:
 
 public Q_SLOTS:
     void warn(const QString &sentence); ///< in the banner
+    void openFile(const QString &path); ///< a recording, CSV or a workspace, by its suffix
 
 Q_SIGNALS:
     void closed(); ///< the window has agreed to close

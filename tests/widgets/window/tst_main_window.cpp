@@ -289,6 +289,28 @@ private Q_SLOTS:
         QCOMPARE(motor->currentIndex(), 1);
     }
 
+    /// As it comes from the command line, or from a file manager.
+    void aFileIsOpenedByItsSuffix()
+    {
+        facts::WindowRig rig; // without a board
+        const auto said = [&rig] { return rig.find<widgets::Banner>("banner"); };
+        const QTemporaryDir folder;
+        QFile csv(folder.filePath(QStringLiteral("a.csv")));
+        QVERIFY(csv.open(QIODevice::WriteOnly));
+        csv.write("time [s],speed [rpm]\n0,10\n0.001,20\n0.002,30\n");
+        csv.close();
+        rig.window.openFile(csv.fileName());
+        QTRY_COMPARE(rig.window.scope()->channels().size(), 1);
+        QVERIFY2(said()->text().contains(QStringLiteral("a.csv")), qPrintable(said()->text()));
+        rig.window.openFile(folder.filePath(QStringLiteral("none.pcapng")));
+        QTRY_VERIFY2(
+            said()->text().contains(QStringLiteral("none.pcapng")), qPrintable(said()->text()));
+        QCOMPARE(rig.window.scope()->channels().size(), 1);
+        rig.window.openFile(folder.filePath(QStringLiteral("none.workspace")));
+        QTRY_VERIFY2(
+            said()->text().contains(QStringLiteral("none.workspace")), qPrintable(said()->text()));
+    }
+
     void aLostLinkStaysToldUntilTheBoardAnswers()
     {
         facts::feed(device(), {facts::status(drive::MotorState::Running)});
