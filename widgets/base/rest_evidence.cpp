@@ -48,7 +48,8 @@ void RestEvidence::take(const drive::MotorStatus &status)
 {
     m_heard.insert(status.motor);
     if (isAtRest(status.state)) {
-        m_atRest[status.motor] = status.at;
+        m_atRest.try_emplace(status.motor, Rest{status.at, status.at}).first->second.last =
+            status.at;
     } else {
         m_moved = true;
         m_atRest.erase(status.motor);
@@ -62,8 +63,12 @@ bool RestEvidence::heardOfAll(int motors) const
 
 bool RestEvidence::wereAtRest(int motors) const
 {
-    // Only motors of the board are in it: as many as it has are all of them.
-    return m_underWay.empty() && static_cast<int>(m_atRest.size()) >= motors;
+    for (int motor = 1; motor <= motors; ++motor) {
+        const auto seen = m_atRest.find(motor);
+        if (seen == m_atRest.end() || seen->second.last - seen->second.first < kFresh)
+            return false;
+    }
+    return m_underWay.empty();
 }
 
 bool RestEvidence::mayTurn(int motors, TimePoint now) const
@@ -74,7 +79,7 @@ bool RestEvidence::mayTurn(int motors, TimePoint now) const
         return true;
     for (int motor = 1; motor <= motors; ++motor) {
         const auto seen = m_atRest.find(motor);
-        if (seen == m_atRest.end() || now - seen->second >= kFresh)
+        if (seen == m_atRest.end() || now - seen->second.last >= kFresh)
             return true;
     }
     return false;

@@ -24,7 +24,8 @@ public:
 
     /// A motor may turn, for all that was seen.
     bool mayTurn(int motors, TimePoint now) const;
-    /// All motors were seen at rest, however long ago, after whatever was asked for last had ended.
+    /// All motors were seen at rest for half a second, however long ago, after whatever was asked for last had ended: a
+    /// motor that was just told to start may be found idle once more.
     bool wereAtRest(int motors) const;
     /// The board has told of each motor what it does, or the user has said that it does not matter.
     bool heardOfAll(int motors) const;
@@ -34,7 +35,10 @@ private:
     bool m_left = false;
     std::set<drive::WishId> m_underWay; ///< of those that can move or change something
     std::set<int> m_heard; ///< motors
-    std::map<int, TimePoint> m_atRest; ///< by motor, since the last of those ended
+    struct Rest {
+        TimePoint first, last; ///< times at which it was seen
+    };
+    std::map<int, Rest> m_atRest; ///< by motor, since the last of those ended
 };
 
 } // namespace widgets

@@ -21,7 +21,7 @@ public:
 
     /// A motor may turn: the connection must not be left without a stop, or the user's word.
     bool mayTurn() const;
-    /// Every motor was at rest when it was last heard, however long ago, and nothing was asked for since.
+    /// Every motor was at rest for a while when it was last heard, however long ago, and nothing was asked for since.
     bool wereAtRest() const { return m_rest.wereAtRest(motors()); }
     /// The board answers, and no motor of it may turn.
     bool restIsSeen() const { return m_device.answering() && !mayTurn(); }

@@ -100,7 +100,7 @@ private Q_SLOTS:
     {
         QFETCH(const int, state);
         QFETCH(const QString, words);
-        facts::feed(device(), {facts::status(static_cast<drive::MotorState>(state))});
+        tell(static_cast<drive::MotorState>(state), std::chrono::seconds(1));
         link(LinkState::Lost, LinkReason::Silence);
         QVERIFY2(banner()->text().contains(words), qPrintable(banner()->text()));
         device().portChanged(
@@ -111,15 +111,23 @@ private Q_SLOTS:
     /// A START that may have arrived is no rest, whatever was heard before it.
     void whatMayHaveArrivedCountsAsDriven()
     {
-        const drive::WishId start = device().submit(drive::Command{drive::MotorAction::Start, 1});
+        tell(drive::MotorState::Idle, std::chrono::seconds(1));
+        start(drive::Outcome::Unknown);
         link(LinkState::Lost, LinkReason::Silence);
         QVERIFY(banner()->text().contains(QStringLiteral("may still be turning")));
-        drive::Ended ended;
-        ended.id = start;
-        ended.outcome = drive::Outcome::Unknown;
-        facts::feed(device(), {ended});
         device().portChanged(
             session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+        QVERIFY(banner()->text().contains(QStringLiteral("may still be turning")));
+    }
+
+    /// A board may say once more that it is idle when it has just taken a START.
+    void whatWasJustStartedCountsAsDriven()
+    {
+        tell(drive::MotorState::Idle, std::chrono::seconds(1));
+        start(drive::Outcome::Ok);
+        tell(drive::MotorState::Idle, std::chrono::milliseconds(1100));
+        tell(drive::MotorState::Idle, std::chrono::milliseconds(1200));
+        link(LinkState::Lost, LinkReason::Silence);
         QVERIFY(banner()->text().contains(QStringLiteral("may still be turning")));
     }
 
@@ -153,6 +161,19 @@ private:
     void link(LinkState state, LinkReason reason = LinkReason::None)
     {
         facts::feed(device(), {drive::LinkChanged{state, reason}});
+    }
+    void tell(drive::MotorState state, Duration at)
+    {
+        drive::MotorStatus status = facts::status(state);
+        status.at = TimePoint(at);
+        facts::feed(device(), {status});
+    }
+    void start(drive::Outcome outcome)
+    {
+        drive::Ended ended;
+        ended.id = device().submit(drive::Command{drive::MotorAction::Start, 1});
+        ended.outcome = outcome;
+        facts::feed(device(), {ended});
     }
     void close() { banner()->findChild<QToolButton *>()->click(); }
 
