@@ -54,7 +54,11 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     footer->addWidget(m_lab->buttons());
     footer->addWidget(m_editBar, 1);
     const auto followPage = [this] {
-        m_lab->buttons()->setVisible(m_pages->currentWidget() == m_lab);
+        const bool lab = m_pages->currentWidget() == m_lab;
+        m_lab->buttons()->setVisible(lab);
+        // See sizeHint().
+        m_lab->setSizePolicy(
+            QSizePolicy::Preferred, lab ? QSizePolicy::Preferred : QSizePolicy::Ignored);
     };
     connect(m_pages, &QTabWidget::currentChanged, this, followPage);
     followPage();
@@ -98,6 +102,12 @@ void GainsForm::refresh(Milliseconds)
 }
 
 QWidget *GainsForm::footer() const { return m_footer; }
+
+QSize GainsForm::sizeHint() const
+{
+    const int tabs = m_pages->tabBar()->sizeHint().height() + layout()->spacing();
+    return {Form::sizeHint().width(), tabs + m_pages->currentWidget()->sizeHint().height()};
+}
 
 void GainsForm::focusFirst()
 {

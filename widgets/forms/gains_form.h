@@ -28,6 +28,8 @@ public:
     void refresh(Milliseconds now) override;
     QWidget *footer() const override;
     void focusFirst() override;
+    QSize sizeHint()
+        const override; ///< as high as the page that is seen needs, not as the higher of the two
     /// What is known of motors by now; what is typed here stays.
     void setInertias(const Inertias &inertias);
 

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QMainWindow>
 #include <QScrollArea>
@@ -79,17 +80,57 @@ bool ToolDocks::fits(const QDockWidget &dock) const
         || m_window.minimumSizeHint().height() + dock.minimumSizeHint().height() <= m_room.height();
 }
 
-/// At the window's lower edge, where it would stand in it: what is above it has the Stop.
-void ToolDocks::floatBelow(const Tool &tool) const
+/// At the window's lower edge, where it would stand in it: what is above it has the Stop. There is one such place: what was
+/// put there and not moved since goes.
+void ToolDocks::floatBelow(Tool &tool)
 {
+    if (m_below != nullptr && m_below != &tool && isWhereItWasPut())
+        m_below->dock->close();
+    m_below = &tool;
     tool.dock->setFloating(true);
-    const int bar = 2 * tool.dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    const QSize form = tool.form->sizeHint().expandedTo(tool.form->minimumSizeHint());
-    const QSize whole = tool.dock->sizeHint().expandedTo(form + QSize(bar, 0));
-    const QSize size = whole.boundedTo({m_window.width(), m_window.height() * 2 / 3})
-                           .expandedTo(tool.dock->minimumSizeHint());
-    tool.dock->resize(size);
-    tool.dock->move(m_window.geometry().bottomLeft() - QPoint(0, size.height()));
+    fitBelow();
+}
+
+bool ToolDocks::isWhereItWasPut() const
+{
+    return m_below->dock->isFloating() && m_below->dock->geometry() == m_belowAt;
+}
+
+/// The control panel stays in view where the tool is narrow enough.
+void ToolDocks::fitBelow()
+{
+    QDockWidget &dock = *m_below->dock;
+    const int bar = dock.style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const QSize form = m_below->form->sizeHint().expandedTo(m_below->form->minimumSizeHint());
+    const int beside = m_window.centralWidget()->geometry().right() + 1;
+    const int width = form.width() + bar <= beside ? beside : m_window.width();
+    const int height = std::min(heightAt(width, *m_below), m_window.height() * 2 / 3);
+    dock.resize(QSize(width, height).expandedTo(dock.minimumSizeHint()));
+    dock.move(m_window.geometry().bottomLeft() - QPoint(0, dock.height() - 1));
+    m_belowAt = dock.geometry();
+}
+
+/// What is in it needs another height now: a board, another page. Once somebody has moved it or drawn at its edges it stays.
+bool ToolDocks::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest && m_below != nullptr
+        && (watched == m_below->form || watched == m_below->dock->widget()) && isWhereItWasPut())
+        fitBelow();
+    return QObject::eventFilter(watched, event);
+}
+
+/// Of a dock that shows its form whole, with what is below and above the form.
+int ToolDocks::heightAt(int width, const Tool &tool)
+{
+    const QWidget &content = *tool.dock->widget();
+    const int title = tool.dock->minimumSizeHint().height() - content.minimumSizeHint().height();
+    const QLayoutItem &below = *content.layout()->itemAt(1);
+    const auto needed = [width](const auto &item) {
+        return std::max(
+            item.hasHeightForWidth() ? item.heightForWidth(width) : 0, item.sizeHint().height());
+    };
+    const int form = std::max(needed(*tool.form), tool.form->minimumSizeHint().height());
+    return title + form + needed(below);
 }
 
 void ToolDocks::closeAll()
@@ -113,6 +154,8 @@ void ToolDocks::fill(Tool &tool)
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus);
     Form *form = tool.form = tool.make();
+    form->installEventFilter(this);
+    content->installEventFilter(this);
     scroll->setWidget(form);
     auto *stop = new StopButton(content); // every window that can stay open has one
     stop->setObjectName(tool.dock->objectName() + QStringLiteral("Stop"));
@@ -124,6 +167,7 @@ void ToolDocks::fill(Tool &tool)
     layout->setSpacing(0);
     layout->addWidget(scroll, 1);
     auto *below = new QHBoxLayout;
+    below->setSpacing(kGrid); // nothing is close to Stop
     below->addWidget(stop);
     if (QWidget *footer = form->footer()) {
         below->setContentsMargins(kGrid, kFineGrid, kGrid, kHalfGrid);

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QList>
+#include <QRect>
 #include <QSize>
 #include <QStringList>
 
@@ -48,6 +49,9 @@ Q_SIGNALS:
     void opened(bool any); ///< one was opened or closed
     void failed(const QString &sentence); ///< as Form's
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     struct Tool {
         QDockWidget *dock = nullptr;
@@ -58,7 +62,10 @@ private:
     void fill(Tool &tool);
     void open(std::size_t index);
     bool fits(const QDockWidget &dock) const;
-    void floatBelow(const Tool &tool) const;
+    void floatBelow(Tool &tool);
+    bool isWhereItWasPut() const;
+    void fitBelow();
+    static int heightAt(int width, const Tool &tool);
     void closeAll();
 
     QMainWindow &m_window;
@@ -66,6 +73,8 @@ private:
     std::vector<Tool> m_tools;
     QList<QAction *> m_actions;
     QAction *m_close;
+    Tool *m_below = nullptr; ///< that floats before the window's lower edge
+    QRect m_belowAt; ///< where it was put
     QSize m_room{QWIDGETSIZE_MAX, QWIDGETSIZE_MAX};
 };
 

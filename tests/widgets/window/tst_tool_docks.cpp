@@ -65,6 +65,33 @@ private Q_SLOTS:
         }
     }
 
+    /// At 200 % of 1920x1080 there is no room in the window: a tool stands before it, as high as what is in it, beside the
+    /// control panel if it is narrow enough. The next one takes its place.
+    void onATinyScreenToolsTakeOnePlaceInTurns()
+    {
+        m_dock->close();
+        m_rig->window.resize(960, 540);
+        m_rig->window.showWithin({976, 560});
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        const auto opened = [this](const char *name) {
+            m_rig->find<QAction>((QByteArray(name) + "Open").constData())->trigger();
+            return m_rig->find<QDockWidget>(name);
+        };
+        QVERIFY(opened("gainsDock")->isFloating());
+        QCOMPARE(m_dock->pos().x(), m_rig->window.geometry().left());
+        const auto *table = m_dock->findChild<QWidget *>(QStringLiteral("gainTable"));
+        QVERIFY2(table->height() - table->sizeHint().height() < 24, "half of it is empty");
+        QCOMPARE(table->visibleRegion().boundingRect().height(), table->height());
+        QDockWidget *events = opened("eventDock");
+        QVERIFY(m_dock->isHidden() && events->isFloating() && !events->isHidden());
+        const auto *control = m_rig->find<QWidget>("controlPanel");
+        const QRect panel(control->mapToGlobal(QPoint()), control->size());
+        QVERIFY2(!events->geometry().intersects(panel), "the control panel is covered");
+        events->move(events->pos() - QPoint(0, 100)); // where somebody wants it: it stays
+        opened("gainsDock");
+        QVERIFY(!m_dock->isHidden() && !events->isHidden());
+    }
+
     void oneEntryClosesAllThatAreOpen()
     {
         QAction *close = nullptr;
