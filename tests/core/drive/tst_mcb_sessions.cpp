@@ -254,7 +254,8 @@ struct Session {
             break;
         case 3:
         case 4: {
-            const auto rpm = static_cast<std::int32_t>(rest.below(6000)) - 3000;
+            const auto some = static_cast<std::int32_t>(rest.below(6000)) - 3000;
+            const std::int32_t rpm = rest.below(3) == 0 ? 0 : some;
             asked.push_back(pair.submit(SpeedRamp{1, rpm, rest.below(2) * 50ms}));
             break;
         }

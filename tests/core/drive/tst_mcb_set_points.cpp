@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint16_t kControl = 0x010, kMode = 0x014, kIq = 0x01A, kPosition = 0x020,
                         kVelocity = 0x021;
+constexpr Duration kStall = 700ms;
 
 void arm(McbPair &pair)
 {
@@ -49,8 +50,8 @@ struct Bench {
     std::vector<mcb::Frame> sent; ///< frames with cyclic words
     bool keep = false;
 
-    explicit Bench(simulation::McbBoardOptions options = {})
-        : pair(std::move(options))
+    explicit Bench(simulation::McbBoardOptions options = {}, Duration stall = {})
+        : pair(std::move(options), stall)
     {
         pair.onEvent = [this](const Event &event) {
             if (const auto *changed = std::get_if<CyclicSetPointsChanged>(&event))
@@ -379,33 +380,44 @@ void TestMcbSetPoints::disarmingHoldsThem()
 
 void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards_data()
 {
+    QTest::addColumn<int>("rpm"); // asked for while it turns at 600
     QTest::addColumn<std::function<void(McbPair &)>>("act");
     QTest::addColumn<bool>("rests"); // neither it nor the one before comes behind a Stop
     using Act = std::function<void(McbPair &)>;
-    QTest::newRow("disarmed") << Act([](McbPair &pair) { pair.drive->disarm(); }) << false;
-    QTest::newRow("disconnected") << Act([](McbPair &pair) { pair.drive->disconnect(pair.now); })
+    QTest::newRow("disarmed") << 1200 << Act([](McbPair &pair) { pair.drive->disarm(); }) << false;
+    QTest::newRow("disconnected") << 1200
+                                  << Act([](McbPair &pair) { pair.drive->disconnect(pair.now); })
                                   << false;
-    QTest::newRow("stopped") << Act([](McbPair &pair) {
+    QTest::newRow("stopped") << 1200 << Act([](McbPair &pair) {
         pair.stopped = true;
         pair.drive->stop(pair.now);
     }) << true;
+    const Act late = [](McbPair &pair) {
+        const Duration look = std::exchange(pair.look, 5ms);
+        pair.stall(kStall);
+        pair.look = look;
+    };
+    QTest::newRow("late") << 1200 << late << false;
+    QTest::newRow("rest, late") << 0 << late << false;
 }
 
-/// At any instant of a set-point's way: between it and the next exchange it is taken back.
+/// At any instant of a set-point's way: between it and the next exchange it is taken back, or the program has no core for
+/// longer than a wish lives.
 void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
 {
+    QFETCH(const int, rpm);
     QFETCH(const std::function<void(McbPair &)>, act);
     QFETCH(const bool, rests);
     int notSent = 0;
     constexpr int kInstants = 60;
     for (int i = 0; i < kInstants; ++i) {
-        Bench bench;
+        Bench bench({}, kStall);
         bench.pair.look = 250us;
         QVERIFY(bench.travels());
         McbPair &pair = bench.pair;
         QVERIFY(bench.turnAt(600));
         bench.keep = true;
-        const WishId ramp = pair.submit(SpeedRamp{1, 1200, 0ms});
+        const WishId ramp = pair.submit(SpeedRamp{1, rpm, 0ms});
         pair.runFor(i * 250us);
         const bool left = std::any_of(bench.sent.begin(), bench.sent.end(),
             [&](const mcb::Frame &frame) { return bench.velocitySent(frame) != 10.0; });
@@ -416,7 +428,7 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
         pair.runFor(20ms);
         QVERIFY(!bench.sent.empty());
         for (const mcb::Frame &frame : bench.sent)
-            QCOMPARE(bench.velocitySent(frame), rests ? 0.0 : left ? 20.0 : 10.0);
+            QCOMPARE(bench.velocitySent(frame), rests ? 0.0 : left ? rpm / 60.0 : 10.0);
         const Outcome outcome = pair.ended.at(ramp).front().outcome;
         QCOMPARE(outcome == Outcome::NotSent, !left);
         notSent += left ? 0 : 1;
