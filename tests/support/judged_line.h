@@ -174,6 +174,12 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_resets > 0;
     }
+    /// When it was last: what it sent before is not known any more, long before the window is told.
+    TimePoint resetAt()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_resetAt;
+    }
     std::vector<BoardHistory::Fault> faults()
     {
         const std::lock_guard lock(m_mutex);

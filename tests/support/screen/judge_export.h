@@ -27,7 +27,7 @@ public:
     }
 
     /// Whether what is shown now can be judged when it is written: it follows, nothing was lost lately, and all of it is
-    /// of this connection and not forgotten.
+    /// of this connection, of the board as it is since its reset, and not forgotten.
     bool canJudge() const
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
@@ -44,7 +44,7 @@ public:
                 return !board.lost().empty() && board.lost().back().first + calm > now;
             });
         return !lost && calm + kCalm < judge::GivenValues::kKept
-            && m_moment.world().linkChanged() + calm < now;
+            && std::max(m_moment.world().linkChanged(), m_moment.world().resetAt()) + calm < now;
     }
 
     /// @return  what is not so
