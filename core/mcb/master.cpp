@@ -33,13 +33,18 @@ bool leaves(const Master::Request &request)
         && request.words.front() == kConfigState;
 }
 
-/// The frame of a slave in the config state, filled up with zeros: the CRC of such a thing is right. A cyclic frame that
-/// looks the same has that CRC as its first value and nothing but zeros behind it; it is lost.
-bool isPaddedConfigFrame(ByteView received)
+/// Frames of a slave in the config state in the place of a longer one: a slave that hears frames gives one, filled up with
+/// zeros, one that hears bytes gives idle ones behind it. The CRC of either is right. A cyclic frame that looks the same has
+/// that CRC as its first value and this behind it; it is lost.
+bool isOfConfigState(ByteView received)
 {
-    const auto rest = received.subspan(std::min(received.size(), kConfigFrameBytes));
-    return !rest.empty() && std::all_of(rest.begin(), rest.end(), [](auto b) { return b == 0; })
-        && decodeAnswer(received.first(kConfigFrameBytes));
+    if (received.size() <= kConfigFrameBytes || !decodeAnswer(received.first(kConfigFrameBytes)))
+        return false;
+    const Bytes idle = encodeFrame(Frame{0, Command::Idle, false, {}, {}});
+    auto rest = received.subspan(kConfigFrameBytes);
+    while (rest.size() >= idle.size() && std::equal(idle.begin(), idle.end(), rest.begin()))
+        rest = rest.subspan(idle.size());
+    return std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; });
 }
 
 } // namespace
@@ -292,7 +297,7 @@ void Master::finish(TimePoint now)
     if (m_state == State::Seeking)
         return onProbe(exchange.received, now);
     auto frame = decodeAnswer(exchange.received);
-    if (frame && isPaddedConfigFrame(exchange.received))
+    if (frame && isOfConfigState(exchange.received))
         frame = fail(FrameError::WrongLength);
     if (!frame) {
         if (exchange.tick)

@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 constexpr double kTickHz = 1e6;
 constexpr Duration kTick = 1us;
 constexpr Duration kExchange = 1ms; ///< the fastest period, and what rates are counted in
+constexpr Duration kUnbroken = 100ms; ///< without an exchange: what was between is not known
 constexpr Duration kBlockTime = 16ms; ///< samples are handed out at most so often
 constexpr double kHalf32 = 2147483648.0;
 
@@ -124,14 +125,14 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
         group.values.push_back(storedOf(info, words.first(count)));
         words = words.subspan(count);
     }
-    const bool gap = std::exchange(m_broken, false) || lostFrames > 0;
+    const capture::Tick apart = group.tick - m_lastTick - m_layout->fastStep;
+    const bool gap = std::exchange(m_broken, false) || lostFrames > 0 || apart > kUnbroken / kTick;
     if (gap && !m_block.slow.empty())
         add(std::exchange(m_block, {}));
     if (m_block.slow.empty()) {
         m_block.stream = m_layout->id;
         m_block.firstTick = group.tick;
-        m_block.lostTicks =
-            gap ? std::max<capture::Tick>(1, group.tick - m_lastTick - m_layout->fastStep) : 0;
+        m_block.lostTicks = gap ? std::max<capture::Tick>(1, apart) : 0;
         m_blockSince = cycle.at;
     }
     m_lastTick = group.tick;

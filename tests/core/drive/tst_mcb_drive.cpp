@@ -44,6 +44,7 @@ private Q_SLOTS:
     void samplesCarryTheirNameAndTime();
     void sixtySecondsWithoutALostFrame();
     void aDamagedFrameIsAGap();
+    void aProgramThatStandsStillLeavesAGap();
     void registersAreReadWhileItStreams();
     void theWatchedRegistersMayChangeWhileOneIsAsked();
     void aResetWhileItStreamsIsToldAndTakenUp();
@@ -593,6 +594,25 @@ void TestMcbDrive::aDamagedFrameIsAGap()
         }
     QCOMPARE(gaps, 1);
     QCOMPARE(pair.counters.streamLostTicks, std::uint64_t{1});
+}
+
+/// Nobody asked the drive for anything meanwhile.
+void TestMcbDrive::aProgramThatStandsStillLeavesAGap()
+{
+    McbPair pair({}, 700ms);
+    QVERIFY(pair.meet());
+    QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")})).outcome == Outcome::Ok);
+    pair.runFor(100ms);
+    pair.stall(50ms); // as computers do
+    pair.runFor(100ms);
+    pair.stall(700ms);
+    pair.runFor(200ms);
+    std::vector<capture::Tick> gaps; // us
+    for (const auto &block : pair.blocks)
+        if (block.lostTicks != 0)
+            gaps.push_back(block.lostTicks);
+    QCOMPARE(gaps.size(), std::size_t{1});
+    QVERIFY2(gaps[0] > 690'000 && gaps[0] <= 700'000, qPrintable(QString::number(gaps[0])));
 }
 
 void TestMcbDrive::registersAreReadWhileItStreams()

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void deadLinesAreToldApart();
     void aStuckReadyLineIsTold();
     void aFrameWaitsForTheEdge();
+    void aSlaveThatResetsInTheCyclicStateIsNoticed_data();
     void aSlaveThatResetsInTheCyclicStateIsNoticed();
     void aSlaveThatIsCyclingIsBroughtBack();
     void aLostAckOfTheSwitchIsFoundOut_data();
@@ -376,13 +377,32 @@ void TestMcbMaster::aFrameWaitsForTheEdge()
     QCOMPARE(bus.ended.front().end, End::Ok);
 }
 
+/// One that hears frames fills its answer up; one that hears bytes takes a frame of twice the length for two.
+void TestMcbMaster::aSlaveThatResetsInTheCyclicStateIsNoticed_data()
+{
+    QTest::addColumn<Mapping>("mapping");
+    QTest::addColumn<bool>("bytes");
+    const Mapping twice{{}, {{0x060, 4}, {0x060, 4}, {0x060, 4}}};
+    QTest::newRow("by frames") << kMapping << false;
+    QTest::newRow("by frames of twice the length") << twice << false;
+    QTest::newRow("by bytes") << twice << true;
+}
+
 void TestMcbMaster::aSlaveThatResetsInTheCyclicStateIsNoticed()
 {
+    QFETCH(const Mapping, mapping);
+    QFETCH(const bool, bytes);
     McbBus bus(rig());
     QVERIFY(bus.meet());
-    QCOMPARE(bus.map(kMapping)->end, End::Ok);
+    QCOMPARE(bus.map(mapping)->end, End::Ok);
     bus.runFor(20ms);
     bus.resetSlave();
+    const Bytes idle = encodeFrame(Frame{0, Command::Idle, false, {}, {}});
+    if (bytes)
+        bus.toMaster = [&](Bytes &answer) {
+            if (answer.size() == 2 * kConfigFrameBytes)
+                std::copy(idle.begin(), idle.end(), answer.begin() + kConfigFrameBytes);
+        };
     bus.cycles.clear();
     QVERIFY(bus.runUntil([&] { return bus.count<Master::Back>() == 1; }, 2s));
     QVERIFY(bus.last<Master::Back>()->afterReset);
