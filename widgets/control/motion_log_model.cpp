@@ -38,10 +38,9 @@ void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &no
     endInsertRows();
 }
 
-QByteArray MotionLogModel::text() const
-{
-    return session::motionLogText(m_log, session::motionLogWho(QStringLiteral("Rotorscope")));
-}
+QByteArray MotionLogModel::text() const { return session::motionLogText(m_log, who()); }
+
+QString MotionLogModel::who() { return session::motionLogWho(QStringLiteral("Rotorscope")); }
 
 QString MotionLogModel::copyText(const QList<int> &rows) const
 {

@@ -29,6 +29,7 @@ public:
     const std::vector<session::LoggedMotion> &log() const { return m_log; }
     std::size_t leftOut() const { return m_leftOut; }
     QByteArray text() const; ///< as a file has it
+    static QString who(); ///< whose acts they are, as a file has it
     /// Rows as text with tabs between, for the clipboard.
     QString copyText(const QList<int> &rows) const;
 

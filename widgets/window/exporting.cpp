@@ -66,8 +66,12 @@ void Exporting::carryOut(const ExportOrder &order)
         return;
     }
     write(tr("Exporting %1").arg(deviceText(QFileInfo(order.path).fileName())),
-        [order, done](const FileJob::Proceed &proceed) -> FileJob::Finish {
-            const ExportResult result = widgets::carryOut(order, proceed);
+        [order, done, log = m_parts.workbench.motionLog().log()](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
+            ExportResult result = widgets::carryOut(order, proceed);
+            if (result.ok() && !order.motionLog.isEmpty())
+                result.logWrong = session::writeWholeFile(
+                    order.motionLog, session::motionLogText(log, MotionLogModel::who()));
             return [result, done] { done(result); };
         });
 }
@@ -92,20 +96,18 @@ void Exporting::ended(const ExportOrder &order, const ExportResult &result)
         m_folder = QFileInfo(order.path).path();
         Q_EMIT said(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(order.path)));
     } else {
-        tellCapture(order.parts.first().path, order.motionLog);
+        tellCapture(order.parts.first().path, order.motionLog, result.logWrong);
     }
 }
 
-/// A capture is in this file; its motion log goes into the other one, if that has a name.
-void Exporting::tellCapture(const QString &path, const QString &motionLog)
+/// A capture is in this file; its motion log is in the other one, if that has a name.
+void Exporting::tellCapture(const QString &path, const QString &motionLog, const QString &wrong)
 {
     const QFileInfo file(path);
     m_folder = file.path();
     QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
     Banner::Kind kind = Banner::Kind::Note;
     if (!motionLog.isEmpty()) {
-        const QString wrong =
-            session::writeWholeFile(motionLog, m_parts.workbench.motionLog().text());
         const QString name = deviceText(QFileInfo(motionLog).fileName());
         if (!wrong.isEmpty())
             kind = Banner::Kind::Warning;

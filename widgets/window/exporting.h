@@ -50,7 +50,7 @@ Q_SIGNALS:
 
 private:
     void ended(const ExportOrder &order, const ExportResult &result);
-    void tellCapture(const QString &path, const QString &motionLog);
+    void tellCapture(const QString &path, const QString &motionLog, const QString &wrong);
     FileJob *underWay() const;
 
     Parts m_parts;

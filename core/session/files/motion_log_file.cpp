@@ -15,19 +15,10 @@ qint64 milliseconds(TimePoint time)
     return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
 }
 
-/// When it was asked. A record is noted some time after its end, more or less late: the one that was noted soonest tells
-/// best how the two clocks go together.
-QDateTime askedAt(const std::vector<LoggedMotion> &log, const LoggedMotion &one)
+/// By how much the clock on the wall is ahead of the program's when a record was noted: with how late it was noted.
+qint64 apart(const LoggedMotion &one)
 {
-    const auto apart = [](const LoggedMotion &each) {
-        return each.asked.toMSecsSinceEpoch() - milliseconds(each.record.asked);
-    };
-    const qint64 own = apart(one);
-    qint64 best = own;
-    for (const LoggedMotion &other : log)
-        if (const qint64 that = apart(other); that < best && own - that < kJitter_ms)
-            best = that;
-    return one.asked.addMSecs(best - own);
+    return one.asked.toMSecsSinceEpoch() - milliseconds(one.record.asked);
 }
 
 } // namespace
@@ -36,7 +27,7 @@ LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now)
 {
     const auto took =
         std::chrono::duration_cast<std::chrono::milliseconds>(record.ended - record.asked);
-    return {std::move(record), now.addMSecs(-took.count())};
+    return {std::move(record), now.toUTC().addMSecs(-took.count())};
 }
 
 QString motionLogWho(const QString &program)
@@ -50,14 +41,23 @@ QString motionLogWho(const QString &program)
 QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &who)
 {
     QByteArray text = QByteArray::fromStdString(drive::motionLogHeading()) + '\n';
+    // A record is noted some time after its end, more or less late: the one that was noted soonest tells best how the two
+    // clocks go together.
+    std::vector<qint64> aparts;
+    for (const LoggedMotion &one : log)
+        aparts.push_back(apart(one));
+    std::sort(aparts.begin(), aparts.end());
     std::vector<LoggedMotion> inOrder = log;
-    for (LoggedMotion &one : inOrder)
-        one.asked = askedAt(log, one);
+    for (LoggedMotion &one : inOrder) {
+        const qint64 own = apart(one);
+        const qint64 soonest = *std::upper_bound(aparts.begin(), aparts.end(), own - kJitter_ms);
+        one.asked = one.asked.addMSecs(soonest - own);
+    }
     std::stable_sort(inOrder.begin(), inOrder.end(),
         [](const LoggedMotion &a, const LoggedMotion &b) { return a.asked < b.asked; });
     std::size_t number = 0;
     for (const LoggedMotion &one : inOrder) {
-        const QString time = one.asked.toUTC().toString(Qt::ISODateWithMs);
+        const QString time = one.asked.toString(Qt::ISODateWithMs);
         text += QByteArray::fromStdString(drive::motionLogLine(
                     one.record, ++number, time.toStdString(), who.toStdString()))
             + '\n';

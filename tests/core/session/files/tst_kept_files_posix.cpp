@@ -31,6 +31,7 @@ private Q_SLOTS:
     void aKilledSaveLeavesAWholeFile();
     void noLocaleChangesAFile();
     void actsAreLoggedInTheOrderInWhichTheyWereAskedFor();
+    void theLogOfADayIsWritten();
 };
 
 namespace {
@@ -219,6 +220,17 @@ void TestKeptFiles::actsAreLoggedInTheOrderInWhichTheyWereAskedFor()
         (QStringList{QStringLiteral("1 20.092Z ARM"), QStringLiteral("2 20.102Z START"),
             QStringLiteral("3 20.502Z STOP"), QStringLiteral("4 20.502Z STOP"),
             QStringLiteral("5 59.000Z STOP")})); // behind a sleep: another clock
+}
+
+/// A line for each, however many there are: what took as long as the square of their number never came to its end here.
+void TestKeptFiles::theLogOfADayIsWritten()
+{
+    constexpr int kActs = 100'000;
+    const QDateTime morning = QDateTime::fromMSecsSinceEpoch(1'700'000'000'000); // local
+    std::vector<LoggedMotion> log;
+    for (int i = 0; i < kActs; ++i)
+        log.push_back({motionAsked(i, drive::MotionAct::SpeedRamp), morning.addMSecs(i + i % 7)});
+    QCOMPARE(motionLogText(log, QStringLiteral("kim")).count('\n'), kActs + 1);
 }
 
 void TestKeptFiles::noLocaleChangesAFile()
