@@ -148,6 +148,10 @@ private:
         if (which == Qt::Key_T && modifiers == (Qt::ControlModifier | Qt::ShiftModifier))
             begin(m_inARow = 1);
     }
+    static bool isJog(const QAbstractButton &yes)
+    {
+        return yes.text().remove(QLatin1Char('&')) == QLatin1String("Jog"); // with its mnemonic
+    }
     /// A yes; the one to a jog moves nothing.
     void answer(const QWidget &widget)
     {
@@ -155,7 +159,7 @@ private:
         if (button == nullptr)
             return;
         if (button->objectName() == QLatin1String("motionConfirm"))
-            m_sink.act(button->text() == QLatin1String("Jog") ? Kind::AgreeToHold : Kind::Confirm);
+            m_sink.act(isJog(*button) ? Kind::AgreeToHold : Kind::Confirm);
         if (button->objectName() == QLatin1String("experimentConfirm")) {
             m_sink.act(Kind::AgreeToSeries);
             begin(m_inARow - 1);

@@ -100,9 +100,12 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     connect(&workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(&scope, 1);
     showCursorsIn(*layout);
-    connect(&workbench, &Workbench::heartbeat, &scope, [&scope, &workbench] {
+    const auto beat = [&scope, &workbench] {
         scope.beat(workbench.device().portOpen() && !workbench.signalPlan().showsFile());
-    });
+    };
+    connect(&workbench, &Workbench::heartbeat, &scope, beat);
+    // What stood before the port was opened counts no more at once, not with the next beat.
+    connect(&workbench.device(), &Device::portStateChanged, &scope, beat);
     m_strip = new ChannelStrip(parts.selection, workbench.device(), this);
     layout->addWidget(m_strip);
     connect(&workbench, &Workbench::heartbeat, m_strip, &ChannelStrip::measure);

@@ -1,6 +1,7 @@
 // How often the scope draws: not at all for nobody, seldom while nothing is driven, at once for a hand.
 #include "support/scope_bench.h"
 #include "support/scope_window.h"
+#include "support/screen/text_catcher.h"
 #include "widgets/measuring/spectrum_panel.h"
 
 #include <QAction>
@@ -21,6 +22,25 @@ private Q_SLOTS:
         m_rig->draw();
     }
     void cleanup() { m_rig.reset(); }
+
+    /// At once, not with the next beat.
+    void whatStoodBeforeThePortWasOpenedIsNoValueInTheLegend()
+    {
+        const auto legend = [this] {
+            support::TextCatcher texts(view().shapesSize());
+            view().drawShapes(texts);
+            return texts.caught().filter(QStringLiteral("I_A  ")).value(0);
+        };
+        const auto beat = [this] { Q_EMIT m_rig->workbench.heartbeat(widgets::Milliseconds(0)); };
+        beat();
+        QVERIFY2(legend().contains(QLatin1Char('6')), qPrintable(legend()));
+        m_rig->device().portChanged(session::PortState::Closed, {});
+        beat();
+        QVERIFY2(
+            legend().contains(QLatin1Char('6')), qPrintable(legend())); // said to be old elsewhere
+        m_rig->device().portChanged(session::PortState::Open, {});
+        QVERIFY2(!legend().contains(QLatin1Char('6')), qPrintable(legend()));
+    }
 
     void nobodySeesIt_data()
     {
