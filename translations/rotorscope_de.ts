@@ -4396,17 +4396,20 @@
         <translation>zurück zu %1</translation>
     </message>
     <message>
-        <source>unknown</source>
-        <comment>a value</comment>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
         <source>The loop keeps what was predicted: Ms %1, at most %2 promised.</source>
         <translation>Der Regelkreis hält, was vorhergesagt war: Ms %1, zugesagt höchstens %2.</translation>
     </message>
     <message>
         <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
         <translation>Schlechter als vorhergesagt: Ms %1, zugesagt höchstens %2. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
+    </message>
+    <message>
+        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation>Langsamer als vorhergesagt: Durchtritt bei %1 Hz statt bei %2 Hz. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
+    </message>
+    <message>
+        <source>Neither proved nor refuted: the loop&apos;s gain does not fall through 1 where it could be measured. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation>Weder bestätigt noch widerlegt: Die Verstärkung des Regelkreises fällt nicht dort durch 1, wo sie gemessen werden konnte. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
     </message>
 </context>
 <context>

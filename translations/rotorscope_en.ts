@@ -4395,16 +4395,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>unknown</source>
-        <comment>a value</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The loop keeps what was predicted: Ms %1, at most %2 promised.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither proved nor refuted: the loop&apos;s gain does not fall through 1 where it could be measured. &quot;Back to the old gains&quot; brings them back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

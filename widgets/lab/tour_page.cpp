@@ -303,7 +303,7 @@ void TourPage::showStation(Step step)
                     : m_bar->more());
     } else {
         const auto &proof = m_parts.tuning.proof();
-        m_steps.set(step, proof && proof->kept ? State::Done : State::Unclear,
+        m_steps.set(step, proof && proof->kept == lab::Kept::Yes ? State::Done : State::Unclear,
             proof ? m_parts.tuning.verdict() : m_bar->more());
     }
 }

@@ -171,16 +171,29 @@ Outcome<int> verdict(const Tuned &tuned)
 {
     if (!tuned.proof)
         return kDone;
-    const double promised = lab::distanceOf(tuned.chosen.goal).ms;
-    const auto &ms = tuned.proof->response.ms;
-    if (lab::keepsPromise(tuned.proof->response, promised))
+    const lab::Promise promised = lab::promiseOf(tuned.chosen, tuned.chosen.goal);
+    const lab::SpeedResponse &got = tuned.proof->response;
+    QString what;
+    switch (lab::keptBy(got, promised)) {
+    case lab::Kept::Yes:
         return kDone;
+    case lab::Kept::TooLively:
+        what = QStringLiteral("worse than predicted: Ms %1 instead of at most %2")
+                   .arg(QString::number(got.ms->value, 'f', 2), QString::number(promised.ms));
+        break;
+    case lab::Kept::TooSlow:
+        what = QStringLiteral("slower than predicted: crossover %1 Hz instead of %2 Hz")
+                   .arg(QString::number(got.crossover_hz->value, 'f', 1),
+                       QString::number(promised.crossover_hz, 'f', 1));
+        break;
+    case lab::Kept::Unclear:
+        what = QStringLiteral("not proved: its gain does not fall through 1 where it could be "
+                              "measured");
+        break;
+    }
     return failure(kRefused,
-        QStringLiteral(
-            "The loop is worse than predicted: Ms %1 instead of at most %2. The way back: "
-            "rotorscope-cli set SPEED_KP=%3 SPEED_KI=%4.")
-            .arg(ms ? QString::number(ms->value, 'f', 2) : QStringLiteral("unknown"),
-                QString::number(promised), QString::number(tuned.before.proportional),
+        QStringLiteral("The loop is %1. The way back: rotorscope-cli set SPEED_KP=%2 SPEED_KI=%3.")
+            .arg(what, QString::number(tuned.before.proportional),
                 QString::number(tuned.before.integral)));
 }
 

@@ -282,10 +282,21 @@ SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regula
     return measured;
 }
 
-bool keepsPromise(const FrequencyResponse &proof, double promisedMs)
+Promise promiseOf(const LoopForecast &forecast, std::optional<Goal> goal)
 {
-    constexpr double kTolerated = 1.1;
-    return proof.ms && proof.ms->value <= kTolerated * promisedMs;
+    return {goal ? distanceOf(*goal).ms : forecast.ms, forecast.crossover_hz};
+}
+
+Kept keptBy(const FrequencyResponse &proof, const Promise &promise)
+{
+    constexpr double kMostMs = 1.1;
+    constexpr double kLeastCrossover = 0.8; // measured twice the same loop differs by some 8 %
+    if (proof.ms && proof.ms->value > kMostMs * promise.ms)
+        return Kept::TooLively;
+    if (!proof.ms || !proof.crossover_hz)
+        return Kept::Unclear;
+    const double most_hz = proof.crossover_hz->high.value_or(proof.crossover_hz->value);
+    return most_hz < kLeastCrossover * promise.crossover_hz ? Kept::TooSlow : Kept::Yes;
 }
 
 } // namespace lab

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace lab {
 
@@ -52,7 +53,21 @@ Result<Forecaster, std::string> forecasterOf(
 /// The response as it would be with another regulator around the same motor, with its margins and their intervals.
 SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regulator);
 
-/// Whether a loop that was measured keeps what was promised of it, by its Ms.
-bool keepsPromise(const FrequencyResponse &proof, double promisedMs);
+/// What gains are to do, before they are written.
+struct Promise {
+    double ms = 0.0; ///< at most
+    double crossover_hz = 0.0; ///< as predicted
+};
+/// A goal's own distance where the gains are those of a goal, else the predicted one.
+Promise promiseOf(const LoopForecast &forecast, std::optional<Goal> goal);
+
+/// What a loop that was measured makes of it.
+enum class Kept : std::uint8_t {
+    Yes,
+    TooLively, ///< Ms is above a tenth more: nearer to instability
+    TooSlow, ///< the crossover's interval ends below four fifths
+    Unclear, ///< one of the two is not known
+};
+Kept keptBy(const FrequencyResponse &proof, const Promise &promise);
 
 } // namespace lab

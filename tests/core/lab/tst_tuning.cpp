@@ -102,6 +102,29 @@ private Q_SLOTS:
             qPrintable(QString::number(proof->crossover_hz->value)));
     }
 
+    void aLoopKeepsItsPromiseOrIsTooLivelyOrTooSlow()
+    {
+        const Promise promise{1.7, 10.0};
+        const auto measured = [](double ms, double crossover_hz, double half) {
+            FrequencyResponse proof;
+            proof.ms = Estimate{ms, ms, ms};
+            proof.crossover_hz = Estimate{crossover_hz, crossover_hz - half, crossover_hz + half};
+            return proof;
+        };
+        QCOMPARE(keptBy(measured(1.86, 9.0, 0.5), promise), Kept::Yes);
+        QCOMPARE(keptBy(measured(1.88, 9.0, 0.5), promise), Kept::TooLively);
+        QCOMPARE(keptBy(measured(1.5, 7.0, 0.5), promise), Kept::TooSlow);
+        QCOMPARE(keptBy(measured(1.5, 7.0, 1.5), promise), Kept::Yes); // it may be 8 Hz
+        QCOMPARE(
+            keptBy(measured(2.0, 7.0, 0.5), promise), Kept::TooLively); // the nearer danger is told
+        FrequencyResponse proof = measured(1.5, 9.0, 0.5);
+        proof.crossover_hz.reset();
+        QCOMPARE(keptBy(proof, promise), Kept::Unclear);
+        proof.ms = Estimate{1.9, 1.9, 1.9};
+        QCOMPARE(keptBy(proof, promise), Kept::TooLively);
+        QCOMPARE(keptBy(FrequencyResponse(), promise), Kept::Unclear);
+    }
+
     /// The nearer to instability, the greater the integral gain.
     void quickerGoalsAreNearer()
     {

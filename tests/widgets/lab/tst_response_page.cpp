@@ -102,28 +102,48 @@ private:
         auto *plot = bench.rig.window.findChild<widgets::BodePlot *>();
         QCOMPARE(plot->curves().size(), 3);
 
-        // The same digits weigh twice as much from here on: the promise is not kept, and that is told with the way back.
-        const auto divisor = bench.rig.workbench.registers().idOf("SPEED_KP_DIV").value_or(0);
-        const std::int64_t half = bench.held("SPEED_KP_DIV") - 1;
-        QVERIFY(half > 0);
-        bench.rig.workbench.edits().write(QStringLiteral("half the divisor"), {{divisor, half}});
-        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP_DIV"), half, 10'000);
-        QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
-        QVERIFY(bench.runToItsEnd("proveRun"));
-        const QString worse = bench.said("responseSentence");
-        QVERIFY2(worse.contains(QLatin1String("Worse than predicted"))
-                && worse.contains(QLatin1String("Back to the old gains")),
-            qPrintable(worse));
+        // The same digits weigh more or less from here on: the promise is not kept, and that is told with the way back.
+        const std::int64_t kpDivisor = bench.held("SPEED_KP_DIV");
+        const std::int64_t kiDivisor = bench.held("SPEED_KI_DIV");
+        proveWith(bench, kpDivisor + 1, kiDivisor + 1, "Slower than predicted");
+        QVERIFY(rowOf(bench, "proof").crossover_hz->value < 0.7 * medium.crossover_hz->value);
+        proveWith(bench, kpDivisor - 1, kiDivisor, "Worse than predicted");
         QVERIFY(rowOf(bench, "proof").ms->value > proof.ms->value);
 
         bench.press("responseBack");
         QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
         QTRY_COMPARE(bench.held("SPEED_KI"), ki);
-        QCOMPARE(bench.rig.workbench.edits().steps().count(), 3);
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), 4);
         QTRY_VERIFY(!bench.find<QPushButton>("responseBack")->isEnabled());
         bench.rig.workbench.edits().undo();
         QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), std::int64_t(*medium.kp), 10'000);
         QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
+    }
+
+    void proveWith(
+        LabWindow &bench, std::int64_t kpDivisor, std::int64_t kiDivisor, const char *verdict)
+    {
+        widgets::RegisterModel &registers = bench.rig.workbench.registers();
+        widgets::RegisterEdits &edits = bench.rig.workbench.edits();
+        edits.write(QStringLiteral("other divisors"),
+            {{registers.idOf("SPEED_KP_DIV").value_or(0), kpDivisor},
+                {registers.idOf("SPEED_KI_DIV").value_or(0), kiDivisor}});
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP_DIV"), kpDivisor, 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KI_DIV"), kiDivisor, 10'000);
+        QTRY_VERIFY(!edits.underWay());
+        QString said;
+        const auto tellsNothing = [&said] { // beside a busy computer
+            return said.isEmpty() || said.contains(QLatin1String("Neither proved"))
+                || said.contains(QLatin1String("Not conclusive"));
+        };
+        constexpr int kTries = 3;
+        for (int i = 0; i < kTries && tellsNothing(); ++i) {
+            QVERIFY(bench.runToItsEnd("proveRun"));
+            said = bench.said("responseSentence");
+        }
+        QVERIFY2(said.contains(QLatin1String(verdict))
+                && said.contains(QLatin1String("Back to the old gains")),
+            qPrintable(said));
     }
 
 private Q_SLOTS:

@@ -171,8 +171,7 @@ ExperimentBar::Run LoopTuning::responseRun(
             if (!response)
                 return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
             if (toProve) {
-                m_proof =
-                    Proof{*response, steps, *toProve, lab::keepsPromise(*response, m_promised)};
+                m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
             } else {
                 m_measured = measured;
                 m_proof.reset();
@@ -207,15 +206,13 @@ std::optional<lab::LoopForecast> LoopTuning::forecast(const Gains &gains) const
     return m_measured->forecaster(gains.kp, gains.ki);
 }
 
-/// What is held: a goal's distance by its own gains, and the prediction by any others.
-double LoopTuning::promised(const Gains &gains) const
+lab::Promise LoopTuning::promised(const Gains &gains) const
 {
     if (m_measured)
         for (const lab::GainCandidate &one : m_measured->candidates)
             if (one.proportional == gains.kp && one.integral == gains.ki)
-                return lab::distanceOf(one.goal).ms;
-    const auto predictedLoop = forecast(gains);
-    return predictedLoop ? predictedLoop->ms : 0.0;
+                return lab::promiseOf(one, one.goal);
+    return lab::promiseOf(forecast(gains).value_or(lab::LoopForecast()), std::nullopt);
 }
 
 QString LoopTuning::applyHint(const Gains &gains) const
@@ -283,14 +280,26 @@ QString LoopTuning::verdict() const
 {
     if (!m_proof)
         return {};
-    const QString ms = m_proof->response.ms ? numberText(m_proof->response.ms->value, 2)
-                                            : tr("unknown", "a value");
-    const QString most = numberText(m_promised, 2);
-    return m_proof->kept
-        ? tr("The loop keeps what was predicted: Ms %1, at most %2 promised.").arg(ms, most)
-        : tr("Worse than predicted: Ms %1, at most %2 promised. \"Back to the old gains\" brings "
-             "them back.")
-              .arg(ms, most);
+    const auto &response = m_proof->response;
+    const QString most = numberText(m_promised.ms, 2);
+    switch (m_proof->kept) {
+    case lab::Kept::TooLively:
+        return tr("Worse than predicted: Ms %1, at most %2 promised. \"Back to the old gains\" "
+                  "brings them back.")
+            .arg(numberText(response.ms->value, 2), most);
+    case lab::Kept::TooSlow:
+        return tr("Slower than predicted: crossover %1 Hz instead of %2 Hz. \"Back to the old "
+                  "gains\" brings them back.")
+            .arg(numberText(response.crossover_hz->value, 1),
+                numberText(m_promised.crossover_hz, 1));
+    case lab::Kept::Unclear:
+        return tr("Neither proved nor refuted: the loop's gain does not fall through 1 where it "
+                  "could be measured. \"Back to the old gains\" brings them back.");
+    case lab::Kept::Yes:
+        break;
+    }
+    return tr("The loop keeps what was predicted: Ms %1, at most %2 promised.")
+        .arg(numberText(response.ms->value, 2), most);
 }
 
 } // namespace widgets

@@ -34,7 +34,7 @@ public:
         lab::SpeedResponse response;
         std::optional<lab::StepSeries> steps;
         Gains gains;
-        bool kept = false; ///< what was promised
+        lab::Kept kept = lab::Kept::Unclear; ///< what was promised
     };
 
     /// All outlive it.
@@ -83,7 +83,7 @@ private:
     void write(const Gains &gains, const QString &text);
     ExperimentBar::Run responseRun(
         const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve);
-    double promised(const Gains &gains) const;
+    lab::Promise promised(const Gains &gains) const;
 
     Device &m_device;
     RegisterModel &m_registers;
@@ -95,7 +95,7 @@ private:
     std::optional<Proof> m_proof;
     std::optional<Gains> m_old, m_applied, m_writing;
     int m_measurements = 0;
-    double m_promised = 0.0; ///< Ms of what was applied
+    lab::Promise m_promised; ///< of what was applied
 };
 
 } // namespace widgets
