@@ -44,6 +44,7 @@ QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &wh
     // A record is noted some time after its end, more or less late: the one that was noted soonest tells best how the two
     // clocks go together.
     std::vector<qint64> aparts;
+    aparts.reserve(log.size());
     for (const LoggedMotion &one : log)
         aparts.push_back(apart(one));
     std::sort(aparts.begin(), aparts.end());
