@@ -43,8 +43,8 @@ public:
         ++m_moment.statements;
         // The samples of half a second may have been on their way at each end.
         const double seconds = toSeconds(m_moment.world().now() - m_begun);
-        const auto slack =
-            static_cast<std::uint64_t>(double(later - m_before) / std::max(seconds, 0.1));
+        const auto slack = std::max(
+            kFew, static_cast<std::uint64_t>(double(later - m_before) / std::max(seconds, 0.1)));
         const std::string said = "the recording " + m_path.toStdString() + " holds "
             + std::to_string(held) + " samples, and the board sent "
             + std::to_string(m_after - m_before);
@@ -59,6 +59,7 @@ public:
     }
 
 private:
+    static constexpr std::uint64_t kFew = 2000; ///< samples of a stream that has just begun
     static constexpr Duration kLately = 15s; ///< less than values are kept
     static constexpr std::uint64_t kLast = 10; ///< values that are looked at
 
