@@ -30,8 +30,7 @@ struct ExportResult {
     QString path; ///< its
     QStringList written; ///< names of the parts that are whole
     bool allInIt = false; ///< every sample of the parts is in a file
-    QString
-        logWrong; ///< why the motion log is in no file; empty: it is, or there was none to write
+    QString logWrong; ///< why the motion log is in no file; empty: it is, or there is none
     bool ok() const
     {
         return last.file.error == session::FileError::None
