@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace widgets {
 
@@ -65,9 +66,11 @@ void Exporting::carryOut(const ExportOrder &order)
         done(result);
         return;
     }
+    std::vector<session::LoggedMotion> log; // as it is now, too
+    if (!order.motionLog.isEmpty())
+        log = m_parts.workbench.motionLog().log();
     write(tr("Exporting %1").arg(deviceText(QFileInfo(order.path).fileName())),
-        [order, done, log = m_parts.workbench.motionLog().log()](
-            const FileJob::Proceed &proceed) -> FileJob::Finish {
+        [order, done, log = std::move(log)](const FileJob::Proceed &proceed) -> FileJob::Finish {
             ExportResult result = widgets::carryOut(order, proceed);
             if (result.ok() && !order.motionLog.isEmpty())
                 result.logWrong = session::writeWholeFile(

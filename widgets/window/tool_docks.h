@@ -11,8 +11,8 @@
 #include <QSize>
 #include <QStringList>
 
+#include <deque>
 #include <functional>
-#include <vector>
 
 class QDockWidget;
 class QMainWindow;
@@ -70,7 +70,7 @@ private:
 
     QMainWindow &m_window;
     Workbench &m_workbench;
-    std::vector<Tool> m_tools;
+    std::deque<Tool> m_tools; ///< each keeps its place when another is added
     QList<QAction *> m_actions;
     QAction *m_close;
     Tool *m_below = nullptr; ///< that floats before the window's lower edge

@@ -383,22 +383,24 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards_data()
     QTest::addColumn<int>("rpm"); // asked for while it turns at 600
     QTest::addColumn<std::function<void(McbPair &)>>("act");
     QTest::addColumn<bool>("rests"); // neither it nor the one before comes behind a Stop
+    QTest::addColumn<Duration>("stall"); // that the judge allows
     using Act = std::function<void(McbPair &)>;
-    QTest::newRow("disarmed") << 1200 << Act([](McbPair &pair) { pair.drive->disarm(); }) << false;
+    QTest::newRow("disarmed") << 1200 << Act([](McbPair &pair) { pair.drive->disarm(); }) << false
+                              << Duration();
     QTest::newRow("disconnected") << 1200
                                   << Act([](McbPair &pair) { pair.drive->disconnect(pair.now); })
-                                  << false;
+                                  << false << Duration();
     QTest::newRow("stopped") << 1200 << Act([](McbPair &pair) {
         pair.stopped = true;
         pair.drive->stop(pair.now);
-    }) << true;
+    }) << true << Duration();
     const Act late = [](McbPair &pair) {
         const Duration look = std::exchange(pair.look, 5ms);
         pair.stall(kStall);
         pair.look = look;
     };
-    QTest::newRow("late") << 1200 << late << false;
-    QTest::newRow("rest, late") << 0 << late << false;
+    QTest::newRow("late") << 1200 << late << false << kStall;
+    QTest::newRow("rest, late") << 0 << late << false << kStall;
 }
 
 /// At any instant of a set-point's way: between it and the next exchange it is taken back, or the program has no core for
@@ -408,10 +410,11 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
     QFETCH(const int, rpm);
     QFETCH(const std::function<void(McbPair &)>, act);
     QFETCH(const bool, rests);
+    QFETCH(const Duration, stall);
     int notSent = 0;
     constexpr int kInstants = 60;
     for (int i = 0; i < kInstants; ++i) {
-        Bench bench({}, kStall);
+        Bench bench({}, stall);
         bench.pair.look = 250us;
         QVERIFY(bench.travels());
         McbPair &pair = bench.pair;

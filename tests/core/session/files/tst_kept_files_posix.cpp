@@ -229,7 +229,8 @@ void TestKeptFiles::theLogOfADayIsWritten()
     const QDateTime morning = QDateTime::fromMSecsSinceEpoch(1'700'000'000'000); // local
     std::vector<LoggedMotion> log;
     for (int i = 0; i < kActs; ++i)
-        log.push_back({motionAsked(i, drive::MotionAct::SpeedRamp), morning.addMSecs(i + i % 7)});
+        log.push_back(
+            loggedNow(motionAsked(i, drive::MotionAct::SpeedRamp), morning.addMSecs(i + i % 7)));
     QCOMPARE(motionLogText(log, QStringLiteral("kim")).count('\n'), kActs + 1);
 }
 
