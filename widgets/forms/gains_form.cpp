@@ -15,10 +15,25 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace widgets {
+namespace {
+
+using Writes = std::vector<drive::RegisterWrite>;
+
+bool holds(const Writes &writes, const drive::RegisterWrite &write)
+{
+    return std::find(writes.begin(), writes.end(), write) != writes.end();
+}
+
+bool writesTo(const Writes &writes, catalog::RegisterId id)
+{
+    return std::any_of(
+        writes.begin(), writes.end(), [id](const auto &write) { return write.id == id; });
+}
+
+} // namespace
 
 GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits, QAction *apply,
     QAction *revert, const Inertias &inertias, QWidget *parent)
@@ -74,7 +89,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
         m_inertias[m_motorName] = inertia_kgm2;
         Q_EMIT inertiaRemembered(m_motorName, inertia_kgm2);
     });
-    connect(&model, &QAbstractItemModel::modelReset, this, &GainsForm::boardChanged);
+    connect(&model, &RegisterModel::catalogSet, this, &GainsForm::boardChanged);
     connect(&edits, &RegisterEdits::changed, this, &GainsForm::editsChanged);
     boardChanged();
 }
@@ -119,9 +134,12 @@ void GainsForm::focusFirst()
 
 void GainsForm::boardChanged()
 {
+    const Writes previewed = std::exchange(m_previewed, {}); // of what is shown no more
     m_lab->forgetTyped();
     takeFacts();
     m_lab->refreshPresent();
+    if (!previewed.empty())
+        dropPreview(previewed);
     Q_EMIT watchedRegistersChanged();
 }
 
@@ -168,87 +186,82 @@ void GainsForm::showBoard(const drive::MotorFacts &facts)
             : QString());
 }
 
-QStringList GainsForm::othersPending() const
+/// Registers and values; without those that this board has not.
+std::vector<drive::RegisterWrite> GainsForm::planned() const
 {
-    std::vector<catalog::RegisterId> planned;
-    for (const motor::PlannedGain &gain : m_lab->plan().gains)
-        for (const QString &suffix : {QString(), QStringLiteral("_DIV")})
-            if (const auto id =
-                    m_model.idOf((QLatin1String(gainRegister(gain.id)) + suffix).toStdString()))
-                planned.push_back(*id);
-    QStringList names;
-    for (const drive::RegisterWrite &write : m_model.pending())
-        if (std::find(planned.begin(), planned.end(), write.id) == planned.end())
-            names.append(QString::fromStdString(m_model.catalog()->nameOf(write.id)));
-    return names;
-}
-
-/// Whether the last preview still stands among the edits, as it was made.
-bool GainsForm::previewWaits() const
-{
-    const auto pending = m_model.pending();
-    return !m_previewed.empty()
-        && std::all_of(m_previewed.begin(), m_previewed.end(), [&](const auto &made) {
-               return std::any_of(pending.begin(), pending.end(), [&](const auto &write) {
-                   return write.id == made.id && write.value == made.value;
-               });
-           });
+    Writes writes;
+    for (const motor::PlannedGain &gain : m_lab->plan().gains) {
+        const std::string name = gainRegister(gain.id);
+        const auto numerator = m_model.idOf(name), divisor = m_model.idOf(name + "_DIV");
+        if (!numerator || !divisor)
+            continue; // the lab does not offer a preview then
+        writes.push_back({*numerator, std::int64_t{gain.quantised.gain.numerator}});
+        writes.push_back({*divisor, std::int64_t{gain.quantised.gain.exponent}});
+    }
+    return writes;
 }
 
 /// The form shows other gains now: what waits to be written is never of an older one.
 void GainsForm::followPlan()
 {
-    if (m_edits.underWay() || !previewWaits())
+    if (m_edits.underWay() || m_previewed.empty())
         return;
-    if (m_lab->previewPossible())
-        return preview();
-    for (const drive::RegisterWrite &made : std::exchange(m_previewed, {}))
-        if (const auto held = m_model.known(made.id))
-            m_model.setPending(made.id, *held);
+    const auto pending = m_model.pending();
+    Writes left = m_previewed;
+    std::erase_if(left, [&pending](const auto &made) { return !holds(pending, made); });
+    if (left.empty()) { // written, taken back, or edited by hand
+        m_previewed.clear();
+        m_lab->tell({});
+    } else if (planned() != m_previewed) {
+        // Beside what was edited by hand since, the rest is no plan any more.
+        const bool byHand =
+            std::any_of(m_previewed.begin(), m_previewed.end(), [&pending](const auto &made) {
+                return writesTo(pending, made.id) && !holds(pending, made);
+            });
+        m_previewed.clear();
+        if (!byHand && m_lab->previewPossible())
+            preview();
+        else
+            dropPreview(left);
+    }
+}
+
+void GainsForm::dropPreview(const Writes &edits)
+{
+    m_model.forgetEdits([&edits](catalog::RegisterId id) { return writesTo(edits, id); });
     m_lab->tell(tr("The form has changed: the edits of its preview were dropped."));
 }
 
 void GainsForm::editsChanged()
 {
-    if (!m_previewed.empty() && !m_edits.underWay() && !previewWaits()) {
-        m_previewed.clear(); // written, taken back, or edited by hand
-        m_lab->tell({});
-    }
     m_lab->refreshPresent();
+    followPlan();
 }
 
 void GainsForm::preview()
 {
-    m_previewed.clear();
     if (m_edits.underWay())
         return m_lab->tell(tr("A write is under way: preview again when it has ended."));
-    const QStringList others = othersPending();
-    const motor::GainPlan plan = m_lab->plan(); // each edit lets the lab look again
-    int changes = 0;
-    std::set<catalog::RegisterId> planned;
-    for (const motor::PlannedGain &gain : plan.gains) {
-        const std::string name = gainRegister(gain.id);
-        const auto numerator = m_model.idOf(name), divisor = m_model.idOf(name + "_DIV");
-        if (!numerator || !divisor)
-            continue; // the lab does not offer a preview then
-        const catalog::Value digits{std::int64_t{gain.quantised.gain.numerator}},
-            exponent{std::int64_t{gain.quantised.gain.exponent}};
-        // One without the other would be another gain, a power of two away.
-        const bool both =
-            m_model.setPending(*numerator, digits) && m_model.setPending(*divisor, exponent);
-        if (!both) {
-            for (const auto id : {*numerator, *divisor})
-                if (const auto held = m_model.known(id))
-                    m_model.setPending(id, *held);
-            return m_lab->tell(tr("%1 cannot be edited now.").arg(QString::fromStdString(name)));
-        }
-        planned.insert({*numerator, *divisor});
-        changes += m_model.known(*numerator) != digits;
-        changes += m_model.known(*divisor) != exponent;
-    }
+    m_previewed.clear();
+    m_lab->refreshPresent();
+    const Writes wanted = planned();
+    QStringList others;
     for (const drive::RegisterWrite &write : m_model.pending())
-        if (planned.count(write.id) > 0)
-            m_previewed.push_back(write);
+        if (!writesTo(wanted, write.id))
+            others.append(QString::fromStdString(m_model.catalog()->nameOf(write.id)));
+    int changes = 0;
+    for (const drive::RegisterWrite &write : wanted) {
+        if (!m_model.setPending(write.id, write.value)) {
+            // One without the others would be another gain, perhaps a power of two away.
+            m_model.forgetEdits([&wanted](catalog::RegisterId id) { return writesTo(wanted, id); });
+            return m_lab->tell(
+                tr("%1 cannot be edited now.")
+                    .arg(QString::fromStdString(m_model.catalog()->nameOf(write.id))));
+        }
+        changes += m_model.known(write.id) != write.value;
+    }
+    if (changes > 0)
+        m_previewed = wanted;
     QString told = changes > 0
         ? tr("%n edit(s) wait: Apply writes them as one step.", nullptr, changes)
         : tr("The board has these gains already.");

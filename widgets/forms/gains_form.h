@@ -40,12 +40,11 @@ private:
     void takeFacts();
     void boardChanged();
     void showBoard(const drive::MotorFacts &facts);
+    std::vector<drive::RegisterWrite> planned() const;
     void preview();
-    bool previewWaits() const;
     void followPlan();
+    void dropPreview(const std::vector<drive::RegisterWrite> &edits);
     void editsChanged();
-    /// Registers that are edited and that the plan has nothing to do with, by name.
-    QStringList othersPending() const;
 
     Device &m_device;
     RegisterModel &m_model;
@@ -53,7 +52,8 @@ private:
     Inertias m_inertias;
     QString m_motorName; ///< made fit to be shown
     std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
-    std::vector<drive::RegisterWrite> m_previewed; ///< edits that the last preview made
+    std::vector<drive::RegisterWrite>
+        m_previewed; ///< what the last preview planned, while some of it waits
     QTabWidget *m_pages;
     QLabel *m_board;
     GainTable *m_table;

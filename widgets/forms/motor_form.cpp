@@ -45,7 +45,7 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription 
     layout->addWidget(makeLeft(), 1);
     layout->addWidget(makeRight());
 
-    connect(&registers, &QAbstractItemModel::modelReset, this, &MotorForm::boardChanged);
+    connect(&registers, &RegisterModel::catalogSet, this, &MotorForm::boardChanged);
     connect(&device, &Device::linkStateChanged, this, [this] {
         if (isVisible() && !m_asked)
             readAgain();

@@ -73,7 +73,7 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
         updateAll();
         Q_EMIT watchedRegistersChanged();
     };
-    connect(&registers, &QAbstractItemModel::modelReset, this, anotherMotor);
+    connect(&registers, &RegisterModel::catalogSet, this, anotherMotor);
     connect(&device, &Device::wishMade, this, &RampForm::wished);
     connect(&device, &Device::wishEnded, this, &RampForm::ended);
     connect(&device, &Device::stopAdvanced, this, [this](const drive::StopProgress &stop) {

@@ -238,9 +238,9 @@ void RevUpForm::connectParts()
     });
     connect(m_model, &RevUpModel::adjusted, this,
         [this](const QString &sentence) { m_bar->tell(sentence, true); });
-    connect(&m_registers, &QAbstractItemModel::modelReset, this, &RevUpForm::takeFacts);
+    connect(&m_registers, &RegisterModel::catalogSet, this, &RevUpForm::takeFacts);
     connect(&m_device, &Device::boundsChanged, this, &RevUpForm::takeFacts);
-    connect(&m_registers, &QAbstractItemModel::modelReset, this, &Form::watchedRegistersChanged);
+    connect(&m_registers, &RegisterModel::catalogSet, this, &Form::watchedRegistersChanged);
     connect(
         &m_device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) {

@@ -68,7 +68,7 @@ RevUpModel::RevUpModel(RegisterModel &registers, QObject *parent)
     : QAbstractTableModel(parent)
     , m_registers(registers)
 {
-    connect(&registers, &QAbstractItemModel::modelReset, this, &RevUpModel::resolve);
+    connect(&registers, &RegisterModel::catalogSet, this, &RevUpModel::resolve);
     connect(&registers, &QAbstractItemModel::dataChanged, this,
         [this](const QModelIndex &from, const QModelIndex &to) {
             const QModelIndex mine = m_id ? m_registers.indexOf(*m_id) : QModelIndex();

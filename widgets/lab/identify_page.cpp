@@ -22,7 +22,7 @@ IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
     layout->addWidget(m_table);
-    connect(&parts.registers, &QAbstractItemModel::modelReset, this, &IdentifyPage::boardChanged);
+    connect(&parts.registers, &RegisterModel::catalogSet, this, &IdentifyPage::boardChanged);
     connect(&findings(), &QAbstractItemModel::dataChanged, this, &IdentifyPage::enableButtons);
     connect(&parts.description, &MotorDescription::changed, this, &IdentifyPage::showKnown);
     boardChanged();

@@ -33,7 +33,7 @@ LiveGain::LiveGain(RegisterModel &model, RegisterEdits &edits, const char *name,
     setObjectName(QStringLiteral("live_") + QLatin1String(name));
     setMaxLength(12);
     connect(this, &QLineEdit::textEdited, this, [this] { showProblem(); });
-    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+    connect(&model, &RegisterModel::catalogSet, this, [this] {
         m_wanted.reset();
         m_sent.reset();
         follow();

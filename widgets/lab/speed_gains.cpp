@@ -35,7 +35,7 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     grid->addWidget(m_kpText, 0, 2);
     grid->addWidget(m_kiText, 1, 2);
     grid->setColumnStretch(2, 1);
-    connect(&model, &QAbstractItemModel::modelReset, this, &SpeedGains::takeFacts);
+    connect(&model, &RegisterModel::catalogSet, this, &SpeedGains::takeFacts);
     for (const LiveGain *gain : {m_kp, m_ki})
         connect(gain, &LiveGain::changed, this, &SpeedGains::updateTexts);
     takeFacts();

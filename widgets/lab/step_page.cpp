@@ -137,7 +137,7 @@ void StepPage::connectParts()
     connect(m_fields, &StepFields::changed, m_bar, &ExperimentBar::refresh);
     connect(m_gains, &SpeedGains::changed, m_bar, &ExperimentBar::refresh);
     connect(&device, &Device::boundsChanged, this, &StepPage::boardChanged);
-    connect(&m_parts.registers, &QAbstractItemModel::modelReset, this, &StepPage::boardChanged);
+    connect(&m_parts.registers, &RegisterModel::catalogSet, this, &StepPage::boardChanged);
     connect(&m_parts.edits, &RegisterEdits::told, this, [this](const QString &told, bool good) {
         if (!good && isVisible())
             m_bar->tell(told);

@@ -58,6 +58,7 @@ void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, 
     keepEdits(before.get());
     rebuildGroups();
     endResetModel();
+    Q_EMIT catalogSet();
     Q_EMIT editsChanged();
 }
 

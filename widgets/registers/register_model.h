@@ -11,6 +11,7 @@
 #include <QAbstractItemModel>
 #include <QSet>
 
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -81,7 +82,8 @@ public:
     /// Wants a value; the one that the board holds takes the wish back. False if it must not be written.
     bool setPending(catalog::RegisterId id, const catalog::Value &value);
     std::vector<drive::RegisterWrite> pending() const; ///< in the order of the first edit of each
-    void forgetEdits(); ///< all that are not on their way
+    /// All that are not on their way. @param of  these registers alone
+    void forgetEdits(const std::function<bool(catalog::RegisterId)> &of = {});
     void markSending(const std::vector<drive::RegisterWrite> &writes); ///< the edits among them
     void markNotSent(); ///< what was on its way is pending again
     /// How writes ended. An edit that was not among them waits on, unless the board now holds what it wants.
@@ -121,6 +123,8 @@ public:
     Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
 
 Q_SIGNALS:
+    void
+    catalogSet(); ///< another board or motor, or the same one found anew; a pin is none of these
     void editsChanged();
 
 private:

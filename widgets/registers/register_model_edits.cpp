@@ -110,11 +110,10 @@ bool RegisterModel::setData(const QModelIndex &index, const QVariant &value, int
 bool RegisterModel::setPending(catalog::RegisterId id, const catalog::Value &value)
 {
     const auto rules = rulesOf(id);
-    if (!rules || !catalog::refuseValue(*rules->info, value).empty())
-        return false;
     const Edit *before = editOf(id);
-    if (before && before->state == EditState::Sending)
-        return false; // first its own end
+    if (!rules || (before && before->state == EditState::Sending) // first its own end
+        || !catalog::refuseValue(*rules->info, value).empty())
+        return false;
     const bool sameAsBoard = known(id) == value;
     if (before && (sameAsBoard || before->state != EditState::Pending))
         std::erase_if(m_edits, [id](const Edit &edit) { return edit.id == id; });
@@ -138,15 +137,15 @@ std::vector<drive::RegisterWrite> RegisterModel::pending() const
     return writes;
 }
 
-void RegisterModel::forgetEdits()
+void RegisterModel::forgetEdits(const std::function<bool(catalog::RegisterId)> &of)
 {
-    std::vector<catalog::RegisterId> gone;
-    for (const Edit &edit : m_edits)
-        if (edit.state != EditState::Sending)
-            gone.push_back(edit.id);
-    std::erase_if(m_edits, [](const Edit &edit) { return edit.state != EditState::Sending; });
-    for (const catalog::RegisterId id : gone)
-        rowChanged(id);
+    const auto end = std::stable_partition(m_edits.begin(), m_edits.end(), [&of](const Edit &edit) {
+        return edit.state == EditState::Sending || (of && !of(edit.id));
+    });
+    const std::vector<Edit> gone(end, m_edits.end());
+    m_edits.erase(end, m_edits.end());
+    for (const Edit &edit : gone)
+        rowChanged(edit.id);
     Q_EMIT editsChanged();
 }
 

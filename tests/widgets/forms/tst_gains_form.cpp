@@ -126,6 +126,24 @@ private Q_SLOTS:
         QVERIFY(bench.type("I_Q_KP", QStringLiteral("77")));
         bench.typeInto("labBandwidth", QStringLiteral("2000"));
         QCOMPARE(wantedOf(bench, "I_Q_KP"), 77);
+        QCOMPARE(bench.edits.pendingCount(), 1); // and the rest is no plan that is shown
+    }
+
+    void whatWaitsGoesWithTheBoardThatItIsFor()
+    {
+        GainBench bench;
+        typeMotor(bench, "0.35", "0.6", "0.6");
+        bench.typeInto("labBandwidth", QStringLiteral("1000"));
+        bench.button("labPreview")->click();
+        const int waits = bench.edits.pendingCount();
+        QVERIFY(waits > 0);
+        bench.model.togglePinned(bench.id("I_Q_KP")); // which is no other board
+        QCOMPARE(bench.edits.pendingCount(), waits);
+        QCOMPARE(*bench.field("labBandwidth")->value(), 1000.0);
+        bench.model.setCatalog(bench.model.catalog(), 1); // found anew: nothing is known of it
+        QCOMPARE(bench.edits.pendingCount(), 0);
+        auto *told = bench.form.findChild<QLabel *>(QStringLiteral("labTold"));
+        QVERIFY(told->text().contains(QStringLiteral("dropped")));
     }
 
     void undoAfterApplyIsThatOfTheWrite()

@@ -38,7 +38,7 @@ LoopTuning::LoopTuning(Device &device, RegisterModel &registers, RegisterEdits &
     , m_experiments(experiments)
     , m_facts(device, registers)
 {
-    connect(&registers, &QAbstractItemModel::modelReset, this, &LoopTuning::boardChanged);
+    connect(&registers, &RegisterModel::catalogSet, this, &LoopTuning::boardChanged);
     connect(&device, &Device::identityChanged, this, &LoopTuning::boardChanged);
     connect(&device, &Device::motorChanged, this, &LoopTuning::boardChanged);
     connect(&edits, &RegisterEdits::changed, this, &LoopTuning::changed);
