@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace widgets {
 
@@ -20,12 +21,14 @@ constexpr Duration kForgets = std::chrono::milliseconds(10);
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 } // namespace
 
-void SessionClock::stamped(TimePoint at, Milliseconds now)
+bool SessionClock::stamped(TimePoint at, Milliseconds now)
 {
     const double lag = toSeconds(now) - toSeconds(at.time_since_epoch());
+    const bool other = !m_lag || lag > *m_lag + kOtherAxis;
     // What arrives late makes the lag look longer, nothing makes it look shorter.
-    if (!m_lag || lag < *m_lag || lag > *m_lag + kOtherAxis)
+    if (other || lag < *m_lag)
         m_lag = lag;
+    return other;
 }
 
 double SessionClock::secondsAt(Milliseconds now) const
@@ -48,27 +51,52 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
     connect(&device, &Device::portStateChanged, this, &EventRecorder::port);
     connect(&device, &Device::openWished, this, [this] { m_loss.reset(); });
-    connect(&device, &Device::streamStarted, this,
-        [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
+    connect(&device, &Device::streamStarted, this, [this](const capture::StreamLayout &layout) {
+        m_tickHz = layout.tickHz;
+        if (!layout.empty()
+            && std::exchange(m_origin, layout.originSeconds) != layout.originSeconds)
+            m_axis.forget();
+    });
     connect(&device, &Device::stopWished, this,
-        [this] { note(EventKind::Command, this->now(), EventRecorder::tr("Stop motors")); });
+        [this] { note(EventKind::Command, this->samplesNow(), EventRecorder::tr("Stop motors")); });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
-        note(EventKind::Command, this->now(),
+        note(EventKind::Command, this->samplesNow(),
             armed ? EventRecorder::tr("Armed") : EventRecorder::tr("Disarmed"));
     });
     connect(&device, &Device::stopAdvanced, this, [this](const drive::StopProgress &progress) {
         if (progress.word == drive::StopWord::NotConfirmed)
-            note(EventKind::Fault, toSeconds(progress.at.time_since_epoch()),
+            note(EventKind::Fault, onAxis(progress.at),
                 named(progress.motor, stopWordText(progress.word)));
     });
     connect(&device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) {
             for (const drive::Reading &reading : readings)
-                m_clock.stamped(reading.at, m_now());
+                stamped(reading.at);
         });
 }
 
 double EventRecorder::now() const { return m_clock.secondsAt(m_now()); }
+
+void EventRecorder::stamped(TimePoint at)
+{
+    if (m_clock.stamped(at, m_now()))
+        m_axis.forget(); // it was measured by another clock
+}
+
+double EventRecorder::onAxis(TimePoint at) const
+{
+    return m_axis.of(toSeconds(at.time_since_epoch()));
+}
+
+/// Of the samples in the capture: one that counts anew goes on there behind those of before.
+void EventRecorder::hear()
+{
+    const auto streaming = m_capture.streaming();
+    const capture::Channel *channel =
+        streaming.empty() ? nullptr : m_capture.channel(streaming.front());
+    if (channel && !channel->empty())
+        m_axis.heard(now(), capture::toSeconds(channel->timeOf(channel->end() - 1)));
+}
 
 void EventRecorder::note(EventKind kind, double seconds, const QString &text)
 {
@@ -144,7 +172,7 @@ void EventRecorder::wished(const drive::Wish &wish)
     const QString text = wishText(wish, severalMotors());
     if ((!write && text.isEmpty()) || m_asked.size() >= kMostAsked)
         return;
-    const double seconds = now();
+    const double seconds = samplesNow();
     m_asked[wish.id] = {seconds, write ? 0 : m_log.add(EventKind::Command, seconds, text)};
 }
 
@@ -224,8 +252,8 @@ void EventRecorder::status(int motor)
     if (pastIsNew(now))
         before.faultsPast.clear();
     m_status[motor] = now;
-    m_clock.stamped(now.at, m_now());
-    const double seconds = toSeconds(now.at.time_since_epoch());
+    stamped(now.at);
+    const double seconds = onAxis(now.at);
     // One that was over before the board was asked again is among the past ones only. Those of before the connection are
     // no event of it.
     const auto has = [](const std::vector<std::string> &faults, const std::string &fault) {
@@ -277,12 +305,12 @@ void EventRecorder::link()
             began && m_loss->how < Trouble::Lost && link.reason != drive::LinkReason::BoardReset) {
             m_log.setText(m_loss->id, // a moment that is over: its line is enough
                 tr("%1, for %2", "trouble of the link, how long")
-                    .arg(began->text, spanTime(now() - began->seconds, QLocale())));
+                    .arg(began->text, spanTime(now() - m_loss->since, QLocale())));
             m_loss.reset();
             break;
         }
         m_loss.reset();
-        note(EventKind::Recovery, now(),
+        note(EventKind::Recovery, samplesNow(),
             link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);
         break;
     case LinkState::Suspect:
@@ -308,7 +336,7 @@ void EventRecorder::link()
 void EventRecorder::noteLoss(Trouble how, const QString &text)
 {
     if (!m_loss) {
-        m_loss = {how, m_log.add(EventKind::Loss, now(), text)};
+        m_loss = {how, m_log.add(EventKind::Loss, samplesNow(), text), now()};
     } else if (how > m_loss->how) {
         m_loss->how = how;
         m_log.setText(m_loss->id, text);
@@ -323,7 +351,7 @@ void EventRecorder::port()
         error.problem != session::PortProblem::None)
         noteLoss(Trouble::Port, portProblemText(error, m_device.endpoint().path));
     else
-        note(EventKind::Command, now(), tr("Disconnected"));
+        note(EventKind::Command, samplesNow(), tr("Disconnected"));
 }
 
 void EventRecorder::replaced()
@@ -338,12 +366,13 @@ void EventRecorder::replaced()
     for (const std::string &motor : board->identity.motorNames)
         names.append(deviceText(motor));
     names.removeAll(QString());
-    note(EventKind::Recovery, now(),
+    note(EventKind::Recovery, samplesNow(),
         tr("Another board: %1", "its names").arg(names.join(QStringLiteral(", "))));
 }
 
 void EventRecorder::stored(const capture::SampleBlock &block)
 {
+    hear();
     if (block.lostTicks <= 0 || !(m_tickHz > 0))
         return;
     const auto streaming = m_capture.streaming();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "drive/set_points/set_point_times.h"
 #include "widgets/base/device.h"
 #include "widgets/scope/events/event_log.h"
 
@@ -15,8 +16,9 @@ namespace widgets {
 /// The session's clock as the window can know it: from the stamps of what arrives, which are some milliseconds old.
 class SessionClock {
 public:
-    void stamped(TimePoint at, Milliseconds now);
-    double secondsAt(Milliseconds now) const;
+    /// @return  whether it belongs to another clock than those before
+    bool stamped(TimePoint at, Milliseconds now);
+    double secondsAt(Milliseconds now) const; ///< on the session's axis
 
 private:
     std::optional<double> m_lag; ///< seconds that the window's clock is ahead of the session's
@@ -29,7 +31,8 @@ public:
     EventRecorder(Device &device, const capture::Capture &capture, EventLog &log,
         std::function<Milliseconds()> now, QObject *parent = nullptr);
 
-    double now() const; ///< seconds on the session's axis
+    double now() const; ///< seconds on the session's axis, which is that of recordings
+    double samplesNow() const { return m_axis.of(now()); } ///< on the axis of the samples
     /// Its line tells from now on how exactly its instant is known.
     void left(drive::WishId wish, double within_s);
     void replaced(); ///< another board has answered than before
@@ -40,7 +43,7 @@ public:
     static QString motorText(int motor, const QString &text, bool several);
 
 Q_SIGNALS:
-    // The same for a trigger that waits for it; `seconds` on the session's axis.
+    // The same for a trigger that waits for it; `seconds` on the axis of the samples.
     void stateChanged(double seconds, widgets::EventKind kind, quint32 which); ///< State or Fault
     void faulted(double seconds, int motor, const QString &fault); ///< its name, fit to be shown
     void written(double seconds, const QString &name); ///< of a register
@@ -54,7 +57,11 @@ private:
     struct Loss {
         Trouble how;
         quint32 id; ///< its line
+        double since; ///< on the session's axis
     };
+    void stamped(TimePoint at);
+    double onAxis(TimePoint at) const;
+    void hear();
     void noteLoss(Trouble how, const QString &text);
     void note(EventKind kind, double seconds, const QString &text);
     void wished(const drive::Wish &wish);
@@ -73,6 +80,8 @@ private:
     EventLog &m_log;
     std::function<Milliseconds()> m_now;
     SessionClock m_clock;
+    double m_origin = 0.0; ///< of the stream
+    drive::SampleAxis m_axis; ///< a board's clock and the session's drift apart by seconds a day
     std::map<drive::WishId, Asked> m_asked;
     std::pair<drive::WishId, quint32> m_lastEnded; ///< a command, and its line
     std::map<int, drive::MotorStatus> m_status;

@@ -39,7 +39,7 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     m_edits.keepBeforeWriting(m_snapshots);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
-        m_faults.advance(m_recorder.now()); // also where nothing comes any more
+        m_faults.advance(m_recorder.samplesNow()); // also where nothing comes any more
         Q_EMIT heartbeat(now());
     });
     m_heart.start(kHeartbeatMs);
@@ -123,7 +123,7 @@ void Workbench::advance()
 {
     m_math.advance();
     m_trigger.advance();
-    m_faults.advance(m_recorder.now());
+    m_faults.advance(m_recorder.samplesNow());
     Q_EMIT advanced();
 }
 

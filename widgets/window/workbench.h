@@ -108,7 +108,7 @@ private:
     EventLog m_events;
     EventRecorder m_recorder{m_device, m_capture, m_events, [this] { return now(); }};
     FaultRecords m_faults{m_capture};
-    Trigger m_trigger{m_capture, [this] { return m_recorder.now(); }};
+    Trigger m_trigger{m_capture, [this] { return m_recorder.samplesNow(); }};
     WatchList m_watchList;
     QTimer m_heart;
     QTimer m_pulse; ///< also while the models are busy with a heartbeat

@@ -11,6 +11,8 @@ namespace drive {
 namespace {
 
 constexpr std::size_t kMostWished = 1000;
+constexpr double kUnderWay_s = 0.1; ///< that samples may take from a board to here
+constexpr double kLeap_s = 1.0; ///< of what one sample tells and the next
 constexpr double kStretch_s = 1.0; ///< clocks drift apart by some 0.1 ms in it, at worst
 constexpr double kFrame = 12.0; ///< bytes of a packet beside its samples
 constexpr double kFastBytes = 2.0, kSlowBytes = 4.0;
@@ -22,12 +24,21 @@ void SampleAxis::heard(double arrived_s, double sampled_s)
     const double late = arrived_s - sampled_s;
     if (!std::isfinite(late))
         return;
+    // The clock here leapt, or its reader stood still and hears the next ones in time.
+    if (std::abs(late - std::exchange(m_late, late)) > kLeap_s)
+        m_least = m_before = std::nullopt;
     if (!m_least || arrived_s - m_since > kStretch_s) {
         m_before = m_least;
         m_least = late;
         m_since = arrived_s;
     }
     m_least = std::min(*m_least, late);
+}
+
+double SampleAxis::of(double seconds) const
+{
+    const double ahead = ahead_s();
+    return m_before && std::abs(ahead) > kUnderWay_s ? seconds + ahead : seconds;
 }
 
 double SampleAxis::ahead_s() const

@@ -21,10 +21,14 @@ public:
     void heard(double arrived_s, double sampled_s);
     /// To be added to a time of the clock here; 0 before anything was heard.
     double ahead_s() const;
+    /// A time of the clock here, on the axis, where the two have drifted apart: by more than samples are under way, and
+    /// heard for more than a second.
+    double of(double seconds) const;
 
 private:
     std::optional<double> m_least, m_before; ///< of this stretch and of the one before it
     double m_since = 0.0;
+    double m_late = 0.0; ///< the newest
 };
 
 /// A set-point that a board has, as far as is known.

@@ -63,6 +63,7 @@ private Q_SLOTS:
     void aFileFillsTheLogInOneStep();
     void everyKindHasAShapeOfItsOwn();
     void theClockOfTheSessionIsFoundFromStamps();
+    void eventsGoWithTheSamplesOfABoardWhoseClockDrifts();
 
 private:
     widgets::ScopeView &scope() { return m_rig->scope(); }
@@ -576,6 +577,41 @@ void TestScopeEvents::theClockOfTheSessionIsFoundFromStamps()
     QVERIFY(std::abs(clock.secondsAt(2000ms) - 1.99) < 1e-9);
     clock.stamped(TimePoint(0ms), 5000ms); // another session's clock
     QVERIFY(std::abs(clock.secondsAt(6000ms) - 1.0) < 1e-9);
+}
+
+void TestScopeEvents::eventsGoWithTheSamplesOfABoardWhoseClockDrifts()
+{
+    widgets::Device device;
+    capture::Capture capture;
+    EventLog log;
+    widgets::Milliseconds now{0};
+    widgets::EventRecorder recorder(device, capture, log, [&now] { return now; });
+    facts::connectBoard(device);
+    const capture::StreamLayout layout = facts::ScopeWindow::layout();
+    capture.begin(layout);
+    facts::feed(device, {drive::StreamStarted{layout}});
+    capture::Tick tick = 0;
+    const auto at = [&now] { return TimePoint(std::chrono::duration_cast<Duration>(now)); };
+    for (int tenth = 0; tenth < 600; ++tenth) { // a minute of a board that counts 1 % too fast
+        now += 100ms;
+        drive::MotorStatus status = facts::status(drive::MotorState::Running);
+        status.at = at();
+        facts::feed(device, {status});
+        capture::SampleBlock block{1, tick, 101, {}, {}, 0};
+        block.fast.assign(2 * block.count, 1);
+        tick += block.count;
+        capture.append(block);
+        recorder.stored(block);
+    }
+    drive::MotorStatus fault = facts::status(drive::MotorState::FaultNow);
+    fault.faultsNow = {"OVER_VOLT"};
+    fault.at = at();
+    QSignalSpy faulted(&recorder, &widgets::EventRecorder::faulted);
+    facts::feed(device, {fault});
+    QCOMPARE(faulted.size(), 1);
+    const double seconds = faulted.first().first().toDouble(), sampled = double(tick) * 1e-3;
+    QVERIFY2(std::abs(seconds - sampled) < 0.15, qPrintable(QString::number(seconds)));
+    QVERIFY(std::abs(recorder.samplesNow() - sampled) < 0.15);
 }
 
 QTEST_MAIN(TestScopeEvents)

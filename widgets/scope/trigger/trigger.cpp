@@ -34,6 +34,7 @@ void Trigger::adoptSource(const std::optional<capture::ChannelInfo> &source)
         return;
     const bool other = !m_source || !source || source->registerId != m_source->registerId;
     m_source = source;
+    m_axis.forget();
     configure();
     if (other && m_source)
         levelToMiddle();
@@ -46,6 +47,7 @@ void Trigger::setSource(capture::ChannelId channel)
     if (!info || (m_source && m_source->id == channel))
         return;
     m_source = info;
+    m_axis.forget();
     levelToMiddle();
 }
 
@@ -118,14 +120,20 @@ void Trigger::force()
 {
     if (!triggered() || !m_running || !m_awaits)
         return;
-    m_acquisition.force(capture::toNanos(m_now()));
+    m_acquisition.force(capture::toNanos(now()));
     advance();
 }
 
 void Trigger::event(scope::EventTrigger::Kind kind, double seconds, quint32 which)
 {
-    m_acquisition.event({capture::toNanos(seconds), kind, which});
+    m_acquisition.event({capture::toNanos(m_axis.of(seconds)), kind, which});
     advance();
+}
+
+void Trigger::hear(const capture::Channel &source)
+{
+    if (std::exchange(m_heard, source.end()) != source.end() && !source.empty())
+        m_axis.heard(m_now(), capture::toSeconds(source.timeOf(source.end() - 1)));
 }
 
 void Trigger::written(double seconds, const QStringList &names)
@@ -138,8 +146,11 @@ void Trigger::written(double seconds, const QStringList &names)
 
 void Trigger::advance()
 {
-    if (const capture::Channel *source = sourceChannel(); source && m_running)
-        m_acquisition.advance(*source);
+    if (const capture::Channel *source = sourceChannel()) {
+        hear(*source);
+        if (m_running)
+            m_acquisition.advance(*source);
+    }
     const std::vector<scope::Record> records = m_acquisition.takeRecords();
     for (const scope::Record &record : records)
         m_history.add(record);

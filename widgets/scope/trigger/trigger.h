@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "drive/set_points/set_point_times.h"
 #include "widgets/scope/trigger/trigger_setup.h"
 
 #include <QObject>
@@ -14,7 +15,7 @@ namespace widgets {
 class Trigger : public QObject {
     Q_OBJECT
 public:
-    /// @param capture  outlives it. @param now  seconds on the session's axis
+    /// @param capture  outlives it. @param now  seconds on the axis of what is streamed
     Trigger(
         const capture::Capture &capture, std::function<double()> now, QObject *parent = nullptr);
 
@@ -28,7 +29,8 @@ public:
     const scope::Record *filling() const { return m_acquisition.current(); }
     /// The least id that no record has yet, neither a complete one nor one that is being filled.
     scope::RecordId nextRecord() const;
-    double now() const { return m_now(); }
+    /// Seconds on the axis of the source's samples.
+    double now() const { return m_axis.of(m_now()); }
     bool triggered() const { return m_setup.mode != scope::Mode::Roll; }
     bool running() const { return m_running; }
     /// false: a file is shown. It is searched in a replay, where samples come.
@@ -44,6 +46,7 @@ public Q_SLOTS:
     void setRunning(bool running);
     void force(); ///< a trigger now
     void levelToMiddle(); ///< of what the source did lately, with a hysteresis that suits its noise
+    /// @param seconds  on the axis of what is streamed
     void event(scope::EventTrigger::Kind kind, double seconds, quint32 which);
     /// @param names  of the registers of one write
     void written(double seconds, const QStringList &names);
@@ -75,10 +78,13 @@ private:
     void follow();
     void release();
     void run();
+    void hear(const capture::Channel &source);
     const capture::Channel *sourceChannel() const;
 
     const capture::Capture &m_capture;
     std::function<double()> m_now;
+    drive::SampleAxis m_axis; ///< of the source, which need not be what is streamed
+    capture::Index m_heard = 0; ///< where the source ended
     TriggerSetup m_setup;
     std::optional<capture::ChannelInfo> m_source;
     std::optional<scope::ConditionError> m_error;
