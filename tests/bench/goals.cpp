@@ -39,6 +39,8 @@ constexpr std::array kGoals{
     Goal{"N14 MAT", kAtMost, 20.0, "seconds for 1e8 samples"},
     Goal{"N17 edges", kAtMost, 1.0, "times the cost"},
     Goal{"N17 kinds", kAtMost, 1.0, "times the cost"},
+    Goal{"I5 Welch", kAtMost, 0.4, "seconds"},
+    Goal{"I5 identification", kAtMost, 50.0, "ms"},
     Goal{"P1 fully out", kAtLeast, 50.0, "times faster"},
     Goal{"P2 peaks", kAtMost, 0.0, "missed"},
     Goal{"P3 flat", kAtMost, 1.8, "times the cost"},

@@ -1,9 +1,7 @@
 #include "lab/maths/cross_spectra.h"
 
-#include <cmath>
-#include <kissfft/kissfft.hh>
-
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -37,37 +35,57 @@ CrossSpectra CrossSpectra::band(std::size_t first, std::size_t bins) const
 CrossSpectrum::CrossSpectrum(std::size_t size, double sampleHz, std::size_t others)
     : m_size(size)
     , m_sampleHz(sampleHz)
+    , m_window(size)
+    , m_transform(size, false)
+    , m_in(size)
+    , m_both(size)
+    , m_out(others + 1, std::vector<Complex>(size / 2 + 1))
 {
     const std::size_t bins = size / 2 + 1;
     m_sum.instrument.resize(bins);
     m_sum.cross.assign(others, std::vector<std::complex<double>>(bins));
     m_sum.own.assign(others, std::vector<double>(bins));
+    for (std::size_t i = 0; i < size; ++i)
+        m_window[i] = 0.5
+            - 0.5
+                * std::cos(
+                    2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size));
+}
+
+/// Two real signals at once: what is even of the one transform is of the first, what is odd of the second.
+void CrossSpectrum::transform(std::span<const std::vector<double>> stretch, std::size_t at)
+{
+    const auto meanOf = [this](const double *samples) {
+        return std::accumulate(samples, samples + m_size, 0.0) / static_cast<double>(m_size);
+    };
+    for (std::size_t signal = 0; signal < stretch.size(); signal += 2) {
+        const bool two = signal + 1 < stretch.size();
+        const double *const first = stretch[signal].data() + at;
+        const double *const second = two ? stretch[signal + 1].data() + at : first;
+        const double firstMean = meanOf(first), secondMean = two ? meanOf(second) : firstMean;
+        for (std::size_t i = 0; i < m_size; ++i)
+            m_in[i] = {
+                (first[i] - firstMean) * m_window[i], (second[i] - secondMean) * m_window[i]};
+        m_transform.transform(m_in.data(), m_both.data());
+        for (std::size_t bin = 0; bin < m_sum.instrument.size(); ++bin) {
+            const Complex one = m_both[bin], mirror = std::conj(m_both[(m_size - bin) % m_size]);
+            m_out[signal][bin] = 0.5 * (one + mirror);
+            if (two)
+                m_out[signal + 1][bin] = Complex(0.0, -0.5) * (one - mirror);
+        }
+    }
 }
 
 void CrossSpectrum::add(std::span<const std::vector<double>> stretch)
 {
-    kissfft<double> transform(m_size, false);
-    std::vector<Complex> in(m_size);
-    std::vector<std::vector<Complex>> out(stretch.size(), std::vector<Complex>(m_size));
     const std::size_t length = stretch.front().size();
     for (std::size_t at = 0; at + m_size <= length; at += m_size / 2) {
-        for (std::size_t signal = 0; signal < stretch.size(); ++signal) {
-            const double *samples = stretch[signal].data() + at;
-            double mean = 0.0;
-            for (std::size_t i = 0; i < m_size; ++i)
-                mean += samples[i] / static_cast<double>(m_size);
-            for (std::size_t i = 0; i < m_size; ++i) {
-                const double phase =
-                    2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(m_size);
-                in[i] = (samples[i] - mean) * (0.5 - 0.5 * std::cos(phase));
-            }
-            transform.transform(in.data(), out[signal].data());
-        }
+        transform(stretch, at);
         for (std::size_t bin = 0; bin < m_sum.instrument.size(); ++bin) {
-            m_sum.instrument[bin] += std::norm(out[0][bin]);
+            m_sum.instrument[bin] += std::norm(m_out[0][bin]);
             for (std::size_t other = 0; other < m_sum.cross.size(); ++other) {
-                m_sum.cross[other][bin] += std::conj(out[0][bin]) * out[other + 1][bin];
-                m_sum.own[other][bin] += std::norm(out[other + 1][bin]);
+                m_sum.cross[other][bin] += std::conj(m_out[0][bin]) * m_out[other + 1][bin];
+                m_sum.own[other][bin] += std::norm(m_out[other + 1][bin]);
             }
         }
         ++m_count;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <kissfft/kissfft.hh>
 #include <span>
 #include <vector>
 
@@ -26,16 +27,24 @@ struct CrossSpectra {
 /// Adds up over stretches of signals; each stretch holds the instrument first, then the others, as long.
 class CrossSpectrum {
 public:
+    /// @param size  of a transform, even. @param others  signals beside the instrument
     CrossSpectrum(std::size_t size, double sampleHz, std::size_t others);
+    /// Cost: one transform for two signals, twice over, for stretches overlap by half.
     void add(std::span<const std::vector<double>> stretch);
     CrossSpectra result() const;
     int count() const { return m_count; } ///< of transforms
 
 private:
+    void transform(std::span<const std::vector<double>> stretch, std::size_t at);
+
     std::size_t m_size;
     double m_sampleHz;
     int m_count = 0;
     CrossSpectra m_sum;
+    std::vector<double> m_window;
+    kissfft<double> m_transform;
+    std::vector<Complex> m_in, m_both; ///< of two signals, one the imaginary part of the other
+    std::vector<std::vector<Complex>> m_out; ///< of each signal
 };
 
 } // namespace lab
