@@ -21,7 +21,7 @@
 #include "support/wire/mcp_board.h"
 #include "support/wire/wire_tape.h"
 
-#include <QElapsedTimer>
+#include <QSemaphore>
 
 #include <atomic>
 #include <mutex>
@@ -30,6 +30,9 @@
 namespace support {
 
 using namespace std::chrono_literals;
+
+/// The thread takes no part in anything meanwhile, and leaves the computer to others.
+inline void standStill(int ms) { QSemaphore().tryAcquire(1, ms); }
 
 /// What the two threads share. A mutex is right here: the judge is no part of the product.
 class JudgedWorld : public ActSink {
@@ -533,11 +536,8 @@ private:
             m_world.m_shortFaultEnds.reset();
             m_world.m_board->setFaults(0);
         }
-        if (const int ms = m_world.m_freeze_ms.exchange(0); ms > 0) {
-            QElapsedTimer clock;
-            clock.start();
-            while (clock.elapsed() < ms) { } // nobody is there meanwhile
-        }
+        if (const int ms = m_world.m_freeze_ms.exchange(0); ms > 0)
+            standStill(ms);
     }
 
     JudgedWorld &m_world;

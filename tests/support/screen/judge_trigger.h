@@ -85,8 +85,11 @@ private:
         ++m_moment.statements;
         for (const TimePoint at : must)
             if (!fills && at > m_setUpAt + kBefore && at + kTold < now && found + kBefore < at)
-                return m_moment.finds(
-                    QStringLiteral("triggerState"), text, std::string(what) + " came since");
+                return m_moment.finds(QStringLiteral("triggerState"), text,
+                    std::string(what) + " came since, "
+                        + std::to_string(
+                            std::chrono::round<std::chrono::milliseconds>(now - at).count())
+                        + " ms ago");
         if (!age || found < m_setUpAt + kBefore)
             return; // of an earlier setting
         const bool was = std::any_of(may.begin(), may.end(),

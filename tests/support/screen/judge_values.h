@@ -93,8 +93,8 @@ private:
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
         if (view == nullptr || !view->isVisible() || !m_moment.heard || m_moment.more > Duration{}
-            || !view->stale().isEmpty())
-            return;
+            || !m_moment.answers() || !view->stale().isEmpty())
+            return; // or it shows a file
         TextCatcher texts(view->shapesSize());
         const_cast<widgets::ScopeView *>(view)->drawShapes(texts);
         for (const capture::ChannelId channel : view->channels()) {

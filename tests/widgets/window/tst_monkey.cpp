@@ -186,7 +186,8 @@ private:
         note(what);
         if (widget->objectName() == QLatin1String("connect"))
             m_screen.closes();
-        if (widget->objectName() == QLatin1String("triggerForce"))
+        if (widget->objectName() == QLatin1String("triggerForce")
+            || widget->objectName() == QLatin1String("stopRamp")) // a set-point, to a servo
             m_screen.forcesTrigger();
         const QPoint at =
             qobject_cast<QCheckBox *>(widget) ? QPoint(8, widget->height() / 2) : QPoint();
@@ -715,9 +716,7 @@ private:
             return;
         }
         note("freeze the window for " + std::to_string(ms));
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < ms) { }
+        support::standStill(ms);
         m_world.stoodStill();
     }
     /// Plans gains, perhaps twice, and writes what is shown.
