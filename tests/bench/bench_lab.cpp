@@ -19,21 +19,21 @@ std::vector<std::vector<double>> twoSignals()
 {
     std::mt19937 random(1);
     std::normal_distribution<double> gauss;
-    std::vector<std::vector<double>> signals(2, std::vector<double>(kSamples));
+    std::vector<std::vector<double>> samples(2, std::vector<double>(kSamples));
     for (std::size_t i = 0; i < kSamples; ++i) {
-        signals[0][i] = gauss(random);
-        signals[1][i] = (i > 0 ? 0.9 * signals[1][i - 1] : 0.0) + signals[0][i];
+        samples[0][i] = gauss(random);
+        samples[1][i] = (i > 0 ? 0.9 * samples[1][i - 1] : 0.0) + samples[0][i];
     }
-    return signals;
+    return samples;
 }
 
 /// Each sample once, no window, nothing added up.
-double plainTransforms(const std::vector<std::vector<double>> &signals)
+double plainTransforms(const std::vector<std::vector<double>> &samples)
 {
     kissfft<double> transform(kTransform, false);
     std::vector<lab::Complex> in(kTransform), out(kTransform);
     double sum = 0.0;
-    for (const std::vector<double> &signal : signals)
+    for (const std::vector<double> &signal : samples)
         for (std::size_t at = 0; at + kTransform <= kSamples; at += kTransform) {
             std::copy_n(signal.begin() + static_cast<std::ptrdiff_t>(at), kTransform, in.begin());
             transform.transform(in.data(), out.data());
@@ -44,14 +44,14 @@ double plainTransforms(const std::vector<std::vector<double>> &signals)
 
 void welchAgainstTransform(benchmark::State &state)
 {
-    const auto signals = twoSignals();
+    const auto samples = twoSignals();
     double sum = 0.0;
     lab::CrossSpectra found;
     const Pair pair = pairedRatio(
-        state, [&] { sum += plainTransforms(signals); },
+        state, [&] { sum += plainTransforms(samples); },
         [&] {
             lab::CrossSpectrum spectrum(kTransform, 1000.0, 1);
-            spectrum.add(signals);
+            spectrum.add(samples);
             found = spectrum.result();
         });
     benchmark::DoNotOptimize(sum);
