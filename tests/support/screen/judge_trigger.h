@@ -28,7 +28,8 @@ public:
     {
         const QString text = m_moment.said("triggerState");
         const QString setUp = chosen("triggerMode") + chosen("triggerType")
-            + chosen("triggerSource") + chosen("triggerWay") + level();
+            + chosen("triggerSource") + chosen("triggerWay") + typed("triggerLevel")
+            + typed("triggerHysteresis");
         const TimePoint now = m_moment.world().now();
         const bool armed = text.contains(QLatin1String("Armed"));
         const bool waits = armed || text.contains(QLatin1String("Trig'd"));
@@ -56,10 +57,11 @@ private:
         const auto *box = m_moment.find<QComboBox>(name);
         return box != nullptr && box->isVisible() ? box->currentText() : QString();
     }
-    QString level() const
+    /// Also where it stands in a box that is not open: it holds all the same.
+    QString typed(const char *name) const
     {
-        const auto *edit = m_moment.find<QLineEdit>("triggerLevel");
-        return edit != nullptr && edit->isVisible() ? edit->text() : QString();
+        const auto *edit = m_moment.find<QLineEdit>(name);
+        return edit != nullptr ? edit->text() : QString();
     }
     /// How old what it found is; none: it has found nothing.
     static std::optional<Duration> ageIn(const QString &text)
@@ -102,7 +104,8 @@ private:
     void edges(const QString &text, bool armed)
     {
         const QString source = chosen("triggerSource");
-        const auto level = ScreenMoment::number(this->level());
+        const auto level = ScreenMoment::number(typed("triggerLevel"));
+        const auto hysteresis = ScreenMoment::number(typed("triggerHysteresis"));
         const int motor = source.contains(QLatin1Char('@'))
             ? source.section(QLatin1Char('@'), 1).toInt()
             : m_moment.chosenMotor();
@@ -117,7 +120,8 @@ private:
                               early = during(known->id, m_setUpAt, middle),
                               late = during(known->id, middle - 1s, middle);
         const double factor = known->factor;
-        const double share = 0.2 * (all.greatest - all.least) * factor;
+        const double share = std::max(0.2 * (all.greatest - all.least) * factor,
+            hysteresis ? std::abs(hysteresis->value) : 0.0);
         const auto spans = [&](const judge::Extremes &part) {
             return !part.empty() && part.least * factor < level->value - share
                 && part.greatest * factor > level->value + share;
@@ -126,14 +130,15 @@ private:
         // Both ways: whichever is waited for has been there.
         if (armed && !age && spans(early) && spans(late))
             m_moment.finds(QStringLiteral("triggerState"), text,
-                source.toStdString() + " went through " + this->level().toStdString());
+                source.toStdString() + " went through " + typed("triggerLevel").toStdString()
+                    + ", hysteresis " + typed("triggerHysteresis").toStdString());
         const bool since = age && now - *age > m_setUpAt + kBefore
             && *age + kBefore + kTold < judge::GivenValues::kKept;
         if (since && !all.empty()
             && (all.least * factor > level->value + factor
                 || all.greatest * factor < level->value - factor))
             m_moment.finds(QStringLiteral("triggerState"), text,
-                source.toStdString() + " never came to " + this->level().toStdString());
+                source.toStdString() + " never came to " + typed("triggerLevel").toStdString());
     }
 
     /// What the board sent of it between two times, or gave where it is read in turn.
