@@ -14,6 +14,7 @@ class TriggerJudge {
 public:
     static constexpr Duration kTold = 2500ms; ///< until a happening is in the state
     static constexpr Duration kBefore = 1500ms; ///< by which an age in whole seconds may be off
+    static constexpr double kNoise = 64.0; ///< digits from least to greatest
 
     explicit TriggerJudge(ScreenMoment &moment)
         : m_moment(moment)
@@ -28,8 +29,7 @@ public:
     {
         const QString text = m_moment.said("triggerState");
         const QString setUp = chosen("triggerMode") + chosen("triggerType")
-            + chosen("triggerSource") + chosen("triggerWay") + typed("triggerLevel")
-            + typed("triggerHysteresis");
+            + chosen("triggerSource") + chosen("triggerWay") + level();
         const TimePoint now = m_moment.world().now();
         const bool armed = text.contains(QLatin1String("Armed"));
         const bool waits = armed || text.contains(QLatin1String("Trig'd"));
@@ -57,11 +57,10 @@ private:
         const auto *box = m_moment.find<QComboBox>(name);
         return box != nullptr && box->isVisible() ? box->currentText() : QString();
     }
-    /// Also where it stands in a box that is not open: it holds all the same.
-    QString typed(const char *name) const
+    QString level() const
     {
-        const auto *edit = m_moment.find<QLineEdit>(name);
-        return edit != nullptr ? edit->text() : QString();
+        const auto *edit = m_moment.find<QLineEdit>("triggerLevel");
+        return edit != nullptr && edit->isVisible() ? edit->text() : QString();
     }
     /// How old what it found is; none: it has found nothing.
     static std::optional<Duration> ageIn(const QString &text)
@@ -104,8 +103,7 @@ private:
     void edges(const QString &text, bool armed)
     {
         const QString source = chosen("triggerSource");
-        const auto level = ScreenMoment::number(typed("triggerLevel"));
-        const auto hysteresis = ScreenMoment::number(typed("triggerHysteresis"));
+        const auto level = ScreenMoment::number(this->level());
         const int motor = source.contains(QLatin1Char('@'))
             ? source.section(QLatin1Char('@'), 1).toInt()
             : m_moment.chosenMotor();
@@ -119,9 +117,11 @@ private:
         const judge::Extremes all = during(known->id, m_setUpAt, TimePoint::max()),
                               early = during(known->id, m_setUpAt, middle),
                               late = during(known->id, middle - 1s, middle);
+        // The hysteresis is not shown; it is of what the source did when it was chosen, and noise of later is less.
+        if (all.greatest - all.least < kNoise)
+            return;
         const double factor = known->factor;
-        const double share = std::max(0.2 * (all.greatest - all.least) * factor,
-            hysteresis ? std::abs(hysteresis->value) : 0.0);
+        const double share = 0.2 * (all.greatest - all.least) * factor;
         const auto spans = [&](const judge::Extremes &part) {
             return !part.empty() && part.least * factor < level->value - share
                 && part.greatest * factor > level->value + share;
@@ -130,15 +130,14 @@ private:
         // Both ways: whichever is waited for has been there.
         if (armed && !age && spans(early) && spans(late))
             m_moment.finds(QStringLiteral("triggerState"), text,
-                source.toStdString() + " went through " + typed("triggerLevel").toStdString()
-                    + ", hysteresis " + typed("triggerHysteresis").toStdString());
+                source.toStdString() + " went through " + this->level().toStdString());
         const bool since = age && now - *age > m_setUpAt + kBefore
             && *age + kBefore + kTold < judge::GivenValues::kKept;
         if (since && !all.empty()
             && (all.least * factor > level->value + factor
                 || all.greatest * factor < level->value - factor))
             m_moment.finds(QStringLiteral("triggerState"), text,
-                source.toStdString() + " never came to " + typed("triggerLevel").toStdString());
+                source.toStdString() + " never came to " + this->level().toStdString());
     }
 
     /// What the board sent of it between two times, or gave where it is read in turn.
