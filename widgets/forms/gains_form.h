@@ -52,8 +52,8 @@ private:
     Inertias m_inertias;
     QString m_motorName; ///< made fit to be shown
     std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
-    std::vector<drive::RegisterWrite>
-        m_previewed; ///< what the last preview planned, while some of it waits
+    /// What the last preview planned, while some of it waits.
+    std::vector<drive::RegisterWrite> m_previewed;
     QTabWidget *m_pages;
     QLabel *m_board;
     GainTable *m_table;

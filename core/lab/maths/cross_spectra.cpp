@@ -45,11 +45,9 @@ CrossSpectrum::CrossSpectrum(std::size_t size, double sampleHz, std::size_t othe
     m_sum.instrument.resize(bins);
     m_sum.cross.assign(others, std::vector<std::complex<double>>(bins));
     m_sum.own.assign(others, std::vector<double>(bins));
+    const double step = 2.0 * std::numbers::pi / static_cast<double>(size);
     for (std::size_t i = 0; i < size; ++i)
-        m_window[i] = 0.5
-            - 0.5
-                * std::cos(
-                    2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size));
+        m_window[i] = 0.5 - 0.5 * std::cos(step * static_cast<double>(i));
 }
 
 /// Two real signals at once: what is even of the one transform is of the first, what is odd of the second.
