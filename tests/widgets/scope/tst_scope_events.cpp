@@ -598,7 +598,7 @@ void TestScopeEvents::eventsGoWithTheSamplesOfABoardWhoseClockDrifts()
         status.at = at();
         facts::feed(device, {status});
         capture::SampleBlock block{1, tick, 101, {}, {}, 0};
-        block.fast.assign(2 * block.count, 1);
+        block.fast.assign(std::size_t{2} * block.count, 1);
         tick += block.count;
         capture.append(block);
         recorder.stored(block);
