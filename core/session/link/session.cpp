@@ -379,6 +379,8 @@ void Session::runLink(TimePoint now)
         m_transport->advance(now);
     if (m_failure)
         return;
+    // The port may have taken long, and what it brought was heard at its own time: what is asked for next is of now.
+    now = m_parts.clock();
     m_drive->handleTimeout(now);
     tellGuardian(now);
     exchange(now);

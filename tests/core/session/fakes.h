@@ -85,6 +85,7 @@ public:
         int stopsBeforeBytes = 0; ///< that came before the last ones
         std::vector<drive::Wish> wishes;
         std::vector<TimePoint> sentAt;
+        std::vector<TimePoint> calledAt; ///< as bytes came, for a timeout, as bytes had left
         int connects = 0, disconnects = 0, stops = 0, doubts = 0, made = 0;
         std::vector<std::optional<drive::Protocol>> madeFor; ///< what was spoken there before
         FakeDrive *alive = nullptr;
@@ -112,17 +113,23 @@ public:
         else
             outputs.push_back({farewell, {}});
     }
-    void receive(ByteView view, TimePoint) override
+    void receive(ByteView view, TimePoint now) override
     {
+        m_log.calledAt.push_back(now);
         m_log.received.insert(m_log.received.end(), view.begin(), view.end());
         m_log.stopsBeforeBytes = m_log.stops;
     }
     void handleTimeout(TimePoint now) override
     {
+        m_log.calledAt.push_back(now);
         if (timeout && *timeout <= now)
             timeout.reset();
     }
-    void handleSent(TimePoint now) override { m_log.sentAt.push_back(now); }
+    void handleSent(TimePoint now) override
+    {
+        m_log.calledAt.push_back(now);
+        m_log.sentAt.push_back(now);
+    }
     std::vector<Output> takeOutput() override { return std::exchange(outputs, {}); }
     std::vector<drive::Event> takeEvents() override { return std::exchange(events, {}); }
     std::optional<TimePoint> nextTimeout() const override { return timeout; }

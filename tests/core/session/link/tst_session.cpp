@@ -15,6 +15,7 @@ private Q_SLOTS:
     void outputsKeepTheirGapsOnTheWire();
     void aPortThatIsSlowerThanItsSpeedDelaysTheGap();
     void theDriveHearsThatItsOutputHasLeft();
+    void theDrivesTimeNeverGoesBack();
     void bytesReachTheDriveAndItsEventsComeOut();
     void theDrivesTimeoutIsKept();
     void aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes();
@@ -86,6 +87,24 @@ void TestSession::theDriveHearsThatItsOutputHasLeft()
     QVERIFY(bench.board.sentAt.empty());
     bench.runUntil(start + 10ms);
     QCOMPARE(bench.board.sentAt, std::vector<TimePoint>{start + 1ms});
+}
+
+/// A frame that leaves behind a pause would count as one from before it, and so would the samples that it brings.
+void TestSession::theDrivesTimeNeverGoesBack()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.port.onAdvance = [&] {
+        bench.now += 500ms; // nothing ran
+        bench.port.alive->hear("ab");
+    };
+    bench.drive().outputs = {{bytes({1}), {}}};
+    bench.board.calledAt.clear();
+    bench.turn();
+    QCOMPARE(bench.board.received.size(), 2U);
+    QVERIFY(bench.board.calledAt.size() >= 2);
+    for (const TimePoint at : bench.board.calledAt)
+        QCOMPARE(at, bench.now);
 }
 
 void TestSession::bytesReachTheDriveAndItsEventsComeOut()
