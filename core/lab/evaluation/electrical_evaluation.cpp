@@ -1,8 +1,9 @@
 #include "lab/evaluation/electrical_evaluation.h"
 
 #include "lab/evaluation/driven_span.h"
+#include "lab/evaluation/phase_currents.h"
 #include "lab/evaluation/segments.h"
-#include "lab/evaluation/turning_slices.h"
+#include "lab/evaluation/turning_fit.h"
 #include "lab/fields.h"
 #include "lab/maths/least_squares.h"
 
@@ -20,11 +21,9 @@ namespace {
 constexpr double kVoltageScale = 0.015;
 /// And what a bridge loses grows a little with the current.
 constexpr double kScaleAtRest = 0.02;
-/// Along the magnets, where a motor that saturates was seen to be 1.7 % lower.
-constexpr double kAlong = 0.02;
-/// A jump of the current lasts a few samples, and its inductance is told by those alone; less well where the angle, too, is
-/// known in jumps. Source: simulated motors (docs/experiments.md).
-constexpr double kJump = 0.035, kJumpByHall = 0.1;
+/// Of the inductances, beside what the rows leave open: a jump of the current lasts a few samples, and Lq is told by those alone.
+/// Less well where the angle, too, is known in jumps. Source: simulated motors (docs/experiments.md).
+constexpr double kAlong = 0.02, kAlongByHall = 0.035, kJump = 0.035, kJumpByHall = 0.1;
 constexpr std::size_t kCurrentQ = 0, kCurrentD = 1, kVoltageQ = 2, kVoltageD = 3, kReference = 4;
 
 Estimate withScale(const Estimate &own, double scale)
@@ -59,13 +58,15 @@ double mean(const std::vector<double> &values, std::size_t from, std::size_t to)
     return sum / static_cast<double>(to - from);
 }
 
-constexpr std::size_t kResistance = 0, kDeadTime = 1, kLd = 2, kLq = 3, kFlux = 4;
+constexpr std::size_t kResistance = 0, kDeadTime = 1;
 
 /// Rows of the plateaus of a motor at rest: the second half of each, where nothing changes any more.
 class Plateaus {
 public:
-    explicit Plateaus(double nominal_a)
+    /// @param seen  the rotor is, by a sensor: what turns meanwhile is not at rest
+    Plateaus(double nominal_a, bool seen)
         : m_least_a(kLeast * nominal_a)
+        , m_seen(seen)
     {
     }
     void take(const Segment &segment)
@@ -81,11 +82,15 @@ public:
         }
     }
     Rows rows;
+    /// Of each row, all of it along q; empty: it is not known at which angle.
+    std::vector<std::optional<PhaseCurrents>> currents;
     double weakest_a = 1e9, strongest_a = 0.0;
+    std::size_t turning = 0; ///< rows that are left out for it
 
 private:
     static constexpr double kLeast = 0.05; ///< of the nominal current
     static constexpr double kLeast_s = 0.15, kWindow_s = 20e-3;
+    static constexpr double kRests_deg = 1.0; ///< electrical, in a window
 
     void add(const Segment &segment, std::size_t from, std::size_t to)
     {
@@ -97,36 +102,25 @@ private:
             const double q = of(kCurrentQ), d = of(kCurrentD), amps = std::hypot(q, d);
             if (amps < m_least_a)
                 continue;
+            const double turned = segment.turned_deg[from + length - 1] - segment.turned_deg[from];
+            if (m_seen && std::abs(turned) > kRests_deg) {
+                ++turning;
+                continue;
+            }
             weakest_a = std::min(weakest_a, amps);
             strongest_a = std::max(strongest_a, amps);
+            const double angle_rad = segment.angle_rad(from) - std::atan2(d, q);
+            const bool aligns = m_seen && std::abs(q) > std::abs(d); // at an angle that is its own
+            currents.push_back(
+                aligns ? std::nullopt : std::optional(PhaseCurrents(angle_rad, amps, 0.0)));
             rows.known.push_back({amps, 1.0});
             rows.wanted.push_back((of(kVoltageQ) * q + of(kVoltageD) * d) / amps);
             rows.cluster.push_back(rows.cluster.size());
         }
     }
     double m_least_a;
+    bool m_seen;
 };
-
-/// Rows of a turning motor, one a slice.
-Rows rowsOf(const std::vector<TurningSlices> &slices, double least_a)
-{
-    Rows rows;
-    std::size_t cluster = 0;
-    for (const TurningSlices &one : slices) {
-        constexpr double kCluster_s = 0.1; // what disturbs one slice disturbs the next
-        const auto length = static_cast<std::size_t>(std::lround(kCluster_s / one.step_s));
-        for (std::size_t at = 0; at < one.all.size(); ++at) {
-            const TurningSlice &w = one.all[at];
-            cluster += at % length == 0 ? 1 : 0;
-            if (std::hypot(w.q_a, w.d_a) < least_a)
-                continue;
-            rows.known.push_back({w.q_a, w.lossQ, w.speed * w.d_a, w.dq, w.rotorSpeed});
-            rows.wanted.push_back(w.q_v);
-            rows.cluster.push_back(cluster);
-        }
-    }
-    return rows;
-}
 
 /// Greatest less least current along the magnets.
 double rangeAlongD(const std::vector<TurningSlices> &slices)
@@ -140,8 +134,17 @@ double rangeAlongD(const std::vector<TurningSlices> &slices)
     return most - least;
 }
 
+/// What is known so far.
+struct Parts {
+    Electrics found;
+    std::optional<Plateaus> rest;
+    std::optional<TurningFit> turning;
+    double bus_v = 0.0; ///< what a board's full scale of voltage is of
+    double period_s = 0.0; ///< of the control loops, while it turned
+};
+
 /// @return  why nothing follows, empty if it does
-std::string addResting(Electrics &found, const RecordedRest &rest, const capture::Capture &capture,
+std::string addResting(Parts &parts, const RecordedRest &rest, const capture::Capture &capture,
     Happenings::const_iterator at, Happenings::const_iterator end)
 {
     // What was recorded before may go on until the board records what this needs, ahead of the first command.
@@ -153,21 +156,28 @@ std::string addResting(Electrics &found, const RecordedRest &rest, const capture
     while (at != end && at->second.name != kEndEntry)
         ++at;
     const Nanos to = at == end ? std::numeric_limits<Nanos>::max() : at->first;
-    Plateaus plateaus(rest.nominalAmps);
+    Plateaus plateaus(
+        rest.nominalAmps, rest.angle.starts_with("ENCODER") || rest.angle.starts_with("HALL"));
     for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
         plateaus.take(segment);
     constexpr double kLeastRatio = 1.3;
     if (!(plateaus.strongest_a >= kLeastRatio * plateaus.weakest_a))
-        return "at rest no two different currents were held for long enough";
+        return plateaus.turning > 0 ? "the rotor turned where it was to rest: neither its "
+                                      "resistance nor the angle that it was aligned to is sure"
+                                    : "at rest no two different currents were held for long enough";
     const auto fit = leastSquares(plateaus.rows, std::array{kResistance, kDeadTime});
     if (!fit || !(fit->values[kResistance] > 0.0))
         return "at rest no resistance follows from the voltages";
-    found.rs_ohm = withScale(fit->estimate(kResistance), kScaleAtRest);
-    found.deadTime_v = fit->estimate(kDeadTime);
+    parts.found.rs_ohm = withScale(fit->estimate(kResistance), kScaleAtRest);
+    parts.found.deadTime_v = fit->estimate(kDeadTime);
+    parts.rest = std::move(plateaus);
+    constexpr double kFullScale = 32767.0; // of a phase: bus / sqrt(3)
+    parts.bus_v =
+        fastChannel(capture, rest.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
     return {};
 }
 
-std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture::Capture &capture,
+std::string addTurning(Parts &parts, const RecordedSpin &spin, const capture::Capture &capture,
     Happenings::const_iterator at, Happenings::const_iterator end)
 {
     const auto span = drivenSpan(spin.motor, at, end, std::numeric_limits<Nanos>::max());
@@ -175,27 +185,72 @@ std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture
         return "the motor was never driven by a current while it turned";
     if (!(spin.nominalAmps > 0.0))
         return "it does not tell the nominal current of the motor";
-    constexpr double kLeast = 0.1, kSmall = 0.02, kLeastRange = 0.2; // of the nominal current
+    constexpr double kLeastRange = 0.2; // of the nominal current
     std::vector<TurningSlices> slices;
     for (const Segment &segment : whileTurning(
              segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin)))
-        if (TurningSlices one = slicesOf(segment, kSmall * spin.nominalAmps); !one.all.empty())
+        if (TurningSlices one = slicesOf(segment); !one.all.empty())
             slices.push_back(std::move(one));
     if (!(rangeAlongD(slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";
     rotorSpeeds(slices);
-    const Rows rows = rowsOf(slices, kLeast * spin.nominalAmps);
-    const auto fit = leastSquares(rows, std::array{kResistance, kDeadTime, kLd, kLq, kFlux});
-    if (!fit || !(fit->values[kLd] > 0.0) || !(fit->values[kLq] > 0.0)
-        || !(fit->values[kFlux] > 0.0))
-        return "while it turned no inductance follows from the voltages";
-    found.ld_h = withScale(fit->estimate(kLd), kAlong);
+    Electrics &found = parts.found;
     const bool hall = spin.angle.starts_with("HALL");
-    found.lq_h = withScale(fit->estimate(kLq), hall ? kJumpByHall : kJump);
-    found.flux_wb = withScale(fit->estimate(kFlux), kVoltageScale);
+    const auto fit = turningFit(slices, spin.nominalAmps,
+        found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
+    if (!fit)
+        return "while it turned no inductance follows from the voltages";
+    found.ld_h = withScale(fit->ld_h, hall ? kAlongByHall : kAlong);
+    found.lq_h = withScale(fit->lq_h, hall ? kJumpByHall : kJump);
+    found.flux_wb = withScale(fit->flux_wb, kVoltageScale);
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
+    parts.turning = fit;
+    parts.period_s = slices.front().period_s;
     return {};
+}
+
+/// Of currents at rest that swing through zero: there what the dead time takes looks like a part of the resistance.
+void takeSwingOut(Parts &parts)
+{
+    const TurningFit &turning = *parts.turning;
+    Electrics &found = parts.found;
+    const double perSwing =
+        16.0 * turning.ld_h.value / parts.period_s; // volts of the bus an ampere
+    if (!(*turning.lost_v.low > 0.0)) {
+        if (!(parts.bus_v > perSwing * parts.rest->strongest_a))
+            return; // the bridge makes up for its dead time
+        // Resistance and dead time are one: td / T of the bus over the current up to which it swings.
+        constexpr double kLongest_s = 1.5e-6;
+        found.rs_ohm->low =
+            std::max(0.0, *found.rs_ohm->low - perSwing * kLongest_s / parts.period_s);
+        found.notes.push_back("what the dead time takes cannot be told from the resistance: every "
+                              "current swung through zero within a PWM period");
+        return;
+    }
+    const auto fitWith = [&parts](double swing_a) {
+        const Rows &all = parts.rest->rows;
+        Rows rows;
+        for (std::size_t row = 0; row < all.known.size(); ++row)
+            if (const auto &current = parts.rest->currents[row]) {
+                rows.known.push_back({all.known[row][kResistance], current->lossAlongQ(swing_a)});
+                rows.wanted.push_back(all.wanted[row]);
+                rows.cluster.push_back(all.cluster[row]);
+            }
+        return leastSquares(rows, std::array{kResistance, kDeadTime});
+    };
+    const double swing_a = turning.swing_a;
+    const auto fit = fitWith(swing_a);
+    if (!fit || !(fit->values[kResistance] > 0.0))
+        return;
+    Estimate rs = withScale(fit->estimate(kResistance), kScaleAtRest);
+    constexpr double kUnsure = 1.25; // from one swing that was tried to the next
+    for (const double other : {swing_a / kUnsure, swing_a * kUnsure})
+        if (const auto beside = fitWith(other)) {
+            rs.low = std::min(*rs.low, beside->values[kResistance]);
+            rs.high = std::max(*rs.high, beside->values[kResistance]);
+        }
+    found.rs_ohm = rs;
 }
 
 } // namespace
@@ -204,14 +259,15 @@ Result<Electrics, std::string> evaluateElectrics(
     const capture::Capture &capture, const Happenings &all)
 {
     const Happenings happenings = carriedOut(all);
-    Electrics found;
+    Parts parts;
+    Electrics &found = parts.found;
     bool any = false;
     for (auto at = happenings.begin(); at != happenings.end(); ++at) {
         std::string failed;
         if (const auto rest = recordedRest(at->second); rest && !found.rs_ohm)
-            failed = addResting(found, *rest, capture, at, happenings.end());
+            failed = addResting(parts, *rest, capture, at, happenings.end());
         else if (const auto spin = recordedSpin(at->second); spin && !found.ld_h)
-            failed = addTurning(found, *spin, capture, at, happenings.end());
+            failed = addTurning(parts, *spin, capture, at, happenings.end());
         else
             continue;
         any = true;
@@ -222,6 +278,8 @@ Result<Electrics, std::string> evaluateElectrics(
         return fail(std::string("it is no recording of an electrical identification"));
     if (!found.rs_ohm && !found.ld_h)
         return fail(found.notes.empty() ? std::string("nothing follows from it") : found.notes[0]);
+    if (parts.rest && parts.turning)
+        takeSwingOut(parts);
     return found;
 }
 

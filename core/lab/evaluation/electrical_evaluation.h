@@ -3,12 +3,7 @@
 //
 // At rest: the voltage along the current = R |i| + what the dead time takes. Its slope is the resistance.
 //
-// Turning, along q in rotor coordinates, integrated over slices of a millisecond, so that no noisy current is differentiated:
-//   vq = R iq + Lq iq' + w Ld id + w0 flux + what the dead time takes of each phase
-// where w is the speed of the coordinates and w0 that of the rotor (lab/evaluation/turning_slices.h). The equation along d would tell
-// Lq with less noise, but of a board that observes its rotor it tells only what the observer believes: it turns its coordinates
-// until that equation holds. The one along q hardly feels an angle that is off by a few degrees.
-// R and the dead time are told apart badly there; they only keep out of the way of the others.
+// Turning: inductances and flux follow from the voltage along q (lab/evaluation/turning_fit.h).
 #pragma once
 
 #include "lab/experiment.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace lab {
 
@@ -35,6 +36,7 @@ Segment pieceOf(const Segment &segment, std::size_t from, std::size_t to)
     Segment piece{.at = segment.at
             + static_cast<capture::Nanos>(static_cast<double>(from) * segment.step_s * 1e9),
         .step_s = segment.step_s,
+        .period_s = segment.period_s,
         .first_deg = std::remainder(segment.first_deg + segment.turned_deg[from], kTurn_deg),
         .turned_deg = cut(segment.turned_deg),
         .values = {}};
@@ -57,6 +59,11 @@ void shorten(const capture::Channel &channel, capture::Nanos &from, capture::Nan
 
 } // namespace
 
+double Segment::angle_rad(std::size_t sample) const
+{
+    return (first_deg + turned_deg[sample]) * std::numbers::pi / 180.0;
+}
+
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to)
 {
@@ -74,11 +81,16 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     }
     std::vector<Segment> segments;
     Segment now;
+    const capture::FastColumn *ticks = angle.fast();
+    const double period_s = ticks != nullptr && !ticks->empty()
+        ? ticks->segments().front().base.tickNanos() / 1e9
+        : 0.0;
     double before = 0.0, first_s = 0.0, last_s = 0.0;
     const auto finish = [&] {
         constexpr std::size_t kLeast = 3;
         if (now.turned_deg.size() >= kLeast) {
             now.step_s = (last_s - first_s) / static_cast<double>(now.turned_deg.size() - 1);
+            now.period_s = period_s > 0.0 ? period_s : now.step_s;
             segments.push_back(std::move(now));
         }
         now = {};

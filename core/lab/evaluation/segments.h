@@ -10,10 +10,14 @@ namespace lab {
 
 struct Segment {
     capture::Nanos at = 0; ///< its first sample
-    double step_s = 0.0;
+    double step_s = 0.0; ///< between two samples
+    double period_s =
+        0.0; ///< of the board's control loops, of which not each may have been recorded
     double first_deg = 0.0; ///< the angle at its beginning
     std::vector<double> turned_deg; ///< electrical, since its beginning, turns included
     std::vector<std::vector<double>> values; ///< one list a channel, as long
+
+    double angle_rad(std::size_t sample) const; ///< electrical
 };
 
 /// The segments of [from, to) with three samples or more. None if the channels are not of one stream.

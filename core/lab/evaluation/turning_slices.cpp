@@ -15,18 +15,10 @@ namespace {
 constexpr double kSlice_s = 1e-3, kWindow_s = 50e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// How far the dead time's loss lies along q, for each volt of a phase: each phase loses against its own current.
-double lossAlongQ(double angle_rad, double q_a, double d_a, double small_a)
-{
-    const double cosine = std::cos(angle_rad), sine = std::sin(angle_rad);
-    const double alpha = q_a * cosine + d_a * sine;
-    const double beta = std::numbers::sqrt3 * (d_a * cosine - q_a * sine);
-    const auto sign = [small_a](double amps) { return std::clamp(amps / small_a, -1.0, 1.0); };
-    const double a = sign(alpha), b = sign(-(alpha + beta) / 2.0), c = sign(-(alpha - beta) / 2.0);
-    return (2.0 * a - b - c) / 3.0 * cosine - (c - b) / std::numbers::sqrt3 * sine;
-}
+constexpr double kHalf =
+    0.5; ///< of a sample at an edge: currents go in straight lines from sample to sample
 
-TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to, double small_a)
+TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to)
 {
     const std::vector<double> &q = segment.values[0], &d = segment.values[1];
     const auto many = static_cast<double>(to - from);
@@ -37,34 +29,16 @@ TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to, d
     slice.rotorSpeed = slice.speed;
     slice.dq = (q[to] - q[from]) / time_s;
     for (std::size_t at = from; at <= to; ++at) {
-        constexpr double kHalf = 0.5; // currents go in straight lines from sample to sample
         const double share = (at == from || at == to ? kHalf : 1.0) / many;
+        const double early = 2.0 * static_cast<double>(to - at) / many * share;
         slice.q_a += share * q[at];
         slice.d_a += share * d[at];
-        slice.lossQ += share
-            * lossAlongQ(
-                (segment.first_deg + segment.turned_deg[at]) * kRadians, q[at], d[at], small_a);
+        slice.earlyQ_a += early * q[at];
+        slice.earlyD_a += early * d[at];
         if (at < to)
             slice.q_v += segment.values[2][at] / many; // voltages are held until the next one
     }
     return slice;
-}
-
-/// The integral of a signal from the beginning of the first slice to that of each, and to the end of the last.
-std::vector<double> integral(std::span<const double> means, double step_s)
-{
-    std::vector<double> sums{0.0};
-    for (const double mean : means)
-        sums.push_back(sums.back() + mean * step_s);
-    return sums;
-}
-
-std::vector<double> integralOfStraight(std::span<const double> edges, double step_s)
-{
-    std::vector<double> sums{0.0};
-    for (std::size_t i = 1; i < edges.size(); ++i)
-        sums.push_back(sums.back() + (edges[i - 1] + edges[i]) / 2.0 * step_s);
-    return sums;
 }
 
 /// Takes the straight line out that fits best. @return  its slope, per step
@@ -85,7 +59,8 @@ double straighten(std::span<double> values)
     return slope;
 }
 
-/// A stretch as columns: what accelerates, integrated once and twice, and what the angle stands aside.
+/// A stretch as columns: what accelerates, integrated once (the mean of each slice) and twice (where it begins), and what
+/// the angle stands aside.
 constexpr std::size_t kAccelerations = 7, kColumns = kAccelerations + 2;
 struct Stretch {
     std::span<TurningSlice> slices;
@@ -95,24 +70,28 @@ struct Stretch {
 
 Stretch stretchOf(std::span<TurningSlice> slices, double step_s)
 {
-    using Of = double (*)(const TurningSlice &);
+    using Of = double (*)(double q_a, double d_a, double speed);
     constexpr std::array<Of, kAccelerations> kOf{
-        [](const TurningSlice &w) { return w.q_a; },
-        [](const TurningSlice &) { return 1.0; },
-        [](const TurningSlice &w) { return w.speed; },
-        [](const TurningSlice &w) { return w.speed * std::abs(w.speed); },
-        [](const TurningSlice &w) { return w.d_a; },
-        [](const TurningSlice &w) { return w.q_a * w.d_a; },
-        [](const TurningSlice &w) { return w.d_a * w.d_a; },
+        [](double q, double, double) { return q; },
+        [](double, double, double) { return 1.0; },
+        [](double, double, double w) { return w; },
+        [](double, double, double w) { return w * std::abs(w); },
+        [](double, double d, double) { return d; },
+        [](double q, double d, double) { return q * d; },
+        [](double, double d, double) { return d * d; },
     };
     Stretch stretch{slices, {}, {}};
     for (std::size_t i = 0; i < kAccelerations; ++i) {
-        std::vector<double> means;
-        for (const TurningSlice &slice : slices)
-            means.push_back(kOf[i](slice));
-        stretch.speeds[i] = integral(means, step_s);
-        stretch.angles[i] = integralOfStraight(stretch.speeds[i], step_s);
-        stretch.angles[i].pop_back();
+        double speed = 0.0, angle = 0.0;
+        for (const TurningSlice &slice : slices) {
+            // A current that jumps late in a slice has moved the rotor less than one that was there from its beginning.
+            const double mean =
+                speed + kOf[i](slice.earlyQ_a, slice.earlyD_a, slice.speed) * step_s / 2.0;
+            stretch.speeds[i].push_back(mean);
+            stretch.angles[i].push_back(angle);
+            speed += kOf[i](slice.q_a, slice.d_a, slice.speed) * step_s;
+            angle += mean * step_s;
+        }
     }
     for (std::size_t at = 0; at < slices.size(); ++at) {
         const TurningSlice &now = slices[at], &before = slices[at == 0 ? 0 : at - 1];
@@ -150,22 +129,43 @@ void setSpeeds(const Stretch &stretch, const Fit &fit, double step_s)
     }
     const double steady = straighten(left) / step_s;
     for (std::size_t at = 0; at < stretch.slices.size(); ++at) {
-        stretch.slices[at].rotorSpeed = steady;
+        TurningSlice &slice = stretch.slices[at];
+        slice.rotorSpeed = steady;
         for (std::size_t i = 0; i < kAccelerations; ++i)
-            stretch.slices[at].rotorSpeed +=
-                fit.values[i] * (stretch.speeds[i][at] + stretch.speeds[i][at + 1]) / 2.0;
+            slice.rotorSpeed += fit.values[i] * stretch.speeds[i][at];
+        for (std::size_t i = kAccelerations; i < kColumns; ++i)
+            left[at] += fit.values[i] * stretch.angles[i][at];
     }
+    left.push_back(left.back());
+    for (std::size_t at = 0; at < stretch.slices.size(); ++at)
+        stretch.slices[at].aside_rad = (left[at] + left[at + 1]) / 2.0;
 }
 
 } // namespace
 
-TurningSlices slicesOf(const Segment &segment, double small_a)
+double TurningSlices::lossAlongQ(std::size_t slice, double swing_a) const
+{
+    const auto first = phases.begin() + static_cast<std::ptrdiff_t>(slice * length);
+    const auto last = first + static_cast<std::ptrdiff_t>(length);
+    double sum = kHalf * (first->lossAlongQ(swing_a) + last->lossAlongQ(swing_a));
+    for (auto at = first + 1; at != last; ++at)
+        sum += at->lossAlongQ(swing_a);
+    return sum / static_cast<double>(length);
+}
+
+TurningSlices slicesOf(const Segment &segment)
 {
     TurningSlices slices;
     const auto length = static_cast<std::size_t>(std::lround(kSlice_s / segment.step_s));
     slices.step_s = static_cast<double>(length) * segment.step_s;
-    for (std::size_t at = 0; length > 1 && at + length < segment.turned_deg.size(); at += length)
-        slices.all.push_back(sliceOf(segment, at, at + length, small_a));
+    slices.period_s = segment.period_s;
+    slices.length = length;
+    std::size_t at = 0;
+    for (; length > 1 && at + length < segment.turned_deg.size(); at += length)
+        slices.all.push_back(sliceOf(segment, at, at + length));
+    for (std::size_t i = 0; i <= at && !slices.all.empty(); ++i)
+        slices.phases.emplace_back(
+            segment.angle_rad(i), segment.values[0][i], segment.values[1][i]);
     return slices;
 }
 

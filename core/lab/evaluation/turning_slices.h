@@ -2,6 +2,7 @@
 // voltages are solved with. Pure.
 #pragma once
 
+#include "lab/evaluation/phase_currents.h"
 #include "lab/evaluation/segments.h"
 
 #include <vector>
@@ -13,21 +14,27 @@ struct TurningSlice {
     double angle_rad = 0.0; ///< at its beginning, electrical, turns included
     double speed = 0.0; ///< rad/s electrical, of the coordinates
     double rotorSpeed = 0.0; ///< rad/s electrical, of the rotor; see rotorSpeeds()
+    /// Of the coordinates from the rotor, as far as it changes with time and currents.
+    double aside_rad = 0.0;
     double q_a = 0.0, d_a = 0.0;
+    double earlyQ_a = 0.0, earlyD_a = 0.0; ///< the beginning counts twice, the end nothing
     double dq = 0.0; ///< A/s
-    double lossQ = 0.0; ///< of the dead time, for each volt that a phase loses
     double q_v = 0.0;
 };
 
 /// Slices that follow one another without a gap.
 struct TurningSlices {
     double step_s = 0.0;
+    double period_s = 0.0; ///< of the board's control loops
+    std::size_t length = 0; ///< of a slice, samples
     std::vector<TurningSlice> all;
+    std::vector<PhaseCurrents> phases; ///< of each sample, the one behind the last slice included
+    /// @param swing_a  see PhaseCurrents
+    double lossAlongQ(std::size_t slice, double swing_a) const;
 };
 
 /// @param segment  with Iq, Id and Vq as its values, in this order
-/// @param small_a  below it a phase's current is taken for none: the dead time takes no whole volt from it
-TurningSlices slicesOf(const Segment &segment, double small_a);
+TurningSlices slicesOf(const Segment &segment);
 
 /// Fills in how fast the rotor itself turned. What a board observes of its rotor lags behind when the torque jumps, and so
 /// do the coordinates; the rotor does what its inertia and its friction allow: within stretches of 50 ms its angle is

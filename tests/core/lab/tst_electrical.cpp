@@ -104,10 +104,76 @@ private Q_SLOTS:
         verifyWithin("Rs", found->rs_ohm,
             truth.motor.rs_ohm * warm + truth.inverter.switchResistance_ohm, 2.0);
         verifyWithin("Ld", found->ld_h, truth.motor.ld_h, 2.0);
-        verifyWithin("Lq", found->lq_h, truth.motor.lq_h, truth.sensors.hall ? 10.0 : 5.0);
+        verifyWithin("Lq", found->lq_h, truth.motor.lq_h, truth.sensors.hall ? 5.0 : 2.0);
         verifyWithin("flux", found->flux_wb, truth.motor.flux_wb, 1.5);
         QVERIFY(found->deadTime_v->value > 0.0);
         QVERIFY(found->notes.empty());
+    }
+
+    /// Beside a small inductance: its currents swing through zero within a PWM period, and go a good part of their way in one.
+    void aCurrentThatSwingsIsTakenIntoAccount_data()
+    {
+        QTest::addColumn<double>("inductance_h");
+        QTest::addColumn<bool>(
+            "told"); ///< the resistance is, by currents that do not swing that far
+        QTest::addRow("weak ones swing") << 0.3e-3 << true;
+        QTest::addRow("all swing") << 0.075e-3 << false;
+    }
+    void aCurrentThatSwingsIsTakenIntoAccount()
+    {
+        QFETCH(const double, inductance_h);
+        QFETCH(const bool, told);
+        PlantParameters truth = *simulation::findPreset("servo24");
+        truth.motor.rs_ohm = 1.3;
+        truth.motor.ld_h = truth.motor.lq_h = inductance_h;
+        truth.motor.flux_wb = 0.003;
+        truth.motor.inertia_kgm2 = 1e-5;
+        truth.motor.viscous_nms = 2e-6;
+        truth.motor.coulomb_nm = 0.001;
+        truth.motor.cogging_nm = 0.0;
+        truth.motor.nominal_a = told ? 3.0 : 1.6;
+        truth.inverter.shunt_ohm = 0.04;
+        simulation::BoardOptions options;
+        options.plant = truth;
+        LabBench bench(options, 1);
+        for (const auto &plan : {Plan(restPlanFor(bench.experiment.subject, {})),
+                 Plan(fluxPlanFor(bench.experiment.subject, {}))}) {
+            bench.experiment.plan = plan;
+            QCOMPARE(bench.run().end, End::Complete);
+        }
+        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        const double rs_ohm = truth.motor.rs_ohm * (1.0 + kCopper * (kAmbient_c - kColdest_c))
+            + truth.inverter.switchResistance_ohm;
+        verifyWithin("Rs", found->rs_ohm, rs_ohm, told ? 2.0 : 20.0);
+        verifyWithin("Ld", found->ld_h, truth.motor.ld_h, 3.0);
+        if (told)
+            verifyWithin("Lq", found->lq_h, truth.motor.lq_h, 4.0);
+        verifyWithin("flux", found->flux_wb, truth.motor.flux_wb, 1.5);
+        QCOMPARE(found->notes.empty(), told);
+    }
+
+    /// Heavy as it is, it swings on when its encoder has been aligned.
+    void aRotorThatDoesNotRestTellsNoResistance()
+    {
+        simulation::BoardOptions options = boardOf(QStringLiteral("servo24"), 1);
+        options.plant = *simulation::findPreset("servo24");
+        simulation::MotorParameters &motor = options.plant->motor;
+        motor.polePairs = 3;
+        motor.rs_ohm = 2.2;
+        motor.ld_h = motor.lq_h = 2e-3;
+        motor.flux_wb = 0.03;
+        motor.inertia_kgm2 = 2e-3;
+        motor.coulomb_nm = 0.03;
+        motor.nominal_a = 4.0;
+        options.plant->inverter.supply_v = 48.0;
+        LabBench bench(options, 1);
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        const Outcome outcome = bench.run();
+        QVERIFY2(outcome.end == End::Complete, outcome.reason.c_str());
+        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        QVERIFY(!found);
+        QVERIFY2(found.error().find("the rotor turned") == 0, found.error().c_str());
     }
 
     /// A start goes its way in the time of the last ramp: that, too, is part of what was there.

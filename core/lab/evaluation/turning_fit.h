@@ -1,0 +1,31 @@
+// What the voltages of a turning motor tell of it. Pure.
+//
+// Along q in rotor coordinates, over slices of a millisecond, so that no noisy current is differentiated:
+//   vq = R iq + Lq iq' + w Ld id + w0 flux cos(a) + what the dead time takes of each phase
+// where w is the speed of the coordinates, w0 that of the rotor, and a how far the coordinates stand aside from it, but for a
+// part that stays: flux cos(a) = flux (c0 + c1 b + c2 b^2), of b = the part that changes. The equation along d would tell Lq with
+// less noise, but of a board that observes its rotor it tells only what the observer believes: it turns its coordinates until
+// that equation holds. The one along q hardly feels an angle that is off by a few degrees.
+#pragma once
+
+#include "lab/evaluation/turning_slices.h"
+#include "lab/maths/estimate.h"
+
+#include <optional>
+
+namespace lab {
+
+struct TurningFit {
+    Estimate ld_h, lq_h, flux_wb; ///< their intervals are those of the rows alone
+    double swing_a = 0.0; ///< of a phase's current within a PWM period
+    Estimate lost_v; ///< what a phase loses whose current does not
+};
+
+/// @param nominal_a  of the motor
+/// @param rs_ohm  as it was found at rest; empty: the one of these voltages, told apart badly from the dead time, is good enough
+/// @param angleJumps  as that of Hall sensors does: then the currents jump with it
+/// @return  empty if the rows do not tell them, or nothing that a motor could have
+std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, double nominal_a,
+    std::optional<double> rs_ohm, bool angleJumps);
+
+} // namespace lab
