@@ -31,6 +31,7 @@ private Q_SLOTS:
     void noReadValueIsHeldBeyondTheLink();
     void theSignalsOfAMotorAreReadWhileAnotherIsChosen();
     void whatAStopBrokeOffIsAskedForAgain();
+    void whatADoubtedBoardWasNotAskedForIsLater();
 
 private:
     QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
@@ -243,6 +244,30 @@ void TestChannelStrip::whatAStopBrokeOffIsAskedForAgain()
     QCOMPARE(
         ends(drive::Outcome::Refused), std::size_t{0}); // of the board, which will not have changed
     QCOMPARE(failures.size(), 2);
+}
+
+/// A program that stood still doubts its board until it has answered; who it is it may tell before.
+void TestChannelStrip::whatADoubtedBoardWasNotAskedForIsLater()
+{
+    using widgets::Milliseconds;
+    connectBehind(184320.0);
+    const auto identified = *m_rig->device().identified();
+    std::size_t asked = 0;
+    connect(&m_rig->device(), &widgets::Device::wishMade, this, [&](const drive::Wish &wish) {
+        asked += std::holds_alternative<drive::Stream>(wish.what) ? 1 : 0;
+    });
+    Milliseconds now(10'000);
+    const auto beat = [&] {
+        for (int i = 0; i < 12; ++i)
+            Q_EMIT m_rig->workbench.heartbeat(now += Milliseconds(250));
+    };
+    using drive::LinkChanged, drive::LinkReason, drive::LinkState;
+    facts::feed(m_rig->device(), {LinkChanged{LinkState::Suspect, LinkReason::None}, identified});
+    beat();
+    QCOMPARE(asked, std::size_t{0});
+    facts::feed(m_rig->device(), {LinkChanged{LinkState::Connected, LinkReason::None}});
+    beat();
+    QCOMPARE(asked, std::size_t{1});
 }
 
 QTEST_MAIN(TestChannelStrip)

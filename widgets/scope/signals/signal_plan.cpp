@@ -295,7 +295,8 @@ void SignalPlan::replanSoon() { m_soon.start(); }
 
 void SignalPlan::refresh(Milliseconds now)
 {
-    if (m_brokenOff == 0 || m_streamWish != 0 || m_replaying || !m_device.answering())
+    const bool missing = m_brokenOff > 0 || m_streamStale;
+    if (!missing || m_streamWish != 0 || m_replaying || !m_device.answering())
         return;
     if (!m_againAt)
         m_againAt = now + kAgainAfter;
@@ -343,10 +344,12 @@ void SignalPlan::tellWhatDoesNotFit(const ChannelPlan &before)
 
 void SignalPlan::sendStream()
 {
-    m_streamStale = m_streamWish != 0;
     const bool empty = m_plan.stream.fast.empty() && m_plan.stream.slow.empty();
-    if (m_streamStale || !m_device.answering() || (empty && !m_streamed))
+    const bool waits = m_streamWish != 0 || !m_device.answering();
+    m_streamStale = waits && (m_streamed || !empty);
+    if (waits || (empty && !m_streamed))
         return;
+    m_againAt.reset();
     m_streamed = !empty;
     m_streamWish = m_device.submit(m_plan.stream);
 }

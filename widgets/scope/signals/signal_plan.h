@@ -85,7 +85,8 @@ private:
     std::optional<drive::Identity> m_met; ///< the board that the samples are of
     std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last
     drive::WishId m_streamWish = 0; ///< the one that has not ended
-    bool m_streamStale = false; ///< the plan changed while it was under way
+    bool m_streamStale =
+        false; ///< the plan changed while it was under way, or the board did not answer
     int m_brokenOff = 0; ///< times in a row that it did not come to the board
     std::optional<Milliseconds> m_againAt; ///< when it is asked for again; empty: not known yet
     bool m_fromFile = false;
