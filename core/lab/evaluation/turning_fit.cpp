@@ -132,11 +132,11 @@ std::optional<BestFit> bestFit(
     return found;
 }
 
-/// Half of the change by the coordinates that stand aside is in its interval: they are known from currents and angle alone.
+/// The change by the coordinates that stand aside is in its interval: they are known from currents and angle alone.
 Estimate unknownOf(const BestFit &found, std::size_t unknown)
 {
     const Estimate own = found.fit.estimate(unknown);
-    const double half = std::hypot((*own.high - *own.low) / 2.0, found.changes[unknown] / 2.0);
+    const double half = std::hypot((*own.high - *own.low) / 2.0, found.changes[unknown]);
     return {own.value, own.value - half, own.value + half};
 }
 
