@@ -6,6 +6,8 @@
 
 #include <QFileInfo>
 
+#include <utility>
+
 namespace support {
 
 class BannerJudge {
@@ -19,7 +21,7 @@ public:
     {
         const auto *text = m_moment.find<QLabel>("bannerText");
         if (text == nullptr || !text->isVisible() || text->text().isEmpty())
-            return;
+            return m_before.clear();
         const QString sentence = text->text();
         const auto is = [&sentence](
                             const char *words) { return sentence.contains(QLatin1String(words)); };
@@ -37,7 +39,9 @@ public:
         // Nobody else starts these boards: what was at rest when it was last heard is so now.
         if (is("No motor was driven") && m_moment.world().isDriven())
             untrue("and a motor is driven");
-        fileIs(sentence);
+        const bool fresh = sentence != std::exchange(m_before, sentence);
+        if (fresh) // what is written there later is another file
+            fileIs(sentence);
     }
 
 private:
@@ -58,6 +62,7 @@ private:
     }
 
     ScreenMoment &m_moment;
+    QString m_before; ///< sentence
 };
 
 } // namespace support

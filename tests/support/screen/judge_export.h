@@ -149,7 +149,10 @@ private:
                 return std::abs(gave - value) <= 1e-5 * std::max(1.0, std::abs(gave));
             });
             if (!was)
-                return text.toStdString() + " was never given";
+                return text.toStdString() + " was never given, " + std::to_string(given.size())
+                    + " others were, the last "
+                    + std::to_string(toSeconds(m_moment.world().now() - given.back().at))
+                    + " s ago";
         }
         return {};
     }

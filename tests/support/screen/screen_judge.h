@@ -34,6 +34,7 @@ public:
     static constexpr Duration kRead =
         2500ms; ///< a value: polled four times a second, read again after a silence
     static constexpr Duration kAwake = 400ms; ///< after a thread stood still
+    static constexpr Duration kAsked = 300ms; ///< from one question for a state to the next
     static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
     static constexpr Duration kLeft =
         15s; ///< until a port is closed, where a motor is stopped before
@@ -404,13 +405,16 @@ private:
             const TimePoint at = faults[m_judged].at;
             if (m_unwell + kOld > at || m_hidden + kListed > at)
                 continue; // the board was not heard all the time, or not all rows were shown
+            if (at > m_world.resetAt() && at - m_world.resetAt() < kAsked)
+                continue; // nobody could see that it had none in between
             ++m_moment.statements;
             const bool listed = std::any_of(
                 m_listed.begin(), m_listed.end(), [at](TimePoint seen) { return seen >= at; });
             if (!listed)
                 finds("eventList", QStringLiteral("%1 faults").arg(m_listed.size()),
                     "a fault of motor " + std::to_string(faults[m_judged].motor)
-                        + " is not among them");
+                        + " is not among them, " + std::to_string(toSeconds(at - m_world.resetAt()))
+                        + " s after a reset");
         }
     }
 
