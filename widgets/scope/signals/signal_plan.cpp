@@ -46,6 +46,8 @@ SignalPlan::SignalPlan(Device &device, capture::Capture &capture, QObject *paren
     const auto lost = [this] {
         if (!m_device.answering() && !m_fromFile)
             endPolled();
+        if (!m_device.answering() && !doubted())
+            m_streamStale = false; // a board that is met anew is planned for anew
     };
     connect(&device, &Device::linkStateChanged, this, lost);
     connect(&device, &Device::portStateChanged, this, lost);
@@ -342,12 +344,22 @@ void SignalPlan::tellWhatDoesNotFit(const ChannelPlan &before)
             nullptr, static_cast<int>(crowdedOut(m_plan))));
 }
 
+/// The link is in doubt: when it is well again, nobody tells anew who the board is.
+bool SignalPlan::doubted() const
+{
+    const drive::LinkState link = m_device.link().state;
+    return link == drive::LinkState::Suspect || link == drive::LinkState::Recovering;
+}
+
 void SignalPlan::sendStream()
 {
     const bool empty = m_plan.stream.fast.empty() && m_plan.stream.slow.empty();
-    const bool waits = m_streamWish != 0 || !m_device.answering();
-    m_streamStale = waits && (m_streamed || !empty);
-    if (waits || (empty && !m_streamed))
+    if (empty && !m_streamed) {
+        m_streamStale = false;
+        return;
+    }
+    m_streamStale = m_streamWish != 0 || doubted();
+    if (m_streamStale || !m_device.answering())
         return;
     m_againAt.reset();
     m_streamed = !empty;

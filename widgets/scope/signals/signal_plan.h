@@ -72,6 +72,7 @@ private:
     void replan(); ///< now
     void replanSoon();
     void sendStream();
+    bool doubted() const;
     void tellWhatDoesNotFit(const ChannelPlan &before);
 
     Device &m_device;
