@@ -1,6 +1,6 @@
 // The currents of three phases, and what the dead time of a bridge takes of its voltages for them. Pure.
 //
-// Each phase loses a volt or two against its own current. Where that current swings through zero within a PWM period, because it
+// Each phase loses some tenths of a volt against its own current. Where that current swings through zero within a PWM period, because it
 // is smaller than bus T / (16 L), it loses as much less as it is smaller: there the dead time acts as a resistance.
 #pragma once
 

@@ -159,6 +159,8 @@ Estimate bent(const Estimate &found, double rs_ohm, double period_s)
 std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, double nominal_a,
     std::optional<double> rs_ohm, bool angleJumps)
 {
+    if (slices.empty())
+        return std::nullopt;
     const auto best = bestFit(slices, nominal_a, angleJumps);
     if (!best)
         return std::nullopt;

@@ -15,8 +15,8 @@ namespace {
 constexpr double kSlice_s = 1e-3, kWindow_s = 50e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-constexpr double kHalf =
-    0.5; ///< of a sample at an edge: currents go in straight lines from sample to sample
+/// Of a sample at an edge: currents go in straight lines from sample to sample.
+constexpr double kHalf = 0.5;
 
 TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to)
 {

@@ -29,7 +29,8 @@ struct TurningSlices {
     std::size_t length = 0; ///< of a slice, samples
     std::vector<TurningSlice> all;
     std::vector<PhaseCurrents> phases; ///< of each sample, the one behind the last slice included
-    /// @param swing_a  see PhaseCurrents
+
+    /// What the dead time takes along q in a slice, for each volt that a phase loses. @param swing_a  see PhaseCurrents
     double lossAlongQ(std::size_t slice, double swing_a) const;
 };
 
