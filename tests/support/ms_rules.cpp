@@ -127,7 +127,7 @@ void MsRules::judge(const Sent &sent, const std::string &)
         m_requested = true;
     if (sent.kind == Kind::Start) {
         ++m_counts.starts;
-        m_startedOnce = true;
+        (wasUnderWay() ? m_agreedBefore : m_agreed).startedOnce = true;
     }
     if (sent.kind == Kind::SetPoint) {
         ++m_counts.setPoints;
@@ -167,7 +167,8 @@ void MsRules::act(const Act &act)
     case Act::Kind::Open:
         m_open = true;
         m_opened = act.at;
-        m_identified = m_requested = m_startedOnce = m_holdAgreed = false;
+        m_identified = m_requested = false;
+        m_agreed = {};
         forgetActs();
         m_heardAt.reset();
         m_unanswered.reset();
@@ -196,11 +197,11 @@ void MsRules::act(const Act &act)
         m_acts.push_back({act});
         return;
     case Act::Kind::Confirm:
-        m_confirmed = act.at;
+        m_agreed.confirmed = act.at;
         return;
     case Act::Kind::AgreeToSeries:
         m_seriesAgreed = m_armed;
-        m_confirmed = act.at;
+        m_agreed.confirmed = act.at;
         [[fallthrough]];
     case Act::Kind::Series:
         if (m_seriesAgreed) {
@@ -209,7 +210,7 @@ void MsRules::act(const Act &act)
         }
         return;
     case Act::Kind::AgreeToHold:
-        m_holdAgreed = true;
+        m_agreed.hold = true;
         return;
     case Act::Kind::Hold:
         m_held = act.at;
@@ -251,8 +252,9 @@ void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
     m_over = true;
-    m_startedOnce = m_holdAgreed = false;
-    m_confirmed.reset();
+    if (!wasUnderWay()) // when it was pressed before
+        m_agreedBefore = m_agreed;
+    m_agreed = {};
     forgetActs();
     m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting
     if (!m_open)

@@ -267,11 +267,16 @@ private:
     std::map<int, TimePoint> m_stopSent; ///< by motor
     std::set<int>
         m_alarming; ///< motors whose Stop was said to be unconfirmed, and nothing else since
-    std::optional<TimePoint> m_leave, m_confirmed, m_held;
+    std::optional<TimePoint> m_leave, m_held;
     std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
     bool m_seriesAgreed = false; ///< since it was armed
-    bool m_holdAgreed = false; ///< since the connection or the last Stop
-    bool m_startedOnce = false; ///< since the connection or the last Stop
+    /// What a person has agreed to and seen, so that a START may leave.
+    struct Agreed {
+        std::optional<TimePoint> confirmed;
+        bool hold = false, startedOnce = false;
+    };
+    Agreed m_agreed; ///< since the connection or the last Stop
+    Agreed m_agreedBefore; ///< the last Stop: for what was under way then
     struct Bounds {
         double rpm = 0.0, amps = 0.0;
     };

@@ -176,12 +176,13 @@ void MsRules::heartbeatsOnlyWhileArmed(const Sent &sent)
 /// Nobody starts a motor by one slip of a finger, nor to where it was going before it was stopped.
 void MsRules::firstStartsAreAsked(const Sent &sent)
 {
-    if (!m_line.asksFirst || sent.kind != Kind::Start || m_startedOnce)
+    const Agreed &agreed = wasUnderWay() ? m_agreedBefore : m_agreed;
+    if (!m_line.asksFirst || sent.kind != Kind::Start || agreed.startedOnce)
         return;
     const auto fresh = [this](const std::optional<TimePoint> &at) {
         return at && m_now - *at <= m_line.fresh + m_line.grace;
     };
-    if (!fresh(m_confirmed) && !(m_holdAgreed && fresh(m_held)))
+    if (!fresh(agreed.confirmed) && !(agreed.hold && fresh(m_held)))
         violate("first starts are asked",
             "the first START since the connection or the last Stop left, and nobody said yes to "
             "it");

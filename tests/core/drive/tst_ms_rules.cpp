@@ -180,6 +180,7 @@ private Q_SLOTS:
     void aBrokenRuleSpeaks_data();
     void aBrokenRuleSpeaks();
     void whatIsKeptIsSilent();
+    void aYesBeforeTheStopIsForWhatWasUnderWay();
     void whoArmsWhileTheMotorComesToRestMayBeHeard();
     void theOrderOfStopsIsTheDrives();
     void aListOfParametersTakesNothingFromOthers();
@@ -445,6 +446,30 @@ void TestMsRules::whatIsKeptIsSilent()
     b.run(1s);
     QCOMPARE(b.judge.verdict(), std::string());
     QCOMPARE(b.judge.counts().starts, 2);
+}
+
+/// A START whose header has left before the Stop was agreed to before it; the next one is asked about all the same.
+void TestMsRules::aYesBeforeTheStopIsForWhatWasUnderWay()
+{
+    for (const bool asked : {false, true}) {
+        Bench b;
+        b.judge.line().asksFirst = true;
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Start);
+        if (asked)
+            b.act(Act::Kind::Confirm);
+        b.judge.sent(withCheck(2U << 4 | 9U), b.now);
+        b.act(Act::Kind::Stop);
+        b.now += 2ms;
+        b.judge.sent(Bytes{kStart | 1, 0}, b.now);
+        QCOMPARE(b.judge.verdict().empty(), asked);
+        b.request({kStop | 1});
+        b.run(20ms);
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Start);
+        b.request({kStart | 1});
+        QVERIFY(b.judge.verdict().starts_with("first starts are asked: "));
+    }
 }
 
 void TestMsRules::whoArmsWhileTheMotorComesToRestMayBeHeard()
