@@ -1,4 +1,4 @@
-// N3 to N7: whole frames of the window's scope, from the wish to the painted widget, on ragged data. 1920 x 1080, the time axis
+// N3 to N8: whole frames of the window's scope, from the wish to the painted widget, on ragged data. 1920 x 1080, the time axis
 // moves every time.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
@@ -7,6 +7,8 @@
 #include "widgets/scope/scope_view.h"
 
 #include <qcustomplot.h>
+
+#include <QScreen>
 
 #include <functional>
 #include <memory>
@@ -51,9 +53,13 @@ struct Scope {
     double span = 0;
     int moved = 0;
 
-    explicit Scope(const std::function<void(capture::Capture &)> &record)
+    explicit Scope(const std::function<void(capture::Capture &)> &record, QScreen *on = nullptr)
     {
         record(capture);
+        if (on != nullptr) {
+            view.setScreen(on);
+            view.move(on->geometry().topLeft());
+        }
         view.resize(kWidth, kHeight);
         view.show();
         for (const auto &info : capture.channels())
@@ -62,8 +68,8 @@ struct Scope {
         view.fitAll();
         QCoreApplication::processEvents();
     }
-    explicit Scope(const Ragged &data)
-        : Scope([&data](capture::Capture &into) { data.record(into); })
+    explicit Scope(const Ragged &data, QScreen *on = nullptr)
+        : Scope([&data](capture::Capture &into) { data.record(into); }, on)
     {
     }
     void frame(double seconds)
@@ -269,6 +275,37 @@ void triggered(benchmark::State &state)
         Measured::cost(pair), "the frames without"});
 }
 
+/// As many logical pixels on a screen that has four of its own for each (3840 x 2160 at 200 %).
+void frameOfMorePixels(benchmark::State &state)
+{
+    constexpr double kFastScreenMs = 4.1; ///< of the 4.17 between two pictures of 240 a second
+    QScreen *fine = nullptr;
+    for (QScreen *screen : QGuiApplication::screens())
+        if (screen->devicePixelRatio() == 2.0)
+            fine = screen;
+    if (fine == nullptr)
+        return leaveOut("N8", "no screen at 200 % (tests/bench/screens.json gives one)");
+    const Ragged data(10'000'000, Ragged::Wave::Motor);
+    Scope plain(data);
+    Scope sharp(data, fine);
+    std::vector<double> plainFrames, sharpFrames;
+    const auto timed = [](Scope &scope, std::vector<double> &into) {
+        const double start = cpuSeconds();
+        scope.frame();
+        into.push_back((cpuSeconds() - start) * 1e3);
+    };
+    const Pair pair = pairedRatio(
+        state, [&] { timed(plain, plainFrames); }, [&] { timed(sharp, sharpFrames); });
+    require(plotOf(plain.view).bufferDevicePixelRatio() == 1.0
+            && plotOf(sharp.view).bufferDevicePixelRatio() == 2.0,
+        "both pictures have as many pixels");
+    report({"N8 4K", "frame of 8 x 10000000, 4K at 200 %", Measured::cost(pair), "1080p"});
+    report(
+        {"N8 frame", "the same", quantile(sharpFrames, 0.99) / kFrameMs, "16.7 ms of computing"});
+    report({"N8 240 Hz", "the frame at 1080p", quantile(plainFrames, 0.999) / kFastScreenMs,
+        "4.1 ms of computing"});
+}
+
 void manySignals(benchmark::State &state)
 {
     Scope eight(Ragged(1'000'000, Ragged::Wave::Motor));
@@ -299,5 +336,6 @@ BENCHMARK(frameOfValues)->Iterations(51)->UseManualTime();
 BENCHMARK(mathBesideStream)->Iterations(101)->UseManualTime();
 BENCHMARK(persistence)->Iterations(51)->UseManualTime();
 BENCHMARK(triggered)->Iterations(51)->UseManualTime();
+BENCHMARK(frameOfMorePixels)->Iterations(301)->UseManualTime();
 BENCHMARK(manySignals)->Iterations(51)->UseManualTime();
 BENCHMARK(manyGaps)->Iterations(51)->UseManualTime();

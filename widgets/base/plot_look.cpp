@@ -8,7 +8,37 @@ namespace {
 constexpr int kFaint = 38; ///< of 255: seen, and never in the way of a trace
 constexpr int kQuiet = 150; ///< of 255: a small tick beside one with a number
 constexpr int kSmallTick = 3; ///< pixels
+
+class ScreenWatch : public QObject {
+public:
+    explicit ScreenWatch(QCustomPlot &plot)
+        : QObject(&plot)
+        , m_plot(plot)
+    {
+        plot.installEventFilter(this);
+    }
+
+private:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        const double ratio = m_plot.devicePixelRatioF();
+        if (event->type() == QEvent::Paint
+            && !qFuzzyCompare(m_plot.bufferDevicePixelRatio(), ratio)) {
+            m_plot.setBufferDevicePixelRatio(ratio);
+            m_plot.replot(QCustomPlot::rpQueuedRefresh); // drawn now, painted by what goes on here
+        }
+        return false;
+    }
+    QCustomPlot &m_plot;
+};
+
 } // namespace
+
+void setUpPlot(QCustomPlot &plot)
+{
+    new ScreenWatch(plot);
+    plot.layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
+}
 
 void colorAxis(QCPAxis &axis, const QColor &color)
 {

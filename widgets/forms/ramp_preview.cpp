@@ -59,6 +59,7 @@ RampPreview::RampPreview(QWidget *parent)
     , m_measured(m_plot->addGraph())
     , m_now(new QCPItemStraightLine(m_plot))
 {
+    setUpPlot(*m_plot);
     setObjectName(QStringLiteral("rampPreview"));
     setAccessibleName(tr("Preview of the ramp"));
     setFocusPolicy(Qt::NoFocus);

@@ -23,6 +23,7 @@ PlanPicture::PlanPicture(const SpeedPlan &plan, QWidget *parent)
     , m_speeds(plan)
     , m_plot(new QCustomPlot(this))
 {
+    setUpPlot(*m_plot);
     setObjectName(QStringLiteral("planPicture"));
     setAccessibleName(tr("Picture of the plan"));
     m_plot->setFocusPolicy(Qt::NoFocus);

@@ -25,6 +25,7 @@ KeyedPlot::KeyedPlot(const QString &name, const QString &title, QWidget *parent)
     , m_plot(new QCustomPlot(this))
     , m_why(new QLabel(this))
 {
+    setUpPlot(*m_plot);
     setObjectName(name);
     setAccessibleName(title);
     setFocusPolicy(Qt::StrongFocus);

@@ -1,6 +1,7 @@
 #include "widgets/scope/scope_view.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/plot_look.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/events/event_lane.h"
@@ -63,6 +64,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
           },
           this))
 {
+    setUpPlot(*m_plot);
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
     m_hint->setObjectName(QStringLiteral("scopeHint"));

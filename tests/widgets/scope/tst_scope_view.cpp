@@ -48,7 +48,23 @@ private Q_SLOTS:
     void aClearedCaptureKeepsItsTracesByRegister();
     void nonsenseRangesChangeNothing();
     void screenReadersHearWhatIsShown();
+    void thePictureHasThePixelsOfItsScreen();
 };
+
+/// Made on one screen and shown on another: the library knows of the first alone.
+void TestScopeView::thePictureHasThePixelsOfItsScreen()
+{
+    Bench bench({signal(1, "A")});
+    bench.record(1000, [](int, int tick) { return tick; });
+    bench.view.addChannel(bench.id(1));
+    bench.view.fitAll();
+    const QImage sharp = bench.picture();
+    auto *plot = bench.view.findChild<QCustomPlot *>();
+    plot->setBufferDevicePixelRatio(2.0 * bench.view.devicePixelRatioF());
+    plot->replot();
+    QCOMPARE(bench.picture(), sharp);
+    QCOMPARE(plot->bufferDevicePixelRatio(), bench.view.devicePixelRatioF());
+}
 
 void TestScopeView::aPeakStandsWhereTheAxesSay()
 {

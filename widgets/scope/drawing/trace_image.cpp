@@ -216,8 +216,10 @@ void fillBox(QImage &image, int left, int top, int width, int height, QRgb color
     left = std::max(left, 0);
     if (left >= right)
         return;
+    uchar *bits = image.bits();
+    const auto stride = image.bytesPerLine();
     for (int y = std::max(top, 0); y < bottom; ++y) {
-        auto *row = reinterpret_cast<QRgb *>(image.scanLine(y));
+        auto *row = reinterpret_cast<QRgb *>(bits + y * stride);
         std::fill(row + left, row + right, color);
     }
 }
