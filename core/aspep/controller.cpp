@@ -89,7 +89,7 @@ void Controller::reset()
     m_urgent.reset();
     m_state = State::Idle;
     m_step = Step::None;
-    m_suspect = false;
+    m_suspect = m_inDoubt = false;
     m_output.clear();
     m_async.reset();
     m_framer.resynchronise();

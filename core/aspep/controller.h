@@ -64,10 +64,10 @@ public:
     };
 
     // Events, in the order in which they happened.
+    /// Nothing that the board held before can be relied on.
     struct Connected {
         Beacon agreed;
-        bool afterReset =
-            false; ///< the board was reset meanwhile: nothing it held can be relied on
+        bool afterReset = false; ///< it has said that it was reset; else it may have been
     };
     struct Suspect { };
     struct Recovered { }; ///< connected again after Recovering; what it held still holds
@@ -241,6 +241,7 @@ private:
     bool m_everAgreed = false;
     bool m_remembered = false; ///< m_agreed is what was agreed before, until there is an agreement
     bool m_afterReset = false;
+    bool m_inDoubt = false; ///< a Beacon has left in this outage before a Ping told of a reset
     bool m_parity = false; ///< what the next Ping should say if no request is lost
     std::uint8_t m_linkId = 0;
     std::uint16_t m_number = 0; ///< of the last Ping

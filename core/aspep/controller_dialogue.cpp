@@ -2,10 +2,11 @@
 // then a Ping.
 //
 // A recovery begins with Pings until one is answered: a board that was reset says so only before it has
-// heard a matching Beacon. Where nothing bad was heard, only nothing at all, its reply is enough: the board is there
-// and connected, and its stream goes on. Else the agreed Beacon must come back exactly, twice: the
-// first echo shows that the line is in step, the second that the first was no late answer and that
-// nothing which came before is still under way.
+// heard a matching Beacon. (A stop cannot wait for that. A link that comes back by its Beacons is a new one.)
+// Where nothing bad was heard, only nothing at all, the Ping's reply is enough: the board is there and
+// connected, and its stream goes on. Else the agreed Beacon must come back exactly, twice: the first echo
+// shows that the line is in step, the second that the first was no late answer and that nothing which came
+// before is still under way.
 #include "aspep/controller.h"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ void Controller::offer(TimePoint now, Duration gap)
         return lose(connectFailure());
     if (!recovering)
         m_state = State::Negotiating;
+    m_inDoubt = m_inDoubt || (recovering && !m_probed);
     m_step = Step::Offering;
     ++m_attempts;
     sendPacket(recovering ? m_agreed : m_offer, gap, now);
@@ -188,11 +190,11 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
     m_echoesLeft = 1;
     m_damaged = false;
     m_suspect = false;
-    if (recovered)
+    if (recovered && !m_inDoubt)
         m_events.push_back(Recovered{});
     else
         m_events.push_back(Connected{m_agreed, m_afterReset});
-    m_afterReset = false;
+    m_afterReset = m_inDoubt = false;
     if (m_urgent)
         onUrgentDue(now);
 }
@@ -202,6 +204,7 @@ void Controller::onNotConfigured(TimePoint now)
     if (m_state == State::Connected || m_state == State::Recovering) {
         endRequest(std::nullopt);
         m_afterReset = true;
+        m_inDoubt = false;
         m_dialogueStart = now;
         m_rounds = 0;
     } else if (++m_rounds > kMaxRounds) {
@@ -216,6 +219,7 @@ void Controller::recover(TimePoint now)
     if (m_state != State::Recovering) { // else by a stop, within the same outage
         m_outageStart = m_lastValid;
         m_dialogueStart = now;
+        m_inDoubt = false;
     }
     m_state = State::Recovering;
     m_attempts = m_rounds = 0;

@@ -84,6 +84,7 @@ void Controller::startUrgentDialogue(TimePoint now)
     if (m_state == State::Idle || m_state == State::Connected) { // else the outage has begun before
         m_dialogueStart = now;
         m_outageStart = m_lastValid;
+        m_probed = m_inDoubt = false;
     }
     m_attempts = 0;
     if (m_everAgreed)
@@ -108,6 +109,7 @@ void Controller::sendBlind(TimePoint now)
 {
     const bool echoed = m_step == Step::Pinging && m_attempts == 1;
     m_urgent->stage = Urgent::Stage::Sent;
+    m_inDoubt = m_inDoubt || (m_everAgreed && !m_probed);
     if (!echoed)
         sendPacket(blindOffer(), kBlindGap, now);
     sendPacket(Ping{false, false, 0, ++m_number}, kBlindGap, now);

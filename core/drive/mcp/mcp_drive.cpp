@@ -109,7 +109,6 @@ private:
 
     Heartbeat m_heartbeat{m_board};
     StreamControl m_stream{m_board};
-    bool m_resetSeen = false; ///< the connection under way follows a reset of the board
 };
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
@@ -140,7 +139,6 @@ void McpDrive::onLinkEvents(TimePoint now)
 void McpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
-    m_resetSeen = event.afterReset;
     m_memory.agreed = event.agreed;
     if (event.afterReset)
         disarm();
@@ -189,7 +187,7 @@ void McpDrive::tellIdentity()
 
 void McpDrive::onIdentified(TimePoint now)
 {
-    m_stream.restart(m_resetSeen);
+    m_stream.restart();
     tellIdentity();
     m_vitals.hurry(now); // now the speed can be read too
     if (m_stream.wanted() && m_mode == Mode::Open)

@@ -48,7 +48,7 @@ McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config)
     return {{{mcp::datalogRegister(linkId), mcp::encodeDatalog(config).value_or(Bytes())}}};
 }
 
-void StreamControl::restart(bool boardReset)
+void StreamControl::restart()
 {
     if (m_announced != 0)
         m_events.emplace_back(StreamStarted{});
@@ -56,18 +56,15 @@ void StreamControl::restart(bool boardReset)
     m_sent.clear();
     m_load = 0.0;
     m_stoppedAt.reset();
-    if (boardReset || !m_decoder || m_tickHz != m_board.streaming.tickHz) {
-        m_origin.reset();
-        m_seen = {};
-        m_epoch = 0;
-        m_tickHz = m_board.streaming.tickHz;
-        m_decoder.emplace(std::max(m_tickHz, 1.0));
-    }
+    m_origin.reset();
+    m_seen = {};
+    m_epoch = 0;
+    m_decoder.emplace(std::max(m_board.streaming.tickHz, 1.0));
 }
 
 void StreamControl::close()
 {
-    restart(true);
+    restart();
     m_decoder.reset();
     m_wanted = {};
     m_stopNeeded = true;

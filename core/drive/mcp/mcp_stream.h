@@ -26,8 +26,7 @@ public:
     {
     }
 
-    /// Identified. `boardReset`: nothing about its counter is known any more.
-    void restart(bool boardReset);
+    void restart(); ///< identified; nothing about its counter is known any more
     void stopSent(); ///< and answered, in whichever way
     void close(); ///< the link is given up: nothing is wanted any more
     void connected()
@@ -72,7 +71,6 @@ private:
     capture::StreamId m_lastStream = 0;
     capture::StreamId m_announced = 0; ///< 0: none
     std::optional<double> m_origin; ///< seconds of tick 0
-    double m_tickHz = 0.0; ///< that the decoder was made with
     unsigned m_epoch = 0;
     std::uint8_t m_lastMark = 0;
     Stream m_wanted;

@@ -95,6 +95,8 @@ private Q_SLOTS:
     void eachConfigurationHasAnotherMark();
     void nothingIsInventedWhereBytesAreLost();
     void ticksMapToTheSessionsTime();
+    void aResetBehindAStopIsNoticed_data();
+    void aResetBehindAStopIsNoticed();
     void aRecoveryShowsAsAGapOnly();
     void aLostByteCostsLittle_data();
     void aLostByteCostsLittle();
@@ -378,6 +380,48 @@ void TestMcpDriveStream::ticksMapToTheSessionsTime()
     session.submit(Stream{{session.id("I_A"), session.id("I_B")}, 1, {}, 1});
     session.runFor(1s);
     QVERIFY2(worst > 0.0 && worst < 0.03, std::to_string(worst).c_str());
+}
+
+void TestMcpDriveStream::aResetBehindAStopIsNoticed_data()
+{
+    QTest::addColumn<bool>("twice");
+    QTest::newRow("one reset") << false;
+    QTest::newRow("another before anything was streamed again") << true;
+}
+
+/// A stop goes out with a Beacon at once, behind which a board does not tell any more that it was reset: its samples are
+/// asked for again, and stand where they belong.
+void TestMcpDriveStream::aResetBehindAStopIsNoticed()
+{
+    QFETCH(bool, twice);
+    for (Duration late{}; late < 130ms; late += 9ms) {
+        Session session;
+        QVERIFY(session.startMotor());
+        session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+        session.runFor(300ms);
+        double newest = 0.0;
+        capture::StreamLayout layout;
+        session.onEvent = [&](const Event &event) {
+            if (const auto *started = std::get_if<StreamStarted>(&event))
+                layout = started->layout;
+            if (const auto *block = std::get_if<capture::SampleBlock>(&event))
+                newest = layout.originSeconds
+                    + static_cast<double>(block->firstTick + block->count) / layout.tickHz;
+        };
+        session.board->reset();
+        session.runFor(late);
+        session.drive->stop(session.now);
+        if (twice) {
+            session.runFor(60ms);
+            session.board->reset();
+            session.runFor(9ms);
+            session.drive->stop(session.now);
+        }
+        session.runFor(3s);
+        const double old = toSeconds(session.now.time_since_epoch()) - newest;
+        QVERIFY2(std::abs(old) < 0.03, std::to_string(old).c_str());
+        QVERIFY(!session.drive->armed());
+    }
 }
 
 void TestMcpDriveStream::aRecoveryShowsAsAGapOnly()

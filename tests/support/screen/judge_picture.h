@@ -222,8 +222,11 @@ private:
         const QString folder = qEnvironmentVariable("ROTORSCOPE_PICTURES");
         if (least > 0 && !folder.isEmpty()) // for whoever wants to see it
             ink.picture().save(folder + QStringLiteral("/untrue-%1.png").arg(m_moment.statements));
-        return least > 0 ? best + " and " + std::to_string(least - 1) + " other places"
-                         : std::string();
+        if (least == 0)
+            return {};
+        return best + " and " + std::to_string(least - 1) + " other places, in a picture to "
+            + std::to_string(range.to) + " s at "
+            + std::to_string(toSeconds(now.time_since_epoch())) + " s";
     }
     struct Painted {
         const Trace *trace;
