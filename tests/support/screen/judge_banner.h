@@ -6,7 +6,7 @@
 
 #include <QFileInfo>
 
-#include <utility>
+#include <set>
 
 namespace support {
 
@@ -21,7 +21,7 @@ public:
     {
         const auto *text = m_moment.find<QLabel>("bannerText");
         if (text == nullptr || !text->isVisible() || text->text().isEmpty())
-            return m_before.clear();
+            return;
         const QString sentence = text->text();
         const auto is = [&sentence](
                             const char *words) { return sentence.contains(QLatin1String(words)); };
@@ -39,8 +39,7 @@ public:
         // Nobody else starts these boards: what was at rest when it was last heard is so now.
         if (is("No motor was driven") && m_moment.world().isDriven())
             untrue("and a motor is driven");
-        const bool fresh = sentence != std::exchange(m_before, sentence);
-        if (fresh) // what is written there later is another file
+        if (m_judged.insert(sentence).second) // what is written there later is another file
             fileIs(sentence);
     }
 
@@ -62,7 +61,7 @@ private:
     }
 
     ScreenMoment &m_moment;
-    QString m_before; ///< sentence
+    std::set<QString> m_judged; ///< of files; a message comes back where a newer one is closed
 };
 
 } // namespace support

@@ -10,6 +10,7 @@
 #include "support/screen/text_catcher.h"
 #include "support/wire/mcp_registers.h"
 #include "widgets/scope/cursors.h"
+#include "widgets/scope/scope_ghosts.h"
 
 #include <cmath>
 
@@ -18,6 +19,7 @@ namespace support {
 class PictureJudge {
 public:
     static constexpr int kLabels = 24; ///< rows
+    static constexpr double kLetters = 0.07; ///< of the width, where references have theirs
     static constexpr int kEdge = 2; ///< rows: there the frame of the plot lies over a trace
     static constexpr int kLoose =
         3; ///< columns by which a time, and rows by which a value may be off
@@ -203,6 +205,8 @@ private:
             return {};
         const PictureInk ink(view);
         m_labels = view.cursors().visible();
+        const bool references = const_cast<widgets::ScopeView &>(view).ghosts().hasReference();
+        m_letters = references ? static_cast<int>(kLetters * width) : 0;
         m_painted.clear();
         for (const Trace &trace : m_traces)
             if (!trace.sent.empty())
@@ -242,6 +246,8 @@ private:
             const PictureInk::Column &painted = one.column;
             if (painted.x + shift - kGap < m_known + kLoose || painted.x < m_steady)
                 continue; // from before the judge listened, or a thread stood still
+            if (painted.x < m_letters)
+                continue;
             const int at = painted.x + shift;
             const auto sent = [&](int around) {
                 judge::Extremes all;
@@ -298,6 +304,7 @@ private:
     std::vector<Painted> m_painted;
     std::vector<std::pair<int, int>> m_mended; ///< columns at which a loss begins, and for how many
     bool m_labels = false; ///< of the cursors are there
+    int m_letters = 0; ///< columns in which those of references stand, in the colours of the traces
     int m_linked = 0; ///< columns before the link stood
     int m_steady = 0; ///< the first column that is judged
     int m_known = 0, m_drawn = 0; ///< columns from and to which the judge knows what is to be seen
