@@ -95,6 +95,7 @@ std::optional<catalog::RegisterId> RegisterModel::idOf(std::string_view name) co
 
 void RegisterModel::take(const std::vector<drive::Reading> &readings, Milliseconds now)
 {
+    std::vector<std::size_t> changed;
     for (const drive::Reading &reading : readings) {
         const auto found = m_byId.find(reading.id);
         if (found == m_byId.end())
@@ -116,8 +117,9 @@ void RegisterModel::take(const std::vector<drive::Reading> &readings, Millisecon
             row.known = Known::Refused;
             break;
         }
-        rowChanged(found->second);
+        changed.push_back(found->second);
     }
+    rowsChanged(changed);
 }
 
 bool RegisterModel::outdated(const Row &row, Milliseconds now) const
@@ -128,13 +130,15 @@ bool RegisterModel::outdated(const Row &row, Milliseconds now) const
 void RegisterModel::refresh(Milliseconds now)
 {
     endFlashes(now);
+    std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         Row &row = m_rows[i];
         if (row.known != Known::Value || row.stale || !outdated(row, now))
             continue;
         row.stale = true;
-        rowChanged(i);
+        changed.push_back(i);
     }
+    rowsChanged(changed);
 }
 
 void RegisterModel::setBelieved(bool believed)
@@ -143,12 +147,14 @@ void RegisterModel::setBelieved(bool believed)
         Q_EMIT headerDataChanged(Qt::Horizontal, ValueColumn, ValueColumn);
     if (believed)
         return; // fresh values clear the mark one by one
+    std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         if (m_rows[i].known != Known::Value || m_rows[i].stale)
             continue;
         m_rows[i].stale = true;
-        rowChanged(i);
+        changed.push_back(i);
     }
+    rowsChanged(changed);
 }
 
 std::optional<double> RegisterModel::shownValue(catalog::RegisterId id) const
@@ -213,23 +219,31 @@ const RegisterModel::Row *RegisterModel::find(catalog::RegisterId id) const
     return found == m_byId.end() ? nullptr : &m_rows[found->second];
 }
 
-void RegisterModel::rowChanged(std::size_t row)
+/// One change a group: whoever follows it looks once, however many came together.
+void RegisterModel::rowsChanged(const std::vector<std::size_t> &changed)
 {
-    for (std::size_t g = 0; g < m_groups.size(); ++g) {
+    for (std::size_t g = 0; g < m_groups.size() && !changed.empty(); ++g) {
         const auto &rows = m_groups[g].rows;
-        const auto found = std::find(rows.begin(), rows.end(), row);
-        if (found == rows.end())
-            continue;
+        std::size_t first = rows.size(), last = 0;
+        for (const std::size_t row : changed) {
+            const auto at =
+                static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
+            if (at == rows.size())
+                continue;
+            first = std::min(first, at);
+            last = std::max(last, at);
+        }
         const QModelIndex group = index(static_cast<int>(g), 0);
-        const int r = static_cast<int>(found - rows.begin());
-        Q_EMIT dataChanged(index(r, NameColumn, group), index(r, ColumnCount - 1, group));
+        if (first < rows.size())
+            Q_EMIT dataChanged(index(static_cast<int>(first), NameColumn, group),
+                index(static_cast<int>(last), ColumnCount - 1, group));
     }
 }
 
 void RegisterModel::rowChanged(catalog::RegisterId id)
 {
     if (const auto found = m_byId.find(id); found != m_byId.end())
-        rowChanged(found->second);
+        rowsChanged({found->second});
 }
 
 QModelIndex RegisterModel::indexOf(catalog::RegisterId id, Column column) const

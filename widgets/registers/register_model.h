@@ -155,7 +155,7 @@ private:
     bool outdated(const Row &row, Milliseconds now) const;
     const Row *rowAt(const QModelIndex &index) const;
     const Row *find(catalog::RegisterId id) const;
-    void rowChanged(std::size_t row);
+    void rowsChanged(const std::vector<std::size_t> &changed);
     void rowChanged(catalog::RegisterId id);
     const Edit *editOf(catalog::RegisterId id) const;
     Edit &edit(catalog::RegisterId id);

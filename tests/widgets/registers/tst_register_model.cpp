@@ -74,6 +74,22 @@ private Q_SLOTS:
             QStringLiteral("24\u202fV"));
     }
 
+    void whatComesTogetherIsOneChangeAGroup()
+    {
+        QSignalSpy changed(m_model.get(), &QAbstractItemModel::dataChanged);
+        m_model->take({facts::reading(facts::kCurrentB, std::int64_t{7}),
+                          facts::reading(facts::kCurrentA, std::int64_t{5})},
+            0ms);
+        QCOMPARE(changed.size(), 1);
+        for (const auto id : {facts::kCurrentA, facts::kCurrentB}) {
+            const QModelIndex mine = m_model->indexOf(id);
+            const auto from = changed.at(0).at(0).toModelIndex();
+            const auto to = changed.at(0).at(1).toModelIndex();
+            QVERIFY(mine.parent() == from.parent() && from.row() <= mine.row()
+                && mine.row() <= to.row());
+        }
+    }
+
     void aValueOlderThanThreePeriodsIsStale()
     {
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 1000ms);
