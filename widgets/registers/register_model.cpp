@@ -101,57 +101,45 @@ void RegisterModel::take(const std::vector<drive::Reading> &readings, Millisecon
         if (found == m_byId.end())
             continue;
         Row &row = m_rows[found->second];
-        switch (reading.status) {
-        case drive::ReadStatus::Ok:
+        if (reading.status == drive::ReadStatus::Ok) {
             if (row.known == Known::Value)
                 row.interval = now - row.at <= kLongestInterval ? now - row.at : Milliseconds{};
             row.known = Known::Value;
             row.value = reading.value;
             row.at = now;
             row.stale = !m_believed;
-            break;
-        case drive::ReadStatus::NotSupported:
-            row.known = Known::NotSupported;
-            break;
-        case drive::ReadStatus::Refused:
-            row.known = Known::Refused;
-            break;
+        } else {
+            const bool refused = reading.status == drive::ReadStatus::Refused;
+            row.known = refused ? Known::Refused : Known::NotSupported;
         }
         changed.push_back(found->second);
     }
     rowsChanged(changed);
 }
 
-bool RegisterModel::outdated(const Row &row, Milliseconds now) const
-{
-    return !m_believed || now - row.at > 3 * std::max(kPollPeriod, row.interval);
-}
-
 void RegisterModel::refresh(Milliseconds now)
 {
     endFlashes(now);
-    std::vector<std::size_t> changed;
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        Row &row = m_rows[i];
-        if (row.known != Known::Value || row.stale || !outdated(row, now))
-            continue;
-        row.stale = true;
-        changed.push_back(i);
-    }
-    rowsChanged(changed);
+    markStale(now);
 }
 
 void RegisterModel::setBelieved(bool believed)
 {
     if (std::exchange(m_believed, believed) != believed)
         Q_EMIT headerDataChanged(Qt::Horizontal, ValueColumn, ValueColumn);
-    if (believed)
-        return; // fresh values clear the mark one by one
+    if (!believed) // fresh values clear the mark one by one
+        markStale({});
+}
+
+void RegisterModel::markStale(Milliseconds now)
+{
     std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (m_rows[i].known != Known::Value || m_rows[i].stale)
+        Row &row = m_rows[i];
+        const bool holds = m_believed && now - row.at <= 3 * std::max(kPollPeriod, row.interval);
+        if (row.known != Known::Value || row.stale || holds)
             continue;
-        m_rows[i].stale = true;
+        row.stale = true;
         changed.push_back(i);
     }
     rowsChanged(changed);
@@ -222,21 +210,18 @@ const RegisterModel::Row *RegisterModel::find(catalog::RegisterId id) const
 /// One change a group: whoever follows it looks once, however many came together.
 void RegisterModel::rowsChanged(const std::vector<std::size_t> &changed)
 {
+    const auto hasChanged = [&changed](std::size_t row) {
+        return std::find(changed.begin(), changed.end(), row) != changed.end();
+    };
     for (std::size_t g = 0; g < m_groups.size() && !changed.empty(); ++g) {
         const auto &rows = m_groups[g].rows;
-        std::size_t first = rows.size(), last = 0;
-        for (const std::size_t row : changed) {
-            const auto at =
-                static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
-            if (at == rows.size())
-                continue;
-            first = std::min(first, at);
-            last = std::max(last, at);
-        }
+        const auto first = std::find_if(rows.begin(), rows.end(), hasChanged);
+        if (first == rows.end())
+            continue;
+        const auto last = std::find_if(rows.rbegin(), rows.rend(), hasChanged).base() - 1;
         const QModelIndex group = index(static_cast<int>(g), 0);
-        if (first < rows.size())
-            Q_EMIT dataChanged(index(static_cast<int>(first), NameColumn, group),
-                index(static_cast<int>(last), ColumnCount - 1, group));
+        Q_EMIT dataChanged(index(static_cast<int>(first - rows.begin()), NameColumn, group),
+            index(static_cast<int>(last - rows.begin()), ColumnCount - 1, group));
     }
 }
 

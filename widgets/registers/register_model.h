@@ -152,7 +152,7 @@ private:
     };
 
     void rebuildGroups();
-    bool outdated(const Row &row, Milliseconds now) const;
+    void markStale(Milliseconds now);
     const Row *rowAt(const QModelIndex &index) const;
     const Row *find(catalog::RegisterId id) const;
     void rowsChanged(const std::vector<std::size_t> &changed);
