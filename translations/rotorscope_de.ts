@@ -9342,6 +9342,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <source>The workspace is in %1.</source>
         <translation>Der Arbeitsplatz ist in %1.</translation>
     </message>
+    <message>
+        <source>Reference %1 is not in it: there is room for %2 samples.</source>
+        <translation>Referenz %1 ist nicht darin: Platz ist für %2 Abtastwerte.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::XyPanel</name>

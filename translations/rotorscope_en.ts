@@ -9334,6 +9334,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>The workspace is in %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reference %1 is not in it: there is room for %2 samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::XyPanel</name>

@@ -13,6 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     fuzz::require(std::isfinite(read.maxCurrentAmps) && read.maxCurrentAmps >= 0.0);
     fuzz::require(read.ramps.size() <= widgets::kMostRampPresets);
     fuzz::require(read.workspace.formulas.size() <= widgets::kMostMathFormulas);
+    for (const widgets::KeptReference &reference : read.workspace.references)
+        fuzz::require(widgets::snapshotOf(reference.traces)->size() == reference.traces.size());
     const QByteArray ours = widgets::toJson(read);
     fuzz::require(widgets::toJson(widgets::settingsFromJson(ours)) == ours);
     return 0;

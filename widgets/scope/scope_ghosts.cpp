@@ -3,12 +3,18 @@
 #include "capture/capture.h"
 #include "widgets/scope/plot_stack.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace widgets {
 namespace {
 
 char markOf(Reference which) { return which == Reference::A ? 'A' : 'B'; }
+
+capture::TimeSpan aroundZero(const ScopeGhosts::Zero &zero)
+{
+    return {zero.picture.from - zero.seconds, zero.picture.to - zero.seconds};
+}
 
 } // namespace
 
@@ -39,7 +45,7 @@ void ScopeGhosts::keep(Reference which)
     const Zero zero = m_zero();
     replace(which,
         {{m_capture.snapshot(shown), zero.seconds, kReferenceAlpha, markOf(which)}, zero.trigger,
-            {}, 0});
+            {}, 0, aroundZero(zero)});
 }
 
 void ScopeGhosts::lay(
@@ -48,8 +54,47 @@ void ScopeGhosts::lay(
     const double seconds = instants[first].seconds;
     replace(which,
         {{std::move(kept), seconds, kReferenceAlpha, markOf(which)}, false, std::move(instants),
-            first});
+            first, aroundZero(m_zero())});
     Q_EMIT laid(which);
+}
+
+std::vector<KeptReference> ScopeGhosts::forWorkspace() const
+{
+    std::vector<KeptReference> references;
+    std::size_t room = kMostReferenceSamples;
+    for (const Reference which : {Reference::A, Reference::B}) {
+        if (!hasReference(which))
+            continue;
+        const Kept &kept = keptAs(which);
+        const double zero = kept.ghost.shift;
+        std::vector<KeptTrace> traces = keptTraces(
+            kept.ghost.kept, {zero + kept.picture.from, zero + kept.picture.to}, zero, room);
+        for (const KeptTrace &trace : traces)
+            room -= trace.count;
+        if (!traces.empty())
+            references.push_back({which, kept.trigger,
+                isFromFile(which) ? instant(which).text : QString(), std::move(traces)});
+    }
+    return references;
+}
+
+void ScopeGhosts::takeFromWorkspace(const std::vector<KeptReference> &references)
+{
+    for (const KeptReference &one : references) {
+        capture::Snapshot kept = snapshotOf(one.traces);
+        if (kept->empty())
+            continue;
+        capture::TimeSpan picture{0.0, 0.0};
+        for (const capture::Channel &channel : *kept)
+            if (const auto span = channel.timeSpan())
+                picture = {std::min(picture.from, span->from), std::max(picture.to, span->to)};
+        std::vector<Instant> instants;
+        if (!one.moment.isEmpty())
+            instants.push_back({0.0, one.moment});
+        replace(one.which,
+            {{std::move(kept), 0.0, kReferenceAlpha, markOf(one.which)}, one.trigger,
+                std::move(instants), 0, picture});
+    }
 }
 
 void ScopeGhosts::replace(Reference which, Kept kept)

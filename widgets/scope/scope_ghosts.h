@@ -1,7 +1,7 @@
 // ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that the user keeps.
 #pragma once
 
-#include "widgets/scope/drawing/marks.h"
+#include "widgets/scope/kept_reference.h"
 
 #include <QObject>
 #include <QString>
@@ -33,6 +33,7 @@ public:
     struct Zero {
         double seconds = 0.0;
         bool trigger = false; ///< else the left edge
+        capture::TimeSpan picture; ///< of which this time is one
     };
     /// Both outlive it.
     ScopeGhosts(capture::Capture &capture, PlotStack &stack, std::function<Zero()> zero,
@@ -51,6 +52,11 @@ public:
     bool isFromFile(Reference which) const { return !keptAs(which).instants.empty(); }
     const Instant &instant(Reference which) const; ///< that is laid there; of one from a file
     void nextInstant(Reference which, int by); ///< round and round
+
+    /// What of them stood in the picture when they were made, for a workspace; those that are too long are not among them.
+    std::vector<KeptReference> forWorkspace() const;
+    /// Each takes the place of the one that is there; where there is none for it, that one stays.
+    void takeFromWorkspace(const std::vector<KeptReference> &references);
 
 public Q_SLOTS:
     void setRecords(std::vector<Ghost> records); ///< newest first; at most kMost
@@ -73,6 +79,7 @@ private:
         bool trigger = false; ///< which was the trigger's
         std::vector<Instant> instants; ///< of a file
         std::size_t instant = 0;
+        capture::TimeSpan picture; ///< in which it was made, from its zero
     };
     const Kept &keptAs(Reference which) const
     {

@@ -59,8 +59,9 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     , m_ghosts(new ScopeGhosts(
           capture, *m_stack,
           [this] {
-              return ScopeGhosts::Zero{
-                  m_marks.position.value_or(visibleRange().from), m_marks.position.has_value()};
+              const auto picture = visibleRange();
+              return ScopeGhosts::Zero{m_marks.position.value_or(picture.from),
+                  m_marks.position.has_value(), {picture.from, picture.to}};
           },
           this))
 {

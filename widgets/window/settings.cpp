@@ -14,7 +14,7 @@
 namespace widgets {
 namespace {
 
-constexpr qint64 kLargestFile = qint64{1024} * 1024;
+constexpr qint64 kLargestFile = qint64{32} << 20; // with references
 constexpr double kMostOnDisk_GB = 100'000.0;
 constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10;
 

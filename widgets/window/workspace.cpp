@@ -206,6 +206,7 @@ QJsonObject workspaceJson(const Workspace &workspace)
         {QStringLiteral("trigger"), triggerJson(workspace.trigger, workspace.triggerSource)},
         {QStringLiteral("measurements"), measuresJson(workspace.measures)},
         {QStringLiteral("formulas"), mathFormulasJson(workspace.formulas)},
+        {QStringLiteral("references"), referencesJson(workspace.references)},
         {QStringLiteral("traceColors"), colors}, {QStringLiteral("notes"), workspace.notes},
         {QStringLiteral("layout"), QString::fromLatin1(workspace.layout.toBase64())}};
 }
@@ -225,6 +226,7 @@ Workspace workspaceOf(const QJsonObject &object)
     workspace.triggerSource = trigger[QStringLiteral("source")].toString();
     workspace.measures = measuresOf(object[QStringLiteral("measurements")].toArray());
     workspace.formulas = mathFormulasOf(object[QStringLiteral("formulas")].toArray());
+    workspace.references = referencesOf(object[QStringLiteral("references")].toArray());
     const QJsonObject colors = object[QStringLiteral("traceColors")].toObject();
     for (auto each = colors.begin(); each != colors.end(); ++each)
         if (const int slot = each.value().toInt(-1); slot >= 0 && slot < kTraceColors)

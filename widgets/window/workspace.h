@@ -1,11 +1,12 @@
 // A workspace: what the user has set up to work with, as plain values: which signals are where, how long the picture is, the
-// ranges of axes, the trigger, what is measured and computed, colours, notes, where the docks are. As text in JSON it is a file of its own, and
+// ranges of axes, the trigger, what is measured and computed, references, colours, notes, where the docks are. As text in JSON it is a file of its own, and
 // the last one is among the settings. Names stand for registers, so that it suits each board that has them.
 #pragma once
 
 #include "base/result.h"
 #include "widgets/measuring/math_formula.h"
 #include "widgets/measuring/measure_text.h"
+#include "widgets/scope/kept_reference.h"
 #include "widgets/scope/signals/channel_plan.h"
 #include "widgets/scope/trigger/trigger_setup.h"
 #include "widgets/scope/value_range.h"
@@ -27,6 +28,7 @@ struct Workspace {
     QList<NamedMeasure> measures;
     QList<MathFormula> formulas;
     QMap<QString, ValueRange> axes; ///< that were set by hand, by the name of a signal on each
+    std::vector<KeptReference> references;
     QMap<QString, int> traceColors; ///< slots that the user chose, by the names of signals
     QString notes;
     QByteArray layout; ///< of the docks, as Qt saves it

@@ -4,6 +4,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/scope/scope_colors.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 #include "widgets/window/tools.h"
@@ -13,9 +14,19 @@
 #include <QFileInfo>
 #include <QMainWindow>
 
+#include <algorithm>
 #include <utility>
 
 namespace widgets {
+namespace {
+
+bool has(const std::vector<KeptReference> &references, Reference which)
+{
+    return std::any_of(references.begin(), references.end(),
+        [which](const KeptReference &one) { return one.which == which; });
+}
+
+} // namespace
 
 Workspaces::Workspaces(const Parts &parts, QObject *parent)
     : QObject(parent)
@@ -38,6 +49,7 @@ Workspace Workspaces::now() const
         workspace.triggerSource = deviceText(trigger.source()->name);
     workspace.formulas = m_parts.workbench.math().formulas();
     workspace.axes = m_parts.scope.heldRanges();
+    workspace.references = m_parts.scope.ghosts().forWorkspace();
     workspace.traceColors = m_parts.scope.colors().chosen();
     workspace.measures = m_parts.tools.measures();
     workspace.notes = m_parts.tools.notes();
@@ -63,6 +75,7 @@ void Workspaces::apply(const Workspace &workspace)
     if (m_waitsForSource.isEmpty())
         m_parts.trigger.setSetup(workspace.trigger);
     findTriggerSource();
+    m_parts.scope.ghosts().takeFromWorkspace(workspace.references);
 }
 
 void Workspaces::showSpan(double seconds)
@@ -133,12 +146,20 @@ bool Workspaces::open(const QString &path)
 void Workspaces::save(const QString &path)
 {
     m_folder = QFileInfo(path).path();
-    if (const QString why = session::writeWholeFile(path, toJson(now())); !why.isEmpty()) {
+    const Workspace workspace = now();
+    if (const QString why = session::writeWholeFile(path, toJson(workspace)); !why.isEmpty()) {
         Q_EMIT said(Banner::Kind::Warning,
             tr("%1 was not written: %2", "a file, the reason").arg(deviceText(path), why));
         return;
     }
-    Q_EMIT said(Banner::Kind::Note, tr("The workspace is in %1.").arg(deviceText(path)));
+    QString sentence = tr("The workspace is in %1.").arg(deviceText(path));
+    const ScopeGhosts &ghosts = m_parts.scope.ghosts();
+    for (const auto &[which, letter] : {std::pair(Reference::A, 'A'), {Reference::B, 'B'}})
+        if (ghosts.hasReference(which) && !has(workspace.references, which))
+            sentence += QLatin1Char(' ')
+                + tr("Reference %1 is not in it: there is room for %2 samples.")
+                      .arg(QString(QLatin1Char(letter)), QString::number(kMostReferenceSamples));
+    Q_EMIT said(Banner::Kind::Note, sentence);
     Q_EMIT used(path);
 }
 

@@ -1,8 +1,10 @@
 // The working place survives: saved, opened before and behind a connection, taken up at the next start; and what is wrong with
 // a file changes nothing.
+#include "session/files/whole_file.h"
 #include "support/judged_line.h"
 #include "support/window_rig.h"
 #include "widgets/measuring/measure_panel.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
@@ -12,6 +14,9 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
+
+#include <array>
+#include <cmath>
 
 using widgets::NamedSignal;
 using widgets::Workspace;
@@ -228,6 +233,94 @@ private Q_SLOTS:
         Q_EMIT recent->aboutToShow();
         QCOMPARE(recent->actions().size(), 1);
         QVERIFY(recent->actions().front()->text().contains(QStringLiteral("a.workspace")));
+    }
+
+    /// With their gaps, to the digit, at the same place from zero.
+    void aReferenceIsWrittenAndRead()
+    {
+        capture::Capture capture;
+        const capture::ChannelId id = capture.addImported("I_Q_MEAS", "A");
+        constexpr capture::Nanos kStep = 62'500;
+        for (int i = 0; i < 3000; ++i) {
+            if (i == 1000)
+                capture.breakImported(id);
+            const capture::Nanos time = 7'000'000'000 + (i < 1000 ? i : i + 500) * kStep;
+            capture.appendImported(id, time, 0.1 * std::sin(0.01 * i), time + kStep);
+        }
+        const capture::Snapshot all = capture.snapshot(std::array{id});
+        Workspace workspace;
+        workspace.references = {{widgets::Reference::B, true, QStringLiteral("a step"),
+            widgets::keptTraces(all, {7.01, 7.2}, 7.1, widgets::kMostReferenceSamples)}};
+        const auto read = widgets::readWorkspace(widgets::toJson(workspace));
+        QVERIFY(read.has_value());
+        QVERIFY(*read == workspace);
+        const capture::Snapshot back = widgets::snapshotOf(read->references.front().traces);
+        const capture::Channel &was = all->front(), &is = back->front();
+        QCOMPARE(is.info().name, std::string("I_Q_MEAS"));
+        QCOMPARE(is.info().registerId, was.info().registerId);
+        QCOMPARE(is.size(), was.countIn(7.01, 7.2));
+        for (capture::Index i = is.begin(); i < is.end(); ++i) {
+            const capture::Nanos time = is.timeOf(i) + 7'100'000'000;
+            QVERIFY(was.valueAt(time) == is.at(i));
+        }
+        QCOMPARE(is.gaps(-1.0, 1.0, 1e-3).size(), std::size_t(1));
+        QCOMPARE(is.gaps(-1.0, 1.0, 1e-3).front().from, -0.1 + 1000 * 62.5e-6);
+        QVERIFY(widgets::keptTraces(all, {7.0, 8.0}, 7.0, 2999).empty()); // there are 3000
+    }
+
+    void whatIsNoReferenceIsNamed_data()
+    {
+        QTest::addColumn<QByteArray>("samples");
+        QTest::newRow("no samples") << QByteArray();
+        QTest::newRow("not packed") << QByteArray("nonsense");
+        QTest::newRow("4 GB, it says") << QByteArray("\xff\xff\xff\xffnonsense", 12);
+        QTest::newRow("cut") << qCompress(QByteArray("\0\0\0\1\0\0", 6));
+        QTest::newRow("four milliards") << qCompress(QByteArray(40, '\xff'));
+        QTest::newRow("none in a stretch") << qCompress(QByteArray(40, '\0'));
+    }
+    void whatIsNoReferenceIsNamed()
+    {
+        QFETCH(QByteArray, samples);
+        Workspace workspace;
+        workspace.references = {{widgets::Reference::A, false, {},
+            {{1, QStringLiteral("I_A"), QStringLiteral("A"), samples, 1}}}};
+        const auto read = widgets::readWorkspace(widgets::toJson(workspace));
+        QVERIFY(!read.has_value());
+        QVERIFY2(
+            read.error().contains(QStringLiteral("references.1.traces")), qPrintable(read.error()));
+    }
+
+    void referencesAreThereAtTheNextStart()
+    {
+        Workspace kept;
+        {
+            Bench first;
+            first.connectBoard();
+            widgets::ScopeGhosts &ghosts = first.rig.window.scope()->ghosts();
+            QVERIFY(first.rig.window.settings().workspace.references.empty());
+            const capture::Capture &capture = first.rig.workbench.capture();
+            QTRY_VERIFY(
+                capture.timeSpan() && capture.timeSpan()->to - capture.timeSpan()->from > 0.3);
+            ghosts.keep(widgets::Reference::A);
+            kept = first.rig.window.settings().workspace;
+            QCOMPARE(kept.references.size(), std::size_t(1));
+            QVERIFY(kept.references.front().traces.size() >= 2);
+        }
+        Bench second(kept);
+        const widgets::ScopeGhosts &ghosts = second.rig.window.scope()->ghosts();
+        QVERIFY(ghosts.hasReference(widgets::Reference::A));
+        QVERIFY(!ghosts.hasReference(widgets::Reference::B));
+        QVERIFY(second.rig.window.settings().workspace.references == kept.references);
+        second.connectBoard();
+        QVERIFY(second.rig.window.settings().workspace.references == kept.references);
+
+        // one without any takes none away
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("without.workspace"));
+        QVERIFY(session::writeWholeFile(path, widgets::toJson(ofABench())).isEmpty());
+        second.rig.files.answer = path;
+        second.fileAction("Open a workspace")->trigger();
+        QVERIFY(ghosts.hasReference(widgets::Reference::A));
     }
 
     void aDamagedFileChangesNothing()
