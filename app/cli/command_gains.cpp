@@ -67,7 +67,7 @@ QString sentenceOf(const GainPlan &plan, const motor::GainFinding &finding)
             .arg(textOf(*finding.gain), QString::number(plan.find(*finding.gain)->asked));
     default:
         return QStringLiteral("The board does not tell its motor's resistance and inductance or "
-                              "its own scales; see rotorscope-cli get MOTOR_CONFIG.");
+                              "its own scales; gains are computed from them.");
     }
 }
 

@@ -68,9 +68,12 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
     const QString &port = arguments.port;
     switch (reason) {
     case LinkReason::OnlyGarbage:
-        return QStringLiteral("What %1 sends at %2 baud makes no sense; try another --baud and "
+        return QStringLiteral("What %1 sends at %2 baud makes no sense; try another --baud%3, and "
                               "check the board's firmware.")
-            .arg(port, QString::number(arguments.baud));
+            .arg(port, QString::number(arguments.baud),
+                arguments.protocol == drive::Protocol::Mcb
+                    ? QString()
+                    : QStringLiteral(", or --protocol mcb for a drive that speaks MCB"));
     case LinkReason::NoAgreement:
         return QStringLiteral(
             "The board at %1 does not agree on how to talk; reset it and try again.")

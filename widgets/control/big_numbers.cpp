@@ -44,7 +44,9 @@ BigNumbers::BigNumbers(Device &device, RegisterModel &registers, QWidget *parent
     connect(&device, &Device::identityChanged, this, &BigNumbers::resolve);
     for (const auto changed : {&Device::linkStateChanged, &Device::batchApplied})
         connect(&device, changed, this, &BigNumbers::describe);
-    connect(&registers, &QAbstractItemModel::dataChanged, this, &BigNumbers::describe);
+    m_soon.setSingleShot(true);
+    connect(&m_soon, &QTimer::timeout, this, &BigNumbers::describe);
+    connect(&registers, &QAbstractItemModel::dataChanged, this, [this] { m_soon.start(0); });
     connect(&registers, &QAbstractItemModel::modelReset, this, &BigNumbers::resolve);
     resolve();
 }

@@ -5,6 +5,7 @@
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 
+#include <QTimer>
 #include <QWidget>
 
 namespace widgets {
@@ -41,6 +42,7 @@ private:
     Device &m_device;
     RegisterModel &m_registers;
     std::vector<Cell> m_cells;
+    QTimer m_soon; ///< changes that come together are shown once
 };
 
 } // namespace widgets

@@ -65,7 +65,9 @@ ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent
     grid->setColumnStretch(1, 1);
     connect(&device, &Device::motorChanged, this, &ReadoutBox::resolve);
     connect(&device, &Device::identityChanged, this, &ReadoutBox::resolve);
-    connect(&registers, &QAbstractItemModel::dataChanged, this, &ReadoutBox::update);
+    m_soon.setSingleShot(true);
+    connect(&m_soon, &QTimer::timeout, this, &ReadoutBox::update);
+    connect(&registers, &QAbstractItemModel::dataChanged, this, [this] { m_soon.start(0); });
     connect(&registers, &QAbstractItemModel::modelReset, this, &ReadoutBox::resolve);
     update();
 }

@@ -4,6 +4,7 @@
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -38,6 +39,7 @@ private:
     Device &m_device;
     RegisterModel &m_registers;
     std::vector<Row> m_rows;
+    QTimer m_soon; ///< changes that come together are shown once
 };
 
 /// A register's value with its unit, as a number that keeps its length while it changes; a dash where it is not known.

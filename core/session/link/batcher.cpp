@@ -83,7 +83,11 @@ void Batcher::addReadings(drive::RegistersRead event)
     m_waitingReadings += event.readings.size();
     if (behind() && m_waitingReadings > m_config.maxWaitingReadings)
         dropOlderThan(event);
-    m_waiting.push_back(std::move(event));
+    auto *last = m_waiting.empty() ? nullptr : std::get_if<drive::RegistersRead>(&m_waiting.back());
+    if (last) // what came together is told together
+        last->readings.insert(last->readings.end(), event.readings.begin(), event.readings.end());
+    else
+        m_waiting.push_back(std::move(event));
 }
 
 void Batcher::dropOlderThan(const drive::RegistersRead &event)

@@ -4,6 +4,7 @@
 #include "widgets/base/form.h"
 #include "widgets/base/lamp.h"
 #include "widgets/control/big_numbers.h"
+#include "widgets/control/readout_box.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
@@ -480,6 +481,21 @@ private Q_SLOTS:
         QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("\u2013"));
         QTest::keyClick(&m_rig->window, Qt::Key_F9);
         QVERIFY(!numbers->isVisible() && m_rig->window.scope()->isVisible());
+    }
+
+    void readoutsAreWrittenOnceHoweverMuchComesTogether()
+    {
+        facts::connectBoard(device());
+        auto *readouts = m_rig->window.findChild<widgets::ReadoutBox *>();
+        QCoreApplication::processEvents();
+        QSignalSpy written(readouts, &widgets::ReadoutBox::updated);
+        std::vector<drive::Event> batch;
+        for (std::int64_t i = 0; i < 50; ++i)
+            batch.emplace_back(drive::RegistersRead{
+                {facts::reading(facts::kSpeed, 1000 + i), facts::reading(facts::kCurrentA, i)}});
+        facts::feed(device(), batch);
+        QTRY_COMPARE(readouts->value("SPEED_MEAS"), 1049.0);
+        QTRY_COMPARE(written.size(), 1);
     }
 
     void onesOwnLimitsAreKeptBetweenRuns()

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void everyReadingStaysWhileTheReceiverStandsStill();
     void beyondTheBoundTheNewestReadingOfARegisterWins();
     void everyReadingStaysWhileTheReceiverKeepsUp();
+    void readingsAreNotPutBeforeWhatCameFirst();
     void samplesBeyondTheBoundAreLostTicksOfTheNextBlock();
     void endsOfWishesAreNeverThinned();
     void aFloodStaysBounded();
@@ -30,6 +31,17 @@ drive::Event read(drive::RegisterId id, std::int64_t value)
 {
     return drive::RegistersRead{
         {{.id = id, .status = drive::ReadStatus::Ok, .value = value, .at = {}}}};
+}
+
+/// The values in the only event, which is one of readings.
+std::vector<std::int64_t> valuesIn(const BatchPtr &batch)
+{
+    std::vector<std::int64_t> values;
+    if (batch->events.size() == 1)
+        for (const drive::Reading &reading :
+            std::get<drive::RegistersRead>(batch->events.front()).readings)
+            values.push_back(std::get<std::int64_t>(reading.value));
+    return values;
 }
 
 drive::Event block(capture::Tick tick, std::uint32_t count)
@@ -123,12 +135,10 @@ void TestBatcher::everyReadingStaysWhileTheReceiverStandsStill()
     Behind bench;
     for (int i = 0; i < 500; ++i)
         bench.batcher.add(read(1, i));
-    const BatchPtr batch = bench.catchUp();
-    QCOMPARE(batch->events.size(), 500U);
+    const std::vector<std::int64_t> values = valuesIn(bench.catchUp());
+    QCOMPARE(values.size(), 500U);
     for (std::size_t i = 0; i < 500; ++i)
-        QCOMPARE(std::get<std::int64_t>(
-                     std::get<drive::RegistersRead>(batch->events[i]).readings[0].value),
-            std::int64_t(i));
+        QCOMPARE(values[i], std::int64_t(i));
 }
 
 void TestBatcher::beyondTheBoundTheNewestReadingOfARegisterWins()
@@ -137,12 +147,7 @@ void TestBatcher::beyondTheBoundTheNewestReadingOfARegisterWins()
     bench.batcher.add(read(1, 10));
     bench.batcher.add(read(2, 20));
     bench.batcher.add(read(1, 11));
-    const BatchPtr batch = bench.catchUp();
-    QCOMPARE(batch->events.size(), 2U);
-    const auto &last = std::get<drive::RegistersRead>(batch->events.back());
-    QCOMPARE(last.readings.size(), 1U);
-    QCOMPARE(last.readings[0].id, 1U);
-    QCOMPARE(std::get<std::int64_t>(last.readings[0].value), 11);
+    QCOMPARE(valuesIn(bench.catchUp()), (std::vector<std::int64_t>{20, 11}));
 }
 
 void TestBatcher::everyReadingStaysWhileTheReceiverKeepsUp()
@@ -150,7 +155,19 @@ void TestBatcher::everyReadingStaysWhileTheReceiverKeepsUp()
     Batcher batcher;
     for (int i = 0; i < 5; ++i)
         batcher.add(read(1, i));
-    QCOMPARE(batcher.take(kStart)->events.size(), 5U);
+    QCOMPARE(valuesIn(batcher.take(kStart)), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+}
+
+/// What came between them stays there.
+void TestBatcher::readingsAreNotPutBeforeWhatCameFirst()
+{
+    Batcher batcher;
+    batcher.add(read(1, 1));
+    batcher.add(drive::MotorStatus{});
+    batcher.add(read(1, 2));
+    const BatchPtr batch = batcher.take(kStart);
+    QCOMPARE(batch->events.size(), 3U);
+    QVERIFY(std::holds_alternative<drive::MotorStatus>(batch->events[1]));
 }
 
 void TestBatcher::samplesBeyondTheBoundAreLostTicksOfTheNextBlock()
