@@ -18,6 +18,16 @@
 #include <algorithm>
 
 namespace widgets {
+namespace {
+
+/// A share of the window's height, but no more than leaves the scope two plots that can be read, with the bars around them.
+int toolHeight(const QMainWindow &window, double share)
+{
+    constexpr int kForScope = 460; // pixels
+    return std::min(int(window.height() * share), window.height() - kForScope);
+}
+
+} // namespace
 
 ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
     : m_window(window)
@@ -67,7 +77,7 @@ void ToolDocks::open(std::size_t index)
     tool.dock->raise();
     if (first)
         m_window.resizeDocks(
-            {tool.dock}, {int(m_window.height() * form->heightShare())}, Qt::Vertical);
+            {tool.dock}, {toolHeight(m_window, form->heightShare())}, Qt::Vertical);
     tool.form->focusFirst();
 }
 
@@ -239,7 +249,7 @@ void ToolDocks::showOnly(const QStringList &names)
     if (!shown.isEmpty())
         shown.first()->raise();
     m_window.resizeDocks(
-        shown, QList<int>(shown.size(), int(m_window.height() * kShare)), Qt::Vertical);
+        shown, QList<int>(shown.size(), toolHeight(m_window, kShare)), Qt::Vertical);
 }
 
 bool ToolDocks::anyOpen() const

@@ -376,6 +376,28 @@ private Q_SLOTS:
         QVERIFY(tools >= 12);
     }
 
+    void everyToolLeavesTheScopeItsPlots()
+    {
+        open({1280, 720});
+        m_rig->window.finishTools();
+        int tools = 0;
+        for (QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>()) {
+            auto *action =
+                m_rig->window.findChild<QAction *>(dock->objectName() + QStringLiteral("Open"));
+            if (action == nullptr)
+                continue;
+            ++tools;
+            action->trigger();
+            settle();
+            QVERIFY(!dock->isFloating());
+            const int height = m_rig->find<QWidget>("scopePlot")->height();
+            QVERIFY2(height >= 150,
+                qPrintable(dock->objectName() + QLatin1Char(' ') + QString::number(height)));
+            dock->close();
+        }
+        QVERIFY(tools >= 12);
+    }
+
     /// 1920 x 1080 at a scale of 2, with a title bar.
     void theWholeWindowFitsALowScreen()
     {
