@@ -4100,6 +4100,10 @@
         <source>The form has changed: the edits of its preview were dropped.</source>
         <translation>Das Formular hat sich geändert: Die Änderungen seiner Vorschau wurden verworfen.</translation>
     </message>
+    <message>
+        <source>Edited by hand, not as planned here: %1. Apply writes what was edited.</source>
+        <translation>Von Hand geändert, nicht wie hier geplant: %1. Anwenden schreibt das Geänderte.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Identification</name>

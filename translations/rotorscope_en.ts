@@ -4099,6 +4099,10 @@
         <source>The form has changed: the edits of its preview were dropped.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Edited by hand, not as planned here: %1. Apply writes what was edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Identification</name>

@@ -17,6 +17,8 @@ inline constexpr Duration kVitalsEvery = std::chrono::milliseconds(100);
 inline constexpr Duration kVitalsFast = std::chrono::milliseconds(20);
 inline constexpr Duration kVitalsHurry = std::chrono::milliseconds(500); ///< how long it stays fast
 inline constexpr Duration kVitalsPause = std::chrono::milliseconds(250); ///< at most, for others
+inline constexpr Duration kVitalsRound =
+    std::chrono::milliseconds(500); ///< a round that took longer is of two times
 
 template <class P>
 class Vitals : public Task<P> {
@@ -59,6 +61,7 @@ protected:
     const typename P::Facts &m_board;
 
 private:
+    void begin(TimePoint now);
     void afterAnswer(TimePoint now);
     void publish(TimePoint now);
 
@@ -69,6 +72,7 @@ private:
     std::optional<TimePoint> m_due;
     TimePoint m_fastUntil, m_askedAt, m_roundAsked;
     bool m_complete = false;
+    bool m_again = false; ///< the round before took too long
 };
 
 template <class P>
@@ -80,7 +84,7 @@ void Vitals<P>::restart(TimePoint now)
     m_latest.clear();
     m_news.clear();
     m_due = m_fastUntil = now;
-    m_complete = false;
+    m_complete = m_again = false;
 }
 
 template <class P>
@@ -104,9 +108,7 @@ std::optional<typename P::Request> Vitals<P>::nextRequest(TimePoint now)
     if (m_reader.finished()) {
         if (!m_due || now < *m_due)
             return std::nullopt;
-        m_round.clear();
-        m_reader.start(idsToRead());
-        m_roundAsked = now;
+        begin(now);
     }
     return m_reader.nextRequest();
 }
@@ -140,9 +142,20 @@ void Vitals<P>::afterAnswer(TimePoint now)
     if (!m_reader.finished())
         return;
     if (const auto ids = idsBehind(); !ids.empty())
-        m_reader.start(ids);
-    else
-        publish(now);
+        return m_reader.start(ids);
+    // The board may have been reset in the middle. Once: a line on which every round is that long has no better.
+    if (now - m_roundAsked > kVitalsRound && !std::exchange(m_again, true))
+        return begin(now);
+    m_again = false;
+    publish(now);
+}
+
+template <class P>
+void Vitals<P>::begin(TimePoint now)
+{
+    m_round.clear();
+    m_reader.start(idsToRead());
+    m_roundAsked = now;
 }
 
 template <class P>

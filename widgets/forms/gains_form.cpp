@@ -204,8 +204,31 @@ std::vector<drive::RegisterWrite> GainsForm::planned() const
 /// The form shows other gains now: what waits to be written is never of an older one.
 void GainsForm::followPlan()
 {
-    if (m_edits.underWay() || m_previewed.empty())
+    if (m_edits.underWay())
         return;
+    if (!m_previewed.empty())
+        followPreview();
+    tellOfOthers();
+}
+
+/// Gains that wait and that are planned otherwise: Apply writes what waits.
+void GainsForm::tellOfOthers()
+{
+    QStringList others;
+    const Writes plan = planned();
+    for (const drive::RegisterWrite &write : m_model.pending())
+        if (writesTo(plan, write.id) && !holds(plan, write))
+            others.append(QString::fromStdString(m_model.catalog()->nameOf(write.id)));
+    if (!others.isEmpty())
+        m_lab->tell(tr("Edited by hand, not as planned here: %1. Apply writes what was edited.")
+                        .arg(others.join(QStringLiteral(", "))));
+    else if (m_toldOfOthers)
+        m_lab->tell({});
+    m_toldOfOthers = !others.isEmpty();
+}
+
+void GainsForm::followPreview()
+{
     const auto pending = m_model.pending();
     Writes left = m_previewed;
     std::erase_if(left, [&pending](const auto &made) { return !holds(pending, made); });

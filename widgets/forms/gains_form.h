@@ -43,6 +43,8 @@ private:
     std::vector<drive::RegisterWrite> planned() const;
     void preview();
     void followPlan();
+    void followPreview();
+    void tellOfOthers();
     void dropPreview(const std::vector<drive::RegisterWrite> &edits);
     void editsChanged();
 
@@ -54,6 +56,7 @@ private:
     std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
     /// What the last preview planned, while some of it waits.
     std::vector<drive::RegisterWrite> m_previewed;
+    bool m_toldOfOthers = false; ///< the lab says that other numbers wait than are planned
     QTabWidget *m_pages;
     QLabel *m_board;
     GainTable *m_table;

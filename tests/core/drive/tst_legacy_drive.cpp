@@ -55,6 +55,7 @@ private Q_SLOTS:
     void aMotorThatBecomesKnownWhileStoppingIsStopped();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
     void anOutagePutsNoLookAtTheMotorsOff();
+    void aStatusIsOfOneTime();
     void aRestartedBoardIsMetAnewAndReadOnly();
     void aLostBoardIsFoundAgain();
     void watchingFillsTheLine();
@@ -453,6 +454,36 @@ void TestFcpDrive::anOutagePutsNoLookAtTheMotorsOff()
         bench.toDrive.cut = false;
         bench.onEvent = nullptr;
         QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Connected; }, 10s));
+    }
+}
+
+/// A look at the motors that an outage has cut in two is none: the board was reset meanwhile.
+void TestFcpDrive::aStatusIsOfOneTime()
+{
+    for (Duration phase = 0ms; phase < 120ms; phase += 1ms) {
+        support::FcpBench bench("legacy", 2);
+        QVERIFY(bench.ready);
+        bench.board->setFaults(2);
+        bench.runFor(200ms);
+        bench.board->setFaults(0);
+        bench.runFor(300ms);
+        for (const int motor : {1, 2})
+            QVERIFY(bench.status[motor].state == MotorState::FaultOver
+                && !bench.status[motor].faultsPast.empty());
+        bench.runFor(phase);
+        bench.toDrive.cut = bench.toBoard.cut = true;
+        bench.board->reset();
+        bench.runFor(900ms);
+        bench.toDrive.cut = bench.toBoard.cut = false;
+        int told = 0, untrue = 0;
+        bench.onEvent = [&](const Event &event) {
+            if (const auto *status = std::get_if<MotorStatus>(&event)) {
+                ++told;
+                untrue += status->state != MotorState::Idle || !status->faultsPast.empty();
+            }
+        };
+        QVERIFY(bench.runUntil([&] { return told >= 4; }, 10s));
+        QVERIFY2(untrue == 0, qPrintable(QString::number(phase / 1ms)));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "support/screen/screen_moment.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 
 #include <set>
@@ -49,11 +50,13 @@ private:
         static const QRegularExpression recorded(QStringLiteral("^Recorded to (.+): ([0-9.]+) MB")),
             exported(QStringLiteral("^(?:Exported to|Opened|Imported) (\\S+?)\\.(?: |$)"));
         if (const auto match = recorded.match(sentence); match.hasMatch()) {
-            const double bytes = static_cast<double>(QFileInfo(match.captured(1)).size());
+            const QFileInfo file(match.captured(1));
             const auto said = ScreenMoment::number(match.captured(2));
-            if (said && !said->is(bytes / 1e6))
+            // A message that was covered when it was said may come when another file has long been in its place.
+            const bool ofNow = file.lastModified().secsTo(QDateTime::currentDateTime()) < 5;
+            if (said && ofNow && !said->is(static_cast<double>(file.size()) / 1e6))
                 m_moment.finds(QStringLiteral("banner"), sentence,
-                    "and the file has " + std::to_string(bytes) + " bytes");
+                    "and the file has " + std::to_string(file.size()) + " bytes");
         }
         if (const auto match = exported.match(sentence);
             match.hasMatch() && !QFileInfo::exists(match.captured(1)))

@@ -118,18 +118,24 @@ public:
         return "\"" + echo.toStdString() + "\", and " + std::to_string(rpm) + " rpm left";
     }
 
-    /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register.
+    /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register; without those of which it is said that another
+    /// number waits.
     std::map<QString, int> plannedGains() const
     {
         std::map<QString, int> planned;
+        const auto *told = find<QLabel>("labTold");
+        const QString other =
+            told != nullptr && told->isVisible() && told->text().contains(QLatin1String("by hand"))
+            ? told->text()
+            : QString();
         const auto *table = find<QAbstractItemView>("labGains");
         static const QRegularExpression fraction(QStringLiteral("^([-\u2212]?[0-9]+)(/|$)"));
         for (int row = 0;
              table != nullptr && table->isVisible() && row < table->model()->rowCount(); ++row) {
             const auto match = fraction.match(table->model()->index(row, 2).data().toString());
-            if (match.hasMatch())
-                planned[table->model()->index(row, 0).data().toString()] =
-                    int(*number(match.captured(1)));
+            const QString name = table->model()->index(row, 0).data().toString();
+            if (match.hasMatch() && !other.contains(name))
+                planned[name] = int(*number(match.captured(1)));
         }
         return planned;
     }

@@ -127,6 +127,13 @@ private Q_SLOTS:
         bench.typeInto("labBandwidth", QStringLiteral("2000"));
         QCOMPARE(wantedOf(bench, "I_Q_KP"), 77);
         QCOMPARE(bench.edits.pendingCount(), 1); // and the rest is no plan that is shown
+        QVERIFY2(told->text().contains(QStringLiteral("by hand"))
+                && told->text().contains(QStringLiteral("I_Q_KP")),
+            qPrintable(told->text())); // for the table shows another number
+        QVERIFY(bench.type("I_Q_KP", QStringLiteral("78"))); // and goes on to
+        QVERIFY(told->text().contains(QStringLiteral("by hand")));
+        bench.edits.revert();
+        QCOMPARE(told->text(), QString());
     }
 
     void whatWaitsGoesWithTheBoardThatItIsFor()
