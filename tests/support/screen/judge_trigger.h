@@ -21,7 +21,7 @@ public:
     {
     }
 
-    /// A person asked for a trigger, or took one that was not what is waited for.
+    /// A person asked for a trigger, took one that was not what is waited for, or set it up again.
     void forced() { m_setUpAt = m_moment.world().now(); }
 
     /// @param unwell  when the board was last not heard, or time jumped
@@ -90,6 +90,9 @@ private:
                     std::string(what) + " came since, "
                         + std::to_string(
                             std::chrono::round<std::chrono::milliseconds>(now - at).count())
+                        + " ms ago, and it was set up "
+                        + std::to_string(
+                            std::chrono::round<std::chrono::milliseconds>(now - m_setUpAt).count())
                         + " ms ago");
         if (!age || found < m_setUpAt + kBefore)
             return; // of an earlier setting

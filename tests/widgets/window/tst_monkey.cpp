@@ -338,6 +338,7 @@ private:
         if (top() != &m_rig.window || !chooseIn("triggerMode", QStringLiteral("Normal"))
             || !chooseIn("triggerType", QLatin1String(types[which])))
             return goOnPurpose();
+        m_screen.forcesTrigger(); // it waits anew, also where the same was chosen already
         for (int i = 0; i < 6; ++i) {
             rest(300);
             look();
