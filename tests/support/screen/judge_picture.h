@@ -155,11 +155,11 @@ private:
         m_known = m_drawn = 0;
         const TimePoint now = m_moment.world().now();
         const TimePoint linked = m_moment.world().linkChanged();
-        // While a thread stood still the board's time and the picture's went apart: before that they do not fit as a whole.
+        // While a thread stood still the board's time and the picture's went apart, and a board that was met anew has an axis
+        // of its own: before that they do not fit as a whole.
+        const TimePoint whole = std::max(now - m_moment.calm, linked);
         m_steady =
-            static_cast<int>(
-                (toSeconds((now - m_moment.calm).time_since_epoch()) - range.from) / perColumn)
-            + off;
+            static_cast<int>((toSeconds(whole.time_since_epoch()) - range.from) / perColumn) + off;
         // Where the samples are, were the newest packet just drawn.
         const bool known = m_moment.world().ofBoard([&](const judge::McpBoard &board) {
             bool any = false;
