@@ -88,7 +88,7 @@ private:
 
     void theLegendIs(widgets::ScopeView &view)
     {
-        if (!m_moment.said("portLamp").contains(QLatin1String("open")))
+        if (!m_moment.said("portLamp").contains(QLatin1String("port open")))
             return; // the last values of a closed port; that it is open again was not told yet
         TextCatcher texts(view.shapesSize());
         view.drawShapes(texts);

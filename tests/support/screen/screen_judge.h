@@ -19,6 +19,8 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QFileInfo>
+#include <QLabel>
 #include <QPersistentModelIndex>
 #include <QSet>
 
@@ -116,6 +118,22 @@ public:
         if (!match.hasMatch() || std::abs(match.captured(1).toDouble() - rpm) < 1.0)
             return {};
         return "\"" + echo.toStdString() + "\", and " + std::to_string(rpm) + " rpm left";
+    }
+
+    /// A file is open in the place of a board: nothing on the screen is of that board any more.
+    std::string asOfAFile(const QString &path) const
+    {
+        if (const QString title = m_moment.window().windowTitle();
+            !title.contains(QFileInfo(path).fileName()))
+            return "the title says \"" + title.toStdString() + "\", and "
+                + QFileInfo(path).fileName().toStdString() + " is open";
+        if (const QString text = said("firmware"); !text.isEmpty())
+            return "firmware says \"" + text.toStdString() + "\", and a file is open";
+        const auto *words = find<QWidget>("stopWords");
+        for (const QLabel *word : words->findChildren<QLabel *>())
+            if (word->isVisible() && !word->text().isEmpty())
+                return "stopWords says \"" + word->text().toStdString() + "\", and a file is open";
+        return {};
     }
 
     /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register; without those of which it is said that another

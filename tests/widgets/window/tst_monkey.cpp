@@ -407,10 +407,32 @@ private:
             rest(80);
             look();
         }
-        if (auto *question = m_rig.find<QDialog>("disconnectQuestion"))
+        auto *question = m_rig.find<QDialog>("disconnectQuestion");
+        if (question != nullptr && m_random.chance(0.7))
+            return openInstead(path);
+        if (question != nullptr)
             question->reject();
         rest(200);
         look();
+    }
+    /// The connection goes, and what the scope held.
+    void openInstead(const QString &path)
+    {
+        note("open instead");
+        const QString said = QStringLiteral("Opened ") + path;
+        m_screen.closes();
+        auto *banner = m_rig.find<QLabel>("bannerText");
+        for (int i = 0; i < 60 && !(banner->isVisible() && banner->text().contains(said)); ++i) {
+            QWidget *modal = QApplication::activeModalWidget();
+            for (const char *name : {"disconnectAndGoOn", "replaceYes", "leaveMarkers"})
+                if (auto *button =
+                        modal ? modal->findChild<QAbstractButton *>(QLatin1String(name)) : nullptr)
+                    press(button, name);
+            rest(100);
+        }
+        look();
+        if (banner->isVisible() && banner->text().contains(said) && !device().portOpen())
+            finds(m_screen.asOfAFile(path));
     }
     /// Once it follows what comes until all that is shown is of one connection.
     void awaitPicture()
