@@ -4,14 +4,14 @@
 
 #if ROTORSCOPE_HAS_X11
 
-#include "bench/x_server_posix.h"
-
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <filesystem>
 #include <sys/wait.h>
+
+#include "bench/x_server_posix.h" // last: X defines words of Qt's headers
 
 namespace {
 
@@ -77,9 +77,13 @@ Rest restOf(const Server &server, pid_t process)
 
 QByteArray titleOf(const Server &server, Window window)
 {
-    char *name = nullptr;
-    XFetchName(server.display(), window, &name);
-    const QByteArray title(name);
+    Atom type{};
+    int format = 0;
+    unsigned long size = 0, more = 0;
+    unsigned char *name = nullptr;
+    XGetWindowProperty(server.display(), window, XInternAtom(server.display(), "_NET_WM_NAME", 0),
+        0, 256, 0, AnyPropertyType, &type, &format, &size, &more, &name);
+    const QByteArray title(reinterpret_cast<const char *>(name), static_cast<qsizetype>(size));
     XFree(name);
     return title;
 }
@@ -150,10 +154,10 @@ void atRest(benchmark::State &state)
     }
     board.closeWriteChannel();
     board.waitForFinished(kPatience_ms);
-    report({"N9 rest", "connected, the motor stands", Measured(core), "% of a core"});
-    report({"N9 woken", "the same, all threads", Measured(wakeUps), "times a second"});
-    report({"N9 hidden", "connected, not to be seen", Measured(hidden), "% of a core"});
-    report({"N9 alone", "without a board", Measured(without), "% of a core"});
+    report({"N9 rest", "connected, the motor stands", Measured(core), "real time"});
+    report({"N9 woken", "the same, all threads", Measured(wakeUps), "real time"});
+    report({"N9 hidden", "connected, not to be seen", Measured(hidden), "real time"});
+    report({"N9 alone", "without a board", Measured(without), "real time"});
 }
 
 } // namespace

@@ -4,8 +4,6 @@
 
 #if ROTORSCOPE_HAS_X11
 
-#include "bench/x_server_posix.h"
-
 #include <QElapsedTimer>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -13,6 +11,8 @@
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/wait.h>
+
+#include "bench/x_server_posix.h" // last: X defines words of Qt's headers
 
 namespace {
 
