@@ -51,7 +51,11 @@ FaultHelp::FaultHelp(Device &device, const FaultRecords &records, QWidget *paren
     layout->addWidget(m_picture, 3);
     layout->addWidget(m_text, 2);
     layout->addLayout(bottom);
-    resize(760, records.records().empty() ? 460 : 620);
+    QSize size(760, records.records().empty() ? 460 : 620);
+    if (parent
+        != nullptr) // which is on the screen; what is larger may have its Stop below the edge
+        size = size.boundedTo(parent->window()->size());
+    resize(size);
     connect(&device, &Device::statusChanged, this, &FaultHelp::update);
     connect(&device, &Device::motorChanged, this, [this] {
         update();

@@ -63,6 +63,23 @@ private Q_SLOTS:
         QVERIFY(choice->currentText().contains(QStringLiteral("motor 1")));
     }
 
+    /// Else its Stop is below the edge of a small screen.
+    void isNoLargerThanTheWindow()
+    {
+        m_rig->window.resize(960, 540);
+        m_world->fault = 0x0002;
+        auto *causes = m_rig->find<QToolButton>("faultCauses");
+        QTRY_VERIFY_WITH_TIMEOUT(causes->isVisible(), 20'000);
+        causes->click();
+        auto *help = m_rig->find<QWidget>("faultHelp");
+        QVERIFY(help && help->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(help->findChild<widgets::ScopeView *>() != nullptr, 20'000);
+        QVERIFY2(
+            help->height() <= m_rig->window.height(), qPrintable(QString::number(help->height())));
+        auto *stop = help->findChild<QWidget *>(QStringLiteral("faultHelpStop"));
+        QVERIFY(help->rect().contains(stop->geometry()));
+    }
+
     void withoutAFaultNothingIsDrawn()
     {
         m_rig->find<QAction>("explainFaults")->trigger();
