@@ -11,13 +11,18 @@ constexpr double kAboveBoard =
     1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
 constexpr double kCurrentAboveBoard = 1.25; ///< its current loop does, too
 
+/// Zero: not known.
+double lowerKnown(double one, double other)
+{
+    return one > 0.0 && other > 0.0 ? std::min(one, other) : std::max(one, other);
+}
+
 } // namespace
 
 double allowedRpm(const Experiment &experiment)
 {
-    const double board = experiment.subject.limits.maxSpeedRpm * kAboveBoard;
-    const double user = conditionsOf(experiment).user.maxSpeedRpm;
-    return user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
+    return lowerKnown(experiment.subject.limits.maxSpeedRpm * kAboveBoard,
+        conditionsOf(experiment).user.maxSpeedRpm);
 }
 
 /// A motor on its way to its speed passes 0 and the speed it had.
@@ -30,9 +35,11 @@ Caps capsOf(const Experiment &experiment, double before_rpm)
     caps.mostRpm = std::max({conditions.mostRpm, first, before_rpm}) + conditions.margin_rpm;
     caps.leastRpm = std::max(caps.leastRpm, -allowed);
     caps.mostRpm = std::min(caps.mostRpm, allowed);
-    caps.mostAmps = conditions.user.maxCurrentAmps > 0.0
-        ? conditions.user.maxCurrentAmps
-        : experiment.subject.limits.maxCurrentAmps * kCurrentAboveBoard;
+    // What the board can measure is often far above what its motor stands.
+    const drive::MotorLimits &board = experiment.subject.limits;
+    caps.mostAmps =
+        lowerKnown(lowerKnown(board.maxCurrentAmps, board.nominalCurrentAmps) * kCurrentAboveBoard,
+            conditions.user.maxCurrentAmps);
     return caps;
 }
 

@@ -42,6 +42,15 @@ private Q_SLOTS:
         QCOMPARE(mine.mostAmps, 3.0);
         QCOMPARE(lab::allowedRpm(steps(1000, 1500, {1600.0, 3.0})), 1600.0);
     }
+    /// The range of its sensors says nothing of the motor.
+    void theMotorsOwnCurrentBoundsThem()
+    {
+        lab::Experiment experiment = steps(1000, 1500);
+        experiment.subject.limits.nominalCurrentAmps = 2.0;
+        QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5);
+        experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 3.0}};
+        QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5); // no promise of the person's makes it stand more
+    }
     void whoeverAgreedToMoreAgreedToLess()
     {
         const lab::Caps agreed = capsOf(steps(1000, 1500), 0.0);
