@@ -100,6 +100,7 @@ void Master::cancel(TimePoint now)
         m_cancelled = true; // the length of the next frame hangs on its answer: no step behind that
         return;
     }
+    hush(now);
     end(asked ? End::Unknown : End::NotSent, now, {}, 0, Cause::Cancelled);
     m_drain = 0; // a new request makes a slave drop what it had to say
 }

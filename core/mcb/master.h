@@ -178,6 +178,7 @@ private:
     bool betweenCycles() const;
     TimePoint exchangeDue() const; ///< of the one under way
     void endBlind(TimePoint now);
+    void hush(TimePoint now);
     void finish(TimePoint now);
     void finishGood(const Exchange &exchange, const Frame &frame, TimePoint now);
     void finishBad(FrameError error, TimePoint now);

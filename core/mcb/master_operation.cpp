@@ -13,6 +13,7 @@ constexpr int kMostTries = 3;
 /// Where a frame was damaged the answer is most likely gone with it: the full time-out is not waited for.
 constexpr Duration kAfterDamage = 20ms;
 constexpr int kDrainAfterLoss = 4; ///< a late answer must not be taken for that of the next request
+constexpr std::size_t kNoAnswerYet = 10; ///< frames; most answers come with the second one
 constexpr int kDrainAfterError = 1; ///< as mcblib does
 
 bool isError(Command command)
@@ -146,10 +147,19 @@ bool Master::isLate(TimePoint now) const
         && now >= *m_operation->request.leaveBy;
 }
 
+/// Behind a byte stream a slave can be out of step by a byte too many. Then it takes no request, a Stop neither, and yet what it
+/// answers are idle frames whose check is right. It drops what it holds where nothing comes for a while.
+void Master::hush(TimePoint now)
+{
+    if (!m_hasLine && m_operation->exchanges >= kNoAnswerYet)
+        m_notBefore = std::max(m_notBefore, now + m_config.quiet);
+}
+
 /// No answer came: it is asked for again where that does no harm.
 void Master::giveUp(Cause cause, TimePoint now)
 {
     const Request &request = m_operation->request;
+    hush(now);
     if (request.command == Command::Write && request.address == kStateRegister) {
         m_doubtful = request;
         return seek(now);
