@@ -62,6 +62,8 @@ public:
     virtual void arm() = 0;
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
+    /// Nothing is under way: what the board sends next, it sends by itself.
+    virtual bool awaitsNothing() const;
     /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint now);
@@ -73,6 +75,7 @@ public:
 };
 
 inline void Drive::handleReady(bool, TimePoint) { }
+inline bool Drive::awaitsNothing() const { return false; }
 inline void Drive::doubt(TimePoint) { disarm(); }
 
 } // namespace drive

@@ -41,6 +41,11 @@ public:
     void submit(Wish wish, TimePoint now) override;
     void stop(TimePoint now) override;
     void disarm() override;
+    bool awaitsNothing() const override
+    {
+        return m_mode == Mode::Open && connected() && m_identification.done() && linkIsFree()
+            && !m_stop.open() && !m_suspect;
+    }
 
 protected:
     using Link = typename P::Link;

@@ -20,6 +20,11 @@ QMessageBox::ButtonRole roleOf(Answer::Kind kind)
     return QMessageBox::RejectRole;
 }
 
+QMessageBox *boxOf(const QWidget &window, const char *name)
+{
+    return window.findChild<QMessageBox *>(QLatin1String(name), Qt::FindDirectChildrenOnly);
+}
+
 } // namespace
 
 void QuestionBoxes::ask(const Question &question)
@@ -55,13 +60,13 @@ void QuestionBoxes::ask(const Question &question)
 
 bool QuestionBoxes::asks(const char *name) const
 {
-    const auto *box = m_window.findChild<QMessageBox *>(QLatin1String(name));
+    const auto *box = boxOf(m_window, name);
     return box && box->isVisible();
 }
 
 void QuestionBoxes::withdraw(const char *name)
 {
-    if (auto *box = m_window.findChild<QMessageBox *>(QLatin1String(name)))
+    if (auto *box = boxOf(m_window, name))
         box->reject();
 }
 

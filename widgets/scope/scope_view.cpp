@@ -259,7 +259,7 @@ bool ScopeView::seen() const
 {
     if (isSeen(*window()))
         return true;
-    const auto docks = window()->findChildren<QDockWidget *>();
+    const auto docks = window()->findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly);
     return std::any_of(docks.begin(), docks.end(),
         [](const QDockWidget *dock) { return dock->isFloating() && isSeen(*dock); });
 }

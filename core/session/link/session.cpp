@@ -356,12 +356,30 @@ void Session::step(TimePoint now)
     else if (m_phase == Phase::Closing
         && ((m_saidFarewell && m_outbox.idle()) || now >= m_deadline))
         finishClosing();
+    if (linked())
+        m_transport->setPatience(patience(), now);
     tellArmed();
     tellStops();
     tell(now);
     for (const Interruption &news : m_deadMan.takeNews())
         Q_EMIT interrupted(news);
     armTimer(m_parts.clock());
+}
+
+/// Where nothing moves, nobody minds that samples are some milliseconds late. At 3 Mbaud less comes meanwhile than the 4 kB
+/// that a system keeps of what was not read.
+Duration Session::patience() const
+{
+    constexpr Duration kIdle = std::chrono::milliseconds(10),
+                       kAnswer = std::chrono::milliseconds(2);
+    const bool still = m_phase == Phase::Open && !m_drive->armed() && !m_driven.any()
+        && !m_experiment && !m_drive->stopOpen() && m_outbox.idle();
+    if (!still)
+        return {};
+    if (m_drive->awaitsNothing())
+        return kIdle;
+    const bool streams = m_stream && (!m_stream->fast.empty() || !m_stream->slow.empty());
+    return streams ? kAnswer : Duration::zero(); // else what comes is the answer
 }
 
 void Session::reopen(TimePoint now)

@@ -38,6 +38,10 @@ public:
     bool sent(TimePoint now) const override { return m_inner->sent(now); }
     void advance(TimePoint now) override { m_inner->advance(now); }
     std::optional<TimePoint> nextWake() const override { return m_inner->nextWake(); }
+    void setPatience(Duration patience, TimePoint now) override
+    {
+        m_inner->setPatience(patience, now);
+    }
     bool real() const override { return m_inner->real(); }
     int descriptor() const override { return m_inner->descriptor(); }
 
@@ -111,6 +115,7 @@ public:
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
+    bool awaitsNothing() const override { return m_inner->awaitsNothing(); }
     void doubt(TimePoint now) override
     {
         m_now = now;

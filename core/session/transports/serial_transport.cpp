@@ -2,6 +2,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace session {
 
 namespace {
@@ -49,6 +51,11 @@ PortError SerialTransport::open(TimePoint now)
     askForLowLatency(static_cast<qintptr>(m_port->handle()));
     connect(m_port.get(), &QSerialPort::readyRead, this, &SerialTransport::onReadyRead);
     connect(m_port.get(), &QSerialPort::errorOccurred, this, &SerialTransport::onError);
+    const auto notifiers = m_port->findChildren<QSocketNotifier *>();
+    const auto reads = std::find_if(notifiers.begin(), notifiers.end(),
+        [](const QSocketNotifier *one) { return one->type() == QSocketNotifier::Read; });
+    m_notifier = reads == notifiers.end() ? nullptr : *reads;
+    m_listensAt.reset();
     m_nextCheck = now + kCheckEvery;
     m_heard = false;
     m_ignored = false;
@@ -83,6 +90,7 @@ void SerialTransport::close()
     }
     m_lock.release();
     m_nextCheck.reset();
+    m_listensAt.reset();
 }
 
 void SerialTransport::write(ByteView bytes, TimePoint)
@@ -110,8 +118,32 @@ bool SerialTransport::sent(TimePoint) const
         && !checkPort(static_cast<qintptr>(m_port->handle())).outputWaiting;
 }
 
+/// A board that streams sends something each millisecond, and each time this thread is woken for it.
+void SerialTransport::setPatience(Duration patience, TimePoint now)
+{
+    if (patience == Duration::zero()) {
+        listen();
+    } else if (m_listensAt) {
+        m_listensAt = std::min(*m_listensAt, now + patience);
+    } else if (m_notifier && m_port && m_read) {
+        m_listensAt = now + patience;
+        m_notifier->setEnabled(false);
+    }
+}
+
+void SerialTransport::listen()
+{
+    if (!std::exchange(m_listensAt, std::nullopt))
+        return;
+    m_read = false;
+    if (m_notifier)
+        m_notifier->setEnabled(true);
+}
+
 void SerialTransport::advance(TimePoint now)
 {
+    if (m_listensAt && now >= *m_listensAt)
+        listen();
     if (!m_nextCheck || now < *m_nextCheck)
         return;
     m_nextCheck = now + kCheckEvery;
@@ -127,11 +159,14 @@ void SerialTransport::advance(TimePoint now)
         fail({});
 }
 
-std::optional<TimePoint> SerialTransport::nextWake() const { return m_nextCheck; }
+std::optional<TimePoint> SerialTransport::nextWake() const
+{
+    return m_nextCheck && m_listensAt ? std::min(m_nextCheck, m_listensAt) : m_nextCheck;
+}
 
 void SerialTransport::onReadyRead()
 {
-    m_heard = true;
+    m_heard = m_read = true;
     const QByteArray bytes = m_port->readAll();
     if (!bytes.isEmpty())
         Q_EMIT received(bytes);

@@ -6,7 +6,9 @@
 #include "session/transports/port_lock.h"
 #include "session/transports/transport.h"
 
+#include <QPointer>
 #include <QSerialPort>
+#include <QSocketNotifier>
 #include <QTimer>
 
 namespace session {
@@ -24,12 +26,14 @@ public:
     bool sent(TimePoint now) const override;
     void advance(TimePoint now) override;
     std::optional<TimePoint> nextWake() const override;
+    void setPatience(Duration patience, TimePoint now) override;
     bool real() const override { return true; }
     int descriptor() const override { return m_lock.descriptor(); }
 
 private:
     PortError openError(const QString &path);
     void onReadyRead();
+    void listen();
     void onError(QSerialPort::SerialPortError error);
     void fail(const QString &detail);
 
@@ -37,6 +41,10 @@ private:
     std::uint32_t m_baud;
     PortLock m_lock;
     std::unique_ptr<QSerialPort> m_port;
+    QPointer<QSocketNotifier>
+        m_notifier; ///< that wakes the port; where it works by another means there is none
+    std::optional<TimePoint> m_listensAt; ///< it is switched off until then
+    bool m_read = false; ///< since it was switched on
     std::optional<TimePoint> m_nextCheck;
     bool m_heard = false; ///< something was read since the last check
     bool m_ignored = false; ///< bytes are waiting since an earlier check

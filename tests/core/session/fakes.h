@@ -30,6 +30,7 @@ public:
         FakeTransport *alive = nullptr;
         session::PortError openResult; ///< what the next open() answers
         bool sent = true;
+        Duration patience{};
         std::function<void()> onWrite = {}, onAdvance = {};
     };
 
@@ -63,6 +64,7 @@ public:
         m_log.sent = true;
     }
     bool sent(TimePoint) const override { return m_log.sent; }
+    void setPatience(Duration patience, TimePoint) override { m_log.patience = patience; }
     void advance(TimePoint) override
     {
         if (m_log.onAdvance)
@@ -148,6 +150,7 @@ public:
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
+    bool awaitsNothing() const override { return rests; }
     void remember(const drive::LineMemory &memory) override { known = memory; }
     drive::LineMemory memory() const override { return known; }
     std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
@@ -161,6 +164,7 @@ public:
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
     drive::LineMemory known; ///< of the line
+    bool rests = false; ///< nothing is under way
     bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 

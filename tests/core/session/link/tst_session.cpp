@@ -18,6 +18,7 @@ private Q_SLOTS:
     void theDrivesTimeNeverGoesBack();
     void bytesReachTheDriveAndItsEventsComeOut();
     void theDrivesTimeoutIsKept();
+    void whileNothingMovesBytesMayComeTogether();
     void aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes();
     void aStopThatComesDuringATurnIsBeforeWhatLeavesInIt();
     void aStopIsHandedOnBeforeTheBytesThatCameWithIt();
@@ -126,6 +127,26 @@ void TestSession::theDrivesTimeoutIsKept()
     QCOMPARE(*bench.session.nextStep(), bench.now + 7ms);
     bench.runUntil(bench.now + 7ms);
     QVERIFY(!bench.drive().timeout);
+}
+
+void TestSession::whileNothingMovesBytesMayComeTogether()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    QCOMPARE(bench.port.patience, Duration::zero()); // an answer is awaited
+    bench.drive().rests = true;
+    bench.turn();
+    QCOMPARE(bench.port.patience, Duration(10ms));
+    bench.drive().rests = false;
+    bench.session.submit({.id = 1, .what = drive::Stream{{7}, 1, {}, 1}});
+    QCOMPARE(bench.port.patience, Duration(2ms)); // the answer comes between samples
+    bench.drive().rests = true;
+    bench.session.setArmed(true);
+    QCOMPARE(bench.port.patience, Duration::zero());
+    bench.session.setArmed(false);
+    QCOMPARE(bench.port.patience, Duration(10ms));
+    bench.session.stop();
+    QCOMPARE(bench.port.patience, Duration::zero());
 }
 
 void TestSession::aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes()

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void anUnpluggedPortFailsOnceAndIsClosed();
     void anUnpluggedPortFailsOnceWhileWriting();
     void aPortThatWasNotLookedAtIsNotDeaf();
+    void whatNobodyWaitsForIsToldTogether();
     void aSecondOpenIsRefusedAlsoByAnotherName();
     void rootIsRefusedToo();
     void aClosedPortCanBeOpenedAgain();
@@ -137,6 +138,38 @@ void TestSerialTransport::aPortThatWasNotLookedAtIsNotDeaf()
     QCOMPARE(port.failures, 0);
     QTRY_COMPARE(port.heard.size(), 256);
     port.transport.advance(TimePoint(10s));
+    QCOMPARE(port.failures, 0);
+}
+
+void TestSerialTransport::whatNobodyWaitsForIsToldTogether()
+{
+    PseudoTerminal device;
+    Port port(device.path());
+    QCOMPARE(port.open(), PortProblem::None);
+    const auto turn = [] {
+        for (int i = 0; i < 20; ++i)
+            QCoreApplication::processEvents();
+    };
+    TimePoint now{1s};
+    port.transport.setPatience(10ms, now); // nothing came yet
+    device.write(Bytes{1});
+    QTRY_COMPARE(port.heard.size(), 1);
+    port.transport.setPatience(10ms, now);
+    port.transport.setPatience(20ms, now); // does not make it longer
+    device.write(Bytes{2, 3});
+    turn();
+    QCOMPARE(port.heard.size(), 1);
+    QVERIFY(port.transport.nextWake() <= now + 10ms);
+    now += 10ms;
+    port.transport.advance(now);
+    QTRY_COMPARE(port.heard.size(), 3);
+
+    port.transport.setPatience(10ms, now);
+    device.write(Bytes{4});
+    turn();
+    QCOMPARE(port.heard.size(), 3);
+    port.transport.setPatience(0ms, now); // now somebody does
+    QTRY_COMPARE(port.heard.size(), 4);
     QCOMPARE(port.failures, 0);
 }
 
