@@ -410,6 +410,9 @@ void TestCli::registersMarksWhatTheBoardDoesNotGive()
             QVERIFY(!missing);
     }
     QVERIFY(marked > 10);
+    const Run asked = run(words("--port sim get ENCODER_SPEED"));
+    QVERIFY2(asked.err.contains(QLatin1String("does not give ENCODER_SPEED; leave it out")),
+        qPrintable(asked.err));
 }
 
 void TestCli::decodeOfWhatIsNoPacketIsExitStatus5_data()

@@ -145,6 +145,7 @@ void atRest(benchmark::State &state)
             core.push_back(seen.core);
             wakeUps.push_back(seen.wakeUps);
             XUnmapWindow(server.display(), program.window());
+            XSync(server.display(), False); // else it is told with the next question
             wait(server, 500);
             hidden.push_back(restOf(server, program.process()).core);
         }

@@ -35,6 +35,12 @@ private:
     bool m_own;
 };
 
+void drawOnPaper(ScopeView &scope, QPaintDevice &device)
+{
+    const OnPaper paper(scope);
+    scope.drawShapes(device);
+}
+
 QByteArray svgOf(ScopeView &scope)
 {
     QBuffer buffer;
@@ -46,8 +52,7 @@ QByteArray svgOf(ScopeView &scope)
     svg.setSize(size);
     svg.setViewBox(QRect({}, size));
     svg.setTitle(QStringLiteral("Rotorscope"));
-    const OnPaper paper(scope);
-    scope.drawShapes(svg);
+    drawOnPaper(scope, svg);
     return buffer.data();
 }
 
@@ -61,8 +66,7 @@ QByteArray pdfOf(ScopeView &scope)
         const QSizeF points = QSizeF(scope.shapesSize()) * 72.0 / kDotsPerInch;
         pdf.setPageSize(QPageSize(points, QPageSize::Point));
         pdf.setPageMargins(QMarginsF());
-        const OnPaper paper(scope);
-        scope.drawShapes(pdf);
+        drawOnPaper(scope, pdf);
     }
     return buffer.data();
 }

@@ -87,7 +87,7 @@ std::string McpWriteTask::notShownYet(const RegisterWrite &write, const WriteRes
 {
     const bool isReference = (write.id & ~RegisterId{7}) == mcp::reg::kSpeedRef.bits;
     return isReference && result.before && result.readBack == result.before
-        ? "taken for the next start"
+        ? "shown from the next start on, if the motor rests"
         : "";
 }
 

@@ -128,7 +128,8 @@ BatchPtr Batcher::take(TimePoint now)
         return nullptr;
     // A timer fires late by up to a millisecond: were that added each time, the pace would fall behind that of a screen.
     const Duration late = now - m_notBefore;
-    m_notBefore = now + m_config.period - (late <= m_config.period / 4 ? late : Duration::zero());
+    const Duration period = m_calm ? m_config.calmPeriod : m_config.period;
+    m_notBefore = now + period - (late <= period / 4 ? late : Duration::zero());
     return hand();
 }
 

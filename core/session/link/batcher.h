@@ -30,6 +30,7 @@ public:
     struct Config {
         /// Time between two batches; a batch that was late by a quarter of it or less does not delay the next.
         Duration period = std::chrono::milliseconds(16);
+        Duration calmPeriod = std::chrono::milliseconds(50); ///< while nothing moves
         int maxUnacknowledged = 2;
         std::size_t maxWaitingValues =
             2'000'000; ///< sample values, about 20 s of a full 1.8 Mbaud link
@@ -45,6 +46,7 @@ public:
 
     void add(drive::Event event);
     void acknowledge();
+    void setCalm(bool calm) { m_calm = calm; } ///< nothing moves; from the next batch on
 
     /// When take() will give a batch; empty while there is nothing to tell or the receiver is
     /// behind.
@@ -78,6 +80,7 @@ private:
     std::size_t m_waitingReadings = 0;
     std::uint64_t m_dropped = 0;
     int m_unacknowledged = 0;
+    bool m_calm = false;
     TimePoint m_notBefore{};
     std::unordered_map<capture::StreamId, Stream> m_streams;
 };

@@ -356,8 +356,10 @@ void Session::step(TimePoint now)
     else if (m_phase == Phase::Closing
         && ((m_saidFarewell && m_outbox.idle()) || now >= m_deadline))
         finishClosing();
-    if (linked())
+    if (linked()) {
         m_transport->setPatience(patience(), now);
+        m_batcher.setCalm(patience() > Duration::zero());
+    }
     tellArmed();
     tellStops();
     tell(now);
@@ -371,7 +373,7 @@ void Session::step(TimePoint now)
 Duration Session::patience() const
 {
     constexpr Duration kIdle = std::chrono::milliseconds(10),
-                       kAnswer = std::chrono::milliseconds(2);
+                       kAnswer = std::chrono::milliseconds(5);
     const bool still = m_phase == Phase::Open && !m_drive->armed() && !m_driven.any()
         && !m_experiment && !m_drive->stopOpen() && m_outbox.idle();
     if (!still)

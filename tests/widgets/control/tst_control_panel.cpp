@@ -193,7 +193,8 @@ private Q_SLOTS:
                 QVERIFY2(m_wishes.empty(), text);
                 QVERIFY(!button("go")->isEnabled());
                 QCOMPARE(label("speedEcho"), // and why, and which of the two fields
-                    QStringLiteral("Ramp time: ") + edit("rampTime")->echo());
+                    QStringLiteral("\u2716 Ramp time: ") + edit("rampTime")->echo());
+                QVERIFY(m_panel->findChild<QLabel *>(QStringLiteral("speedEcho"))->isEnabled());
             }
         }
         QLocale::setDefault(QLocale::c());

@@ -93,6 +93,8 @@ void TestScopeView::anEmptyScopeSaysWhatToDo()
     QLabel *hint = bench.view.findChild<QLabel *>(QStringLiteral("scopeHint"));
     QVERIFY(
         hint && hint->isVisibleTo(&bench.view) && hint->text().contains(QStringLiteral("Drag")));
+    bench.picture();
+    QVERIFY(bench.view.plotRect(0).contains(hint->geometry())); // no word is cut
     bench.capture.begin(layoutOf({signal(1, "A")}, 2));
     bench.view.addChannel(bench.id(1));
     QVERIFY(!hint->isVisibleTo(&bench.view));

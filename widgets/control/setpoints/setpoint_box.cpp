@@ -285,7 +285,10 @@ void SetpointBox::follow()
     MotionAllowed can = motionAllowed(m_device, feature());
     for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_position, m_rampTime})
         edit->setWheelAllowed(can.yes);
-    m_echo->setText(echo());
+    // What is wrong is no hint: it has a mark, and is not grey.
+    const bool wrong = !readable();
+    m_echo->setText(wrong ? QStringLiteral("\u2716 ") + echo() : echo());
+    m_echo->setEnabled(wrong);
     m_control->setText(controlText());
     const auto shaft = ShaftMove::degreesNow(m_device, m_registers);
     m_shaft->setText(shaft ? ShaftMove::angleText(*shaft) : QStringLiteral("\u2013"));
@@ -294,7 +297,7 @@ void SetpointBox::follow()
         ends = {false, tr("A move to an angle has no end on its way: Stop ends it.")};
     applyAllowed(m_stopRamp, ends, tr("Ends a ramp where it is; the motor goes on turning."));
     followCyclic();
-    if (can.yes && !readable())
+    if (can.yes && wrong)
         can = {false, echo()};
     applyAllowed(m_go, can,
         mode() == Mode::Currents

@@ -95,6 +95,13 @@ void TestBatcher::theFirstEventGoesAtOnceAndTheNextBatchAfterItsPeriod()
     QCOMPARE(*batcher.due(), kStart + 16ms);
     QVERIFY(!batcher.take(kStart + 15ms));
     QVERIFY(batcher.take(kStart + 16ms));
+    batcher.setCalm(true); // nothing moves
+    batcher.acknowledge();
+    batcher.add(read(1, 3));
+    QVERIFY(batcher.take(kStart + 32ms));
+    batcher.acknowledge();
+    batcher.add(read(1, 4));
+    QCOMPARE(*batcher.due(), kStart + 82ms);
 }
 
 void TestBatcher::aBatchThatIsALittleLateDoesNotDelayTheNext()
