@@ -8450,7 +8450,7 @@ mN·m</translation>
     <message>
         <source>orders: %1</source>
         <comment>name of a speed</comment>
-        <translation>Ordnungen: %1</translation>
+        <translation>Ordn.: %1</translation>
     </message>
     <message>
         <source>T&amp;race</source>

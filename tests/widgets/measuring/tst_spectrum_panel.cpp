@@ -14,6 +14,8 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QTreeView>
 
 #include <cmath>
@@ -53,6 +55,7 @@ private Q_SLOTS:
     void theLinesOfATraceAreFound();
     void anotherTraceAndTheCursorsAreAnotherSpectrum();
     void ordersAreMultiplesOfTheLargestPeak();
+    void ordersOfASpeedAreReadable();
     void ordersOfASpeedNeedThePolePairs();
     void ordersAreOfTheMotorThatHasTheSpeed();
     void aFileHasNoOrdersOfABoard();
@@ -131,6 +134,18 @@ void TestSpectrumPanel::ordersAreMultiplesOfTheLargestPeak()
     choose("spectrumAxis", 0);
     QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("1.00"));
     QCOMPARE(cell(1, SpectrumPeaks::OrderColumn), QStringLiteral("3.00"));
+}
+
+void TestSpectrumPanel::ordersOfASpeedAreReadable()
+{
+    const auto *axis = m_rig->find<QComboBox>("spectrumAxis");
+    QStyleOptionComboBox option;
+    option.initFrom(axis);
+    const QRect room = axis->style()->subControlRect(
+        QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, axis);
+    const QString longest = QStringLiteral("orders: STOPLL_ROT_SPEED");
+    QVERIFY2(axis->fontMetrics().horizontalAdvance(longest) <= room.width(),
+        qPrintable(QString::number(room.width())));
 }
 
 void TestSpectrumPanel::ordersOfASpeedNeedThePolePairs()
