@@ -150,6 +150,7 @@ public:
         sift(m_now);
     }
     bool armed() const override { return m_drive->armed(); }
+    bool atRest() const override { return m_drive->atRest(); }
     bool awaitsNothing() const override { return m_drive->awaitsNothing(); }
     void doubt(TimePoint now) override
     {

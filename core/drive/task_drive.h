@@ -41,11 +41,12 @@ public:
     void submit(Wish wish, TimePoint now) override;
     void stop(TimePoint now) override;
     void disarm() override;
-    bool awaitsNothing() const override
+    bool atRest() const override
     {
-        return m_mode == Mode::Open && connected() && m_identification.done() && linkIsFree()
-            && !m_stop.open() && !m_suspect;
+        return m_mode == Mode::Open && connected() && m_identification.done() && m_vitals.complete()
+            && !m_vitals.motorDriven() && !m_stop.open() && !m_suspect && !armed();
     }
+    bool awaitsNothing() const override { return linkIsFree(); }
 
 protected:
     using Link = typename P::Link;

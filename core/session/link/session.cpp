@@ -374,8 +374,8 @@ Duration Session::patience() const
 {
     constexpr Duration kIdle = std::chrono::milliseconds(10),
                        kAnswer = std::chrono::milliseconds(5);
-    const bool still = m_phase == Phase::Open && !m_drive->armed() && !m_driven.any()
-        && !m_experiment && !m_drive->stopOpen() && m_outbox.idle();
+    const bool still = m_phase == Phase::Open && m_drive->atRest() && !m_driven.any()
+        && !m_experiment && m_outbox.idle();
     if (!still)
         return {};
     if (m_drive->awaitsNothing())

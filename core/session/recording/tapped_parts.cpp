@@ -115,6 +115,7 @@ public:
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
+    bool atRest() const override { return m_inner->atRest(); }
     bool awaitsNothing() const override { return m_inner->awaitsNothing(); }
     void doubt(TimePoint now) override
     {

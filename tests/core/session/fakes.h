@@ -150,7 +150,8 @@ public:
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
-    bool awaitsNothing() const override { return rests; }
+    bool atRest() const override { return rests && !m_armed && !stopping; }
+    bool awaitsNothing() const override { return !awaits; }
     void remember(const drive::LineMemory &memory) override { known = memory; }
     drive::LineMemory memory() const override { return known; }
     std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
@@ -164,7 +165,7 @@ public:
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
     drive::LineMemory known; ///< of the line
-    bool rests = false; ///< nothing is under way
+    bool rests = false, awaits = false; ///< its motors are idle; an answer is under way
     bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 

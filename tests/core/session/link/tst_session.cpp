@@ -133,14 +133,16 @@ void TestSession::whileNothingMovesBytesMayComeTogether()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    QCOMPARE(bench.port.patience, Duration::zero()); // an answer is awaited
+    QCOMPARE(bench.port.patience, Duration::zero()); // it is not known what the motors do
     bench.drive().rests = true;
     bench.turn();
     QCOMPARE(bench.port.patience, Duration(10ms));
-    bench.drive().rests = false;
+    bench.drive().awaits = true;
+    bench.turn();
+    QCOMPARE(bench.port.patience, Duration::zero()); // what comes is the answer
     bench.session.submit({.id = 1, .what = drive::Stream{{7}, 1, {}, 1}});
     QCOMPARE(bench.port.patience, Duration(5ms)); // the answer comes between samples
-    bench.drive().rests = true;
+    bench.drive().awaits = false;
     bench.session.setArmed(true);
     QCOMPARE(bench.port.patience, Duration::zero());
     bench.session.setArmed(false);
