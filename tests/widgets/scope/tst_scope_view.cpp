@@ -91,8 +91,7 @@ void TestScopeView::anEmptyScopeSaysWhatToDo()
 {
     Bench bench({});
     QLabel *hint = bench.view.findChild<QLabel *>(QStringLiteral("scopeHint"));
-    QVERIFY(
-        hint && hint->isVisibleTo(&bench.view) && hint->text().contains(QStringLiteral("Drag")));
+    QVERIFY(hint->isVisibleTo(&bench.view) && hint->text().contains(QStringLiteral("Drag")));
     bench.picture();
     QVERIFY(bench.view.plotRect(0).contains(hint->geometry())); // no word is cut
     bench.capture.begin(layoutOf({signal(1, "A")}, 2));
