@@ -150,8 +150,7 @@ public:
         sift(m_now);
     }
     bool armed() const override { return m_drive->armed(); }
-    bool atRest() const override { return m_drive->atRest(); }
-    bool awaitsNothing() const override { return m_drive->awaitsNothing(); }
+    Duration gathersFor() const override { return m_drive->gathersFor(); }
     void doubt(TimePoint now) override
     {
         m_drive->doubt(now);

@@ -62,10 +62,9 @@ public:
     virtual void arm() = 0;
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
-    /// The board is known, each of its motors was seen idle, and nothing is armed or being stopped.
-    virtual bool atRest() const;
-    /// No answer is under way: what the board sends next, it sends by itself.
-    virtual bool awaitsNothing() const;
+    /// How long what comes may be gathered before it is given to receive(): some milliseconds where a board streams by itself,
+    /// each of its motors was seen idle, and nothing is armed or being stopped. Zero: not at all.
+    virtual Duration gathersFor() const;
     /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint now);
@@ -77,8 +76,7 @@ public:
 };
 
 inline void Drive::handleReady(bool, TimePoint) { }
-inline bool Drive::atRest() const { return false; }
-inline bool Drive::awaitsNothing() const { return false; }
+inline Duration Drive::gathersFor() const { return {}; }
 inline void Drive::doubt(TimePoint) { disarm(); }
 
 } // namespace drive

@@ -41,12 +41,6 @@ public:
     void submit(Wish wish, TimePoint now) override;
     void stop(TimePoint now) override;
     void disarm() override;
-    bool atRest() const override
-    {
-        return m_mode == Mode::Open && connected() && m_identification.done() && m_vitals.complete()
-            && !m_vitals.motorDriven() && !m_stop.open() && !m_suspect && !armed();
-    }
-    bool awaitsNothing() const override { return linkIsFree(); }
 
 protected:
     using Link = typename P::Link;
@@ -102,6 +96,11 @@ protected:
     virtual bool reconnectsBlind() const { return false; }
 
     void work(TimePoint now) final;
+    bool atRest() const
+    {
+        return m_mode == Mode::Open && connected() && m_identification.done() && m_vitals.complete()
+            && !m_vitals.motorDriven() && !m_stop.open() && !m_suspect && !armed();
+    }
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     /// Sends the next request of the task; false: it has nothing to ask now.
     bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);

@@ -93,8 +93,7 @@ public:
         m_drive->doubt(now);
     }
     bool armed() const override { return m_drive->armed(); }
-    bool atRest() const override { return m_drive->atRest(); }
-    bool awaitsNothing() const override { return m_drive->awaitsNothing(); }
+    Duration gathersFor() const override { return m_drive->gathersFor(); }
     bool stopOpen() const override { return m_drive->stopOpen(); }
     [[nodiscard]] std::vector<Output> stopScript() const override { return m_drive->stopScript(); }
     void remember(const drive::LineMemory &memory) override { m_drive->remember(memory); }

@@ -52,8 +52,7 @@ FaultHelp::FaultHelp(Device &device, const FaultRecords &records, QWidget *paren
     layout->addWidget(m_text, 2);
     layout->addLayout(bottom);
     QSize size(760, records.records().empty() ? 460 : 620);
-    if (parent
-        != nullptr) // which is on the screen; what is larger may have its Stop below the edge
+    if (parent != nullptr) // on a small screen its Stop would be below the edge
         size = size.boundedTo(parent->window()->size());
     resize(size);
     connect(&device, &Device::statusChanged, this, &FaultHelp::update);

@@ -10,8 +10,8 @@ namespace widgets {
 
 class ScopeView;
 
-constexpr int kSideWidth =
-    270; ///< px, of a panel's list and choices: "orders: STOPLL_ROT_SPEED" fits
+/// px, of a panel's list and choices: "orders: STOPLL_ROT_SPEED" fits.
+constexpr int kSideWidth = 270;
 
 /// Of a box with the stretches that are measured.
 enum MeasuredRange { Picture, BetweenCursors };

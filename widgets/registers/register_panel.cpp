@@ -35,8 +35,7 @@ constexpr Choice kChoices[] = {{"value", RegisterModel::ValueColumn, 88},
     {"raw", RegisterModel::RawColumn, 52}, {"hex", RegisterModel::HexColumn, 84},
     {"access", RegisterModel::AccessColumn, 56}, {"help", RegisterModel::HelpColumn, 220}};
 
-constexpr int kLeastName =
-    120; ///< pixels of the column of names: BUS_VOLTAGE, and what it is indented
+constexpr int kLeastName = 120; ///< px of the column of names: BUS_VOLTAGE, indented
 
 } // namespace
 

@@ -356,10 +356,7 @@ void Session::step(TimePoint now)
     else if (m_phase == Phase::Closing
         && ((m_saidFarewell && m_outbox.idle()) || now >= m_deadline))
         finishClosing();
-    if (linked()) {
-        m_transport->setPatience(patience(), now);
-        m_batcher.setCalm(patience() > Duration::zero());
-    }
+    gather(now);
     tellArmed();
     tellStops();
     tell(now);
@@ -368,20 +365,15 @@ void Session::step(TimePoint now)
     armTimer(m_parts.clock());
 }
 
-/// Where nothing moves, nobody minds that samples are some milliseconds late. At 3 Mbaud less comes meanwhile than the 4 kB
-/// that a system keeps of what was not read.
-Duration Session::patience() const
+/// Where nothing moves, nobody minds that samples are some milliseconds late.
+void Session::gather(TimePoint now)
 {
-    constexpr Duration kIdle = std::chrono::milliseconds(10),
-                       kAnswer = std::chrono::milliseconds(5);
-    const bool still = m_phase == Phase::Open && m_drive->atRest() && !m_driven.any()
-        && !m_experiment && m_outbox.idle();
-    if (!still)
-        return {};
-    if (m_drive->awaitsNothing())
-        return kIdle;
-    const bool streams = m_stream && (!m_stream->fast.empty() || !m_stream->slow.empty());
-    return streams ? kAnswer : Duration::zero(); // else what comes is the answer
+    const bool still =
+        m_phase == Phase::Open && !m_driven.any() && !m_experiment && m_outbox.idle();
+    const Duration time = still ? m_drive->gathersFor() : Duration::zero();
+    if (linked())
+        m_transport->gather(time, now);
+    m_batcher.setCalm(time > Duration::zero());
 }
 
 void Session::reopen(TimePoint now)

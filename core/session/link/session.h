@@ -152,7 +152,7 @@ private:
     void onReceived(const QByteArray &bytes);
     void onFailed(const PortError &error);
     void onReady(bool high);
-    Duration patience() const; ///< of the transport
+    void gather(TimePoint now);
     void reopen(TimePoint now);
     void runLink(TimePoint now);
     void exchange(TimePoint now);

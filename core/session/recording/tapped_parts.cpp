@@ -38,10 +38,7 @@ public:
     bool sent(TimePoint now) const override { return m_inner->sent(now); }
     void advance(TimePoint now) override { m_inner->advance(now); }
     std::optional<TimePoint> nextWake() const override { return m_inner->nextWake(); }
-    void setPatience(Duration patience, TimePoint now) override
-    {
-        m_inner->setPatience(patience, now);
-    }
+    void gather(Duration atMost, TimePoint now) override { m_inner->gather(atMost, now); }
     bool real() const override { return m_inner->real(); }
     int descriptor() const override { return m_inner->descriptor(); }
 
@@ -115,8 +112,7 @@ public:
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
-    bool atRest() const override { return m_inner->atRest(); }
-    bool awaitsNothing() const override { return m_inner->awaitsNothing(); }
+    Duration gathersFor() const override { return m_inner->gathersFor(); }
     void doubt(TimePoint now) override
     {
         m_now = now;

@@ -119,14 +119,14 @@ bool SerialTransport::sent(TimePoint) const
 }
 
 /// A board that streams sends something each millisecond, and each time this thread is woken for it.
-void SerialTransport::setPatience(Duration patience, TimePoint now)
+void SerialTransport::gather(Duration atMost, TimePoint now)
 {
-    if (patience == Duration::zero()) {
+    if (atMost == Duration::zero()) {
         listen();
     } else if (m_listensAt) {
-        m_listensAt = std::min(*m_listensAt, now + patience);
+        m_listensAt = std::min(*m_listensAt, now + atMost);
     } else if (m_notifier && m_port && m_read) {
-        m_listensAt = now + patience;
+        m_listensAt = now + atMost;
         m_notifier->setEnabled(false);
     }
 }

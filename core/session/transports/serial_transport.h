@@ -26,7 +26,7 @@ public:
     bool sent(TimePoint now) const override;
     void advance(TimePoint now) override;
     std::optional<TimePoint> nextWake() const override;
-    void setPatience(Duration patience, TimePoint now) override;
+    void gather(Duration atMost, TimePoint now) override;
     bool real() const override { return true; }
     int descriptor() const override { return m_lock.descriptor(); }
 
@@ -41,8 +41,7 @@ private:
     std::uint32_t m_baud;
     PortLock m_lock;
     std::unique_ptr<QSerialPort> m_port;
-    QPointer<QSocketNotifier>
-        m_notifier; ///< that wakes the port; where it works by another means there is none
+    QPointer<QSocketNotifier> m_notifier; ///< of the port; none where it is woken by other means
     std::optional<TimePoint> m_listensAt; ///< it is switched off until then
     bool m_read = false; ///< since it was switched on
     std::optional<TimePoint> m_nextCheck;

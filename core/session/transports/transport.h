@@ -31,8 +31,8 @@ public:
     /// Lets a simulated board or a recorded trace go on until `now`; nothing to do for a real port.
     virtual void advance(TimePoint now) = 0;
     virtual std::optional<TimePoint> nextWake() const = 0;
-    /// How late what comes may be told, so that more of it is told together; zero: at once. A line that cannot wait does not.
-    virtual void setPatience(Duration patience, TimePoint now);
+    /// What comes may be told so much later, in one piece; zero: at once. A line that cannot gather does not.
+    virtual void gather(Duration atMost, TimePoint now);
     /// Only real hardware deserves a red frame.
     virtual bool real() const = 0;
     /// What a guardian can send to when this program is gone; -1: nothing.
@@ -44,7 +44,7 @@ Q_SIGNALS:
     void readyChanged(bool high); ///< an edge of the board's ready line, where there is one
 };
 
-inline void Transport::setPatience(Duration, TimePoint) { }
+inline void Transport::gather(Duration, TimePoint) { }
 
 std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint);
 

@@ -17,6 +17,7 @@ private Q_SLOTS:
     void readsWatchesAndNotices();
     void startsRampsStreamsAndStops();
     void doesNothingThatActsUntilArmed();
+    void bytesMayBeGatheredWhereNothingMoves();
     void aStartThatIsRefusedSaysWhy();
     void acknowledgesAFaultThatIsOver();
     void torqueAndCurrentGoOutInDigits();
@@ -184,6 +185,28 @@ void TestMcpDrive::doesNothingThatActsUntilArmed()
     for (std::size_t i = before; i < session.requests.size(); ++i)
         QVERIFY(!support::changesSomething(session.requests[i]));
     QVERIFY(!session.drive->armed());
+}
+
+void TestMcpDrive::bytesMayBeGatheredWhereNothingMoves()
+{
+    Session session;
+    QVERIFY(session.ready);
+    session.drive->disarm();
+    session.runFor(200ms);
+    QCOMPARE(session.drive->gathersFor(), Duration::zero()); // what comes is an answer
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(500ms);
+    QVERIFY(session.drive->gathersFor() >= 5ms);
+    session.drive->arm();
+    QCOMPARE(session.drive->gathersFor(), Duration::zero());
+    QVERIFY(session.startMotor());
+    session.drive->disarm();
+    session.runFor(500ms);
+    QCOMPARE(session.drive->gathersFor(), Duration::zero()); // it turns, whoever started it
+    session.drive->stop(session.now);
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 10s));
+    session.runFor(500ms);
+    QVERIFY(session.drive->gathersFor() >= 5ms);
 }
 
 void TestMcpDrive::aStartThatIsRefusedSaysWhy()

@@ -49,8 +49,7 @@ private Q_SLOTS:
         experiment.subject.limits.nominalCurrentAmps = 2.0;
         QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5);
         experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 3.0}};
-        QCOMPARE(capsOf(experiment, 0.0).mostAmps,
-            2.5); // no promise of the person's makes it stand more
+        QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5); // a person cannot raise it
     }
     void whoeverAgreedToMoreAgreedToLess()
     {

@@ -30,7 +30,7 @@ public:
         FakeTransport *alive = nullptr;
         session::PortError openResult; ///< what the next open() answers
         bool sent = true;
-        Duration patience{};
+        Duration gathers{};
         std::function<void()> onWrite = {}, onAdvance = {};
     };
 
@@ -64,7 +64,7 @@ public:
         m_log.sent = true;
     }
     bool sent(TimePoint) const override { return m_log.sent; }
-    void setPatience(Duration patience, TimePoint) override { m_log.patience = patience; }
+    void gather(Duration atMost, TimePoint) override { m_log.gathers = atMost; }
     void advance(TimePoint) override
     {
         if (m_log.onAdvance)
@@ -150,8 +150,7 @@ public:
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
-    bool atRest() const override { return rests && !m_armed && !stopping; }
-    bool awaitsNothing() const override { return !awaits; }
+    Duration gathersFor() const override { return gathers; }
     void remember(const drive::LineMemory &memory) override { known = memory; }
     drive::LineMemory memory() const override { return known; }
     std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
@@ -165,7 +164,7 @@ public:
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
     drive::LineMemory known; ///< of the line
-    bool rests = false, awaits = false; ///< its motors are idle; an answer is under way
+    Duration gathers{}; ///< it lets bytes wait so long
     bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 

@@ -133,22 +133,13 @@ void TestSession::whileNothingMovesBytesMayComeTogether()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    QCOMPARE(bench.port.patience, Duration::zero()); // it is not known what the motors do
-    bench.drive().rests = true;
+    QCOMPARE(bench.port.gathers, Duration::zero());
+    bench.drive().gathers = 10ms;
     bench.turn();
-    QCOMPARE(bench.port.patience, Duration(10ms));
-    bench.drive().awaits = true;
-    bench.turn();
-    QCOMPARE(bench.port.patience, Duration::zero()); // what comes is the answer
-    bench.session.submit({.id = 1, .what = drive::Stream{{7}, 1, {}, 1}});
-    QCOMPARE(bench.port.patience, Duration(5ms)); // the answer comes between samples
-    bench.drive().awaits = false;
+    QCOMPARE(bench.port.gathers, Duration(10ms));
     bench.session.setArmed(true);
-    QCOMPARE(bench.port.patience, Duration::zero());
-    bench.session.setArmed(false);
-    QCOMPARE(bench.port.patience, Duration(10ms));
-    bench.session.stop();
-    QCOMPARE(bench.port.patience, Duration::zero());
+    bench.session.submit({.id = 1, .what = drive::Command{drive::MotorAction::Start, 1}});
+    QCOMPARE(bench.port.gathers, Duration::zero()); // it may turn, whatever the drive knows
 }
 
 void TestSession::aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes()

@@ -151,11 +151,11 @@ void TestSerialTransport::whatNobodyWaitsForIsToldTogether()
             QCoreApplication::processEvents();
     };
     TimePoint now{1s};
-    port.transport.setPatience(10ms, now); // nothing came yet
+    port.transport.gather(10ms, now); // nothing came yet
     device.write(Bytes{1});
     QTRY_COMPARE(port.heard.size(), 1);
-    port.transport.setPatience(10ms, now);
-    port.transport.setPatience(20ms, now); // does not make it longer
+    port.transport.gather(10ms, now);
+    port.transport.gather(20ms, now); // does not make it longer
     device.write(Bytes{2, 3});
     turn();
     QCOMPARE(port.heard.size(), 1);
@@ -164,11 +164,11 @@ void TestSerialTransport::whatNobodyWaitsForIsToldTogether()
     port.transport.advance(now);
     QTRY_COMPARE(port.heard.size(), 3);
 
-    port.transport.setPatience(10ms, now);
+    port.transport.gather(10ms, now);
     device.write(Bytes{4});
     turn();
     QCOMPARE(port.heard.size(), 3);
-    port.transport.setPatience(0ms, now); // now somebody does
+    port.transport.gather(0ms, now); // now somebody does
     QTRY_COMPARE(port.heard.size(), 4);
     QCOMPARE(port.failures, 0);
 }
