@@ -112,7 +112,7 @@ DEFECTS = [
     ("the last board is named at a closed port", "tst_monkey@1-40", "untrue", [
         ("widgets/window/connect_bar.cpp", "    if (!identified || m_device.link().state == drive::LinkState::Closed\n", "    if (!identified\n")]),
     ("Apply writes gains that are not shown any more", "tst_monkey@1-40", "untrue", [
-        ("widgets/forms/gains_form.cpp", "} else if (planned() != m_previewed) {", "} else if (planned() != m_previewed && m_previewed.empty()) {")]),
+        ("widgets/forms/gains_form.cpp", "    if (m_edits.underWay())\n        return;\n    if (!m_previewed", "    if (m_lab->isVisible() || m_edits.underWay())\n        return;\n    if (!m_previewed")]),
     ("all boards have the steps of one", "tst_monkey@1-40", "untrue", [
         ("core/drive/event.h", "double speedStepRpm = 1.0;", "double speedStepRpm = 6.0;")]),
     ("the currents of a board that comes back are not drawn", "tst_monkey@13-21", "untrue", [
@@ -120,7 +120,7 @@ DEFECTS = [
          "(!best || kind == Kind::Polled || entry.channel != nullptr))")]),
     ("values stay unmarked when the link is silent or closed", "tst_monkey@9-9", "untrue", [
         ("widgets/registers/register_model.cpp", "    if (std::exchange(m_believed, believed) != believed)\n", "    believed = believed || !m_rows.empty();\n    if (std::exchange(m_believed, believed) != believed)\n"),
-        ("widgets/registers/register_model.cpp", "holds = m_believed && now", "holds = !m_believed || now")]),
+        ("widgets/registers/register_model.cpp", "holds = m_believed && now", "holds = m_believed || now")]),
     ("fields of forms do not mark old values", "tst_register_field", "untrue|FAIL", [
         ("widgets/registers/register_field.cpp", "} else if (index.data(RegisterModel::StaleRole).toBool()) {", "} else if (index.data(RegisterModel::StaleRole).isNull()) {")]),
     ("the trigger misses faults", "tst_monkey@6-36", "untrue", [
