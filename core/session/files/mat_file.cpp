@@ -3,6 +3,7 @@
 #include "capture/csv_export.h"
 #include "capture/rows.h"
 #include "session/files/mat_library.h"
+#include "session/files/mat_packing.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -20,8 +21,8 @@ using capture::Channel;
 using capture::ChannelInfo;
 using capture::Rows;
 
-constexpr double kGathered = 0.3; ///< of all the time, about
-constexpr double kPacked = 0.95;
+constexpr double kGathered = 0.2; ///< of all the time, about
+constexpr double kWritten = 0.3; ///< plain
 constexpr qsizetype kLongestName = 31; ///< that libmatio and old MATLAB keep
 
 struct CloseMat {
@@ -194,7 +195,7 @@ bool writeGroups(const QByteArray &path, std::vector<Group> &groups,
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Variable structure = structOf(groups[i]);
         if (!structure
-            || matLibrary()->varWrite(file.get(), structure.get(), MAT_COMPRESSION_ZLIB) != 0
+            || matLibrary()->varWrite(file.get(), structure.get(), MAT_COMPRESSION_NONE) != 0
             || !done(i + 1))
             return false;
     }
@@ -229,32 +230,25 @@ MatResult write(const QString &path, const capture::Snapshot &channels,
     bool stopped = false;
     const auto written = [&, count = static_cast<double>(groups.size())](std::size_t done) {
         stopped = proceed
-            && !proceed(kGathered + (kPacked - kGathered) * static_cast<double>(done) / count);
+            && !proceed(kGathered + (kWritten - kGathered) * static_cast<double>(done) / count);
         return !stopped;
     };
-    const bool packed = writeGroups(name, groups, written);
+    const bool plain = writeGroups(name, groups, written);
     if (stopped) {
         result.file.error = FileError::Cancelled;
         return result;
     }
-    if (!packed || !readsBack(name, groups) || !made.open(QIODevice::ReadOnly)) {
+    if (!plain || !readsBack(name, groups) || !made.open(QIODevice::ReadOnly)) {
         result.file.error = FileError::CannotWrite;
         result.file.systemText = QStringLiteral("there is no room for it in %1").arg(folder.path());
         return result;
     }
-    bool whole = true;
-    QByteArray bytes;
+    MatPacking packing(
+        made, [&](double done) { return !proceed || proceed(kWritten + (1.0 - kWritten) * done); });
     result.file = writePieces(
-        path,
-        [&](std::string_view &piece) {
-            constexpr qint64 kPiece = 1 << 20;
-            bytes = made.read(kPiece);
-            whole = !bytes.isEmpty() || made.pos() == made.size();
-            piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
-            return !piece.empty() || !whole;
-        },
-        [&] { return whole && (!proceed || proceed(1.0)); });
-    if (!whole)
+        path, [&](std::string_view &piece) { return packing.next(piece); },
+        [&] { return packing.goesOn(); });
+    if (packing.failed())
         result.file = {FileError::CannotWrite, made.errorString()};
     return result;
 }
