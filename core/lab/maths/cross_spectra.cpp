@@ -1,6 +1,7 @@
 #include "lab/maths/cross_spectra.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -50,12 +51,21 @@ CrossSpectrum::CrossSpectrum(std::size_t size, double sampleHz, std::size_t othe
         m_window[i] = 0.5 - 0.5 * std::cos(step * static_cast<double>(i));
 }
 
+/// In four sums side by side, which wait for each other a quarter as long as one.
+double CrossSpectrum::meanOf(const double *samples) const
+{
+    std::array<double, 4> sums{};
+    std::size_t i = 0;
+    for (; i + sums.size() <= m_size; i += sums.size())
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += samples[i + k];
+    const double rest = std::accumulate(samples + i, samples + m_size, 0.0);
+    return (sums[0] + sums[1] + sums[2] + sums[3] + rest) / static_cast<double>(m_size);
+}
+
 /// Two real signals at once: what is even of the one transform is of the first, what is odd of the second.
 void CrossSpectrum::transform(std::span<const std::vector<double>> stretch, std::size_t at)
 {
-    const auto meanOf = [this](const double *samples) {
-        return std::accumulate(samples, samples + m_size, 0.0) / static_cast<double>(m_size);
-    };
     for (std::size_t signal = 0; signal < stretch.size(); signal += 2) {
         const bool two = signal + 1 < stretch.size();
         const double *const first = stretch[signal].data() + at;
@@ -65,11 +75,14 @@ void CrossSpectrum::transform(std::span<const std::vector<double>> stretch, std:
             m_in[i] = {
                 (first[i] - firstMean) * m_window[i], (second[i] - secondMean) * m_window[i]};
         m_transform.transform(m_in.data(), m_both.data());
+        Complex *const even = m_out[signal].data();
+        Complex *const odd = two ? m_out[signal + 1].data() : nullptr;
         for (std::size_t bin = 0; bin < m_sum.instrument.size(); ++bin) {
-            const Complex one = m_both[bin], mirror = std::conj(m_both[(m_size - bin) % m_size]);
-            m_out[signal][bin] = 0.5 * (one + mirror);
-            if (two)
-                m_out[signal + 1][bin] = Complex(0.0, -0.5) * (one - mirror);
+            const Complex one = 0.5 * m_both[bin],
+                          mirror = 0.5 * m_both[bin > 0 ? m_size - bin : 0];
+            even[bin] = {one.real() + mirror.real(), one.imag() - mirror.imag()};
+            if (odd)
+                odd[bin] = {one.imag() + mirror.imag(), mirror.real() - one.real()};
         }
     }
 }
@@ -79,11 +92,17 @@ void CrossSpectrum::add(std::span<const std::vector<double>> stretch)
     const std::size_t length = stretch.front().size();
     for (std::size_t at = 0; at + m_size <= length; at += m_size / 2) {
         transform(stretch, at);
-        for (std::size_t bin = 0; bin < m_sum.instrument.size(); ++bin) {
-            m_sum.instrument[bin] += std::norm(m_out[0][bin]);
-            for (std::size_t other = 0; other < m_sum.cross.size(); ++other) {
-                m_sum.cross[other][bin] += std::conj(m_out[0][bin]) * m_out[other + 1][bin];
-                m_sum.own[other][bin] += std::norm(m_out[other + 1][bin]);
+        const std::size_t bins = m_sum.instrument.size();
+        const Complex *const base = m_out[0].data();
+        for (std::size_t bin = 0; bin < bins; ++bin)
+            m_sum.instrument[bin] += std::norm(base[bin]);
+        for (std::size_t other = 0; other < m_sum.cross.size(); ++other) {
+            const Complex *const out = m_out[other + 1].data();
+            Complex *const cross = m_sum.cross[other].data();
+            double *const own = m_sum.own[other].data();
+            for (std::size_t bin = 0; bin < bins; ++bin) {
+                cross[bin] += std::conj(base[bin]) * out[bin];
+                own[bin] += std::norm(out[bin]);
             }
         }
         ++m_count;

@@ -35,6 +35,7 @@ public:
     int count() const { return m_count; } ///< of transforms
 
 private:
+    double meanOf(const double *samples) const;
     void transform(std::span<const std::vector<double>> stretch, std::size_t at);
 
     std::size_t m_size;
