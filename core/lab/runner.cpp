@@ -128,7 +128,7 @@ void Runner::take(const drive::Event &event, TimePoint now)
         return;
     const auto broken = m_envelope.take(event, *m_experiment.subject.catalog, now);
     if (broken && moves())
-        return abort(*broken);
+        return abort(*broken + wrongWay());
     if (const auto *ended = std::get_if<drive::Ended>(&event)) {
         onEnded(*ended, now);
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
@@ -274,6 +274,15 @@ void Runner::advance(TimePoint now)
     }
     if (late)
         onLate(now);
+}
+
+/// What a speed beyond its bounds means on the way to the first one.
+std::string Runner::wrongWay() const
+{
+    const auto rpm = m_envelope.rpm();
+    if (m_phase != Phase::Approaching || !rpm || *rpm * m_conditions.firstRpm >= 0.0)
+        return {};
+    return ", and the wrong way: its sensor may be aligned wrongly, or two phases exchanged";
 }
 
 /// What the phase waits for did not come.

@@ -1,4 +1,5 @@
 // Experiments on a simulated board: what it measures, what bounds it, and what it leaves behind on every way out.
+#include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 
 using namespace drive;
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void stepsArePlacedWithinAMillisecondHoweverTheHostStalls();
     void theWayToTheEnvelopeIsShort_data();
     void theWayToTheEnvelopeIsShort();
+    void whatRunsTheWrongWayIsToldSo();
     void silenceBreaksIt();
     void aBoundThatIsNotLookedAtBreaksIt();
     void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
@@ -279,6 +281,29 @@ void TestRunner::theWayToTheEnvelopeIsShort()
     bench.runUntil([] { return false; }, 500ms);
     QCOMPARE(bench.wishes.size(), wishes); // it is over
     QVERIFY(QString::fromStdString(outcome.reason).contains(QStringLiteral("allowed")));
+}
+
+/// An encoder that a brake has kept from being aligned turns its motor backward.
+void TestRunner::whatRunsTheWrongWayIsToldSo()
+{
+    simulation::BoardOptions options = support::servo();
+    options.plant = *simulation::findPreset(options.motor);
+    const auto &motor = options.plant->motor;
+    options.plant->load.constant_nm +=
+        0.25 * 1.5 * motor.polePairs * motor.flux_wb * motor.nominal_a;
+    int backward = 0;
+    for (options.seed = 1; options.seed <= 20 && backward == 0; ++options.seed) {
+        LabBench bench(options, options.seed);
+        bench.pair.verdictTaken = true;
+        bench.experiment.plan = lab::spinPlanFor(bench.experiment.subject, {});
+        const lab::Outcome outcome = bench.run();
+        const QString reason = QString::fromStdString(outcome.reason);
+        const bool back = reason.startsWith(QStringLiteral("a speed of -"));
+        QCOMPARE(
+            reason.contains(QStringLiteral("rpm that are allowed, and the wrong way: ")), back);
+        backward += back ? 1 : 0;
+    }
+    QCOMPARE(backward, 1);
 }
 
 void TestRunner::silenceBreaksIt()
