@@ -474,9 +474,9 @@ private:
     FilesJudge m_files{m_moment};
     ExportJudge m_exports{m_moment};
     TimePoint m_unwell{};
-    TimePoint m_closed{};
+    TimePoint m_closed{-kLeft}; ///< none yet
     TimePoint m_metAt{}; ///< when the list told last that the board answers
-    TimePoint m_hidden{}; ///< when the list did not show all rows
+    TimePoint m_hidden{-kListed}; ///< when the list did not show all rows
     QSet<QPersistentModelIndex> m_seen; ///< its rows at the last look
     std::vector<TimePoint> m_listed; ///< when each row of a fault was seen first
     std::size_t m_judged = 0; ///< of the board's faults

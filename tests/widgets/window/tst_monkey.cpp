@@ -184,7 +184,7 @@ private:
     void press(QWidget *widget, const std::string &what)
     {
         note(what);
-        if (widget->objectName() == QLatin1String("connect"))
+        if (widget->objectName() == QLatin1String("connect") && device().portOpen())
             m_screen.closes();
         if (widget->objectName() == QLatin1String("triggerForce")
             || widget->objectName() == QLatin1String("stopRamp")) // a set-point, to a servo
@@ -210,7 +210,7 @@ private:
     void key(QWidget *widget, Qt::Key which, Qt::KeyboardModifiers modifiers = {})
     {
         note("key " + std::to_string(which));
-        if (which == Qt::Key_D && modifiers == Qt::ControlModifier)
+        if (which == Qt::Key_D && modifiers == Qt::ControlModifier && device().portOpen())
             m_screen.closes();
         QTest::keyClick(widget, which, modifiers);
         m_acts.noteArming();
@@ -253,6 +253,8 @@ private:
                 key(box, m_random.chance(0.7) ? Qt::Key_Down : Qt::Key_Up);
                 look();
             }
+            if (m_random.chance(0.3))
+                return pullCable();
             note("loose cable");
             m_world.cut = true;
             rest(700 + int(m_random.below(1500)));
@@ -694,6 +696,18 @@ private:
         QWidget *focus = QApplication::focusWidget();
         key(focus != nullptr ? focus : top(), which, modifier);
     }
+    /// And reads what is said about it.
+    void pullCable()
+    {
+        note("unplug");
+        m_world.plugged = false;
+        rest(static_cast<int>(m_random.below(200)));
+        m_world.plugged = true;
+        for (int i = 0; i < 10; ++i) {
+            rest(50);
+            look();
+        }
+    }
     void lineTrouble()
     {
         switch (m_random.below(7)) {
@@ -702,11 +716,7 @@ private:
             m_world.shortFault = true;
             return;
         case 0:
-            note("unplug");
-            m_world.plugged = false;
-            rest(static_cast<int>(m_random.below(200)));
-            m_world.plugged = true;
-            return;
+            return pullCable();
         case 1:
             note("cut");
             m_world.cut = true;
