@@ -812,6 +812,589 @@
     </message>
 </context>
 <context>
+    <name>Lab</name>
+    <message>
+        <source>a current of %1 A is above the %2 A that are allowed</source>
+        <translation>ein Strom von %1 A liegt über den erlaubten %2 A</translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is above the %2 rpm that are allowed</source>
+        <translation>eine Drehzahl von %1 rpm liegt über den erlaubten %2 rpm</translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is below the %2 rpm that are allowed</source>
+        <translation>eine Drehzahl von %1 rpm liegt unter den erlaubten %2 rpm</translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is above the %2 rpm that are allowed, and the wrong way: its sensor may be aligned wrongly, or two phases exchanged</source>
+        <translation>eine Drehzahl von %1 rpm liegt über den erlaubten %2 rpm, und in der falschen Richtung: vielleicht ist der Sensor falsch ausgerichtet, oder zwei Phasen sind vertauscht</translation>
+    </message>
+    <message>
+        <source>a bus voltage of %1 V is above the %2 V that are allowed</source>
+        <translation>eine Zwischenkreisspannung von %1 V liegt über den erlaubten %2 V</translation>
+    </message>
+    <message>
+        <source>a bus voltage of %1 V is below the %2 V that are allowed</source>
+        <translation>eine Zwischenkreisspannung von %1 V liegt unter den erlaubten %2 V</translation>
+    </message>
+    <message>
+        <source>a temperature of %1 °C is above the %2 °C that are allowed</source>
+        <translation>eine Temperatur von %1 °C liegt über den erlaubten %2 °C</translation>
+    </message>
+    <message>
+        <source>no samples came for %1 s</source>
+        <translation>%1 s lang kamen keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>the bus voltage was not read for %1 s</source>
+        <translation>die Zwischenkreisspannung wurde %1 s lang nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the temperature was not read for %1 s</source>
+        <translation>die Temperatur wurde %1 s lang nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the link to the board was lost</source>
+        <translation>die Verbindung zum Board ging verloren</translation>
+    </message>
+    <message>
+        <source>the board&apos;s answer was lost</source>
+        <translation>die Antwort des Boards ging verloren</translation>
+    </message>
+    <message>
+        <source>the board&apos;s answer was lost (%1)</source>
+        <translation>die Antwort des Boards ging verloren (%1)</translation>
+    </message>
+    <message>
+        <source>it was not sent</source>
+        <translation>es wurde nicht gesendet</translation>
+    </message>
+    <message>
+        <source>it was not sent (%1)</source>
+        <translation>es wurde nicht gesendet (%1)</translation>
+    </message>
+    <message>
+        <source>the board refused it</source>
+        <translation>das Board hat es abgelehnt</translation>
+    </message>
+    <message>
+        <source>the board refused it (%1)</source>
+        <translation>das Board hat es abgelehnt (%1)</translation>
+    </message>
+    <message>
+        <source>reading the motor&apos;s state: %1</source>
+        <translation>Lesen des Motorzustands: %1</translation>
+    </message>
+    <message>
+        <source>recording its signals: %1</source>
+        <translation>Aufnehmen seiner Signale: %1</translation>
+    </message>
+    <message>
+        <source>reading its bus voltage: %1</source>
+        <translation>Lesen der Zwischenkreisspannung: %1</translation>
+    </message>
+    <message>
+        <source>what it writes: %1</source>
+        <translation>was geschrieben wird: %1</translation>
+    </message>
+    <message>
+        <source>what the start goes to: %1</source>
+        <translation>das Ziel des Starts: %1</translation>
+    </message>
+    <message>
+        <source>the start: %1</source>
+        <translation>der Start: %1</translation>
+    </message>
+    <message>
+        <source>the way to the first speed: %1</source>
+        <translation>der Weg zur ersten Drehzahl: %1</translation>
+    </message>
+    <message>
+        <source>a step of it: %1</source>
+        <translation>ein Schritt davon: %1</translation>
+    </message>
+    <message>
+        <source>the way back: %1</source>
+        <translation>der Weg zurück: %1</translation>
+    </message>
+    <message>
+        <source>what was there before: %1</source>
+        <translation>was vorher war: %1</translation>
+    </message>
+    <message>
+        <source>reading what is there afterwards: %1</source>
+        <translation>Lesen dessen, was nachher ist: %1</translation>
+    </message>
+    <message>
+        <source>then %1</source>
+        <translation>dann %1</translation>
+    </message>
+    <message>
+        <source>the board reports a fault: %1</source>
+        <translation>das Board meldet einen Fehler: %1</translation>
+    </message>
+    <message>
+        <source>something else stopped the motor</source>
+        <translation>etwas anderes hat den Motor gestoppt</translation>
+    </message>
+    <message>
+        <source>the start-up went on to turn the motor</source>
+        <translation>der Anlauf drehte den Motor weiter</translation>
+    </message>
+    <message>
+        <source>the motor did not come to run within %1 s</source>
+        <translation>der Motor lief nach %1 s noch nicht</translation>
+    </message>
+    <message>
+        <source>the speed did not come to rest at %1 rpm</source>
+        <translation>die Drehzahl kam bei %1 rpm nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>the speed did not come back to %1 rpm</source>
+        <translation>die Drehzahl kam nicht auf %1 rpm zurück</translation>
+    </message>
+    <message>
+        <source>the motor was not seen to stop</source>
+        <translation>dass der Motor steht, wurde nicht gesehen</translation>
+    </message>
+    <message>
+        <source>no answer came in time</source>
+        <translation>es kam keine Antwort zur rechten Zeit</translation>
+    </message>
+    <message>
+        <source>the motor neither runs nor rests: it is in %1</source>
+        <translation>der Motor läuft nicht und ruht nicht: er ist in %1</translation>
+    </message>
+    <message>
+        <source>the motor turns, and this is measured while it rests: stop it first</source>
+        <translation>der Motor dreht, und gemessen wird in Ruhe: erst stoppen</translation>
+    </message>
+    <message>
+        <source>the board does not give %1, which would be written</source>
+        <translation>das Board liefert %1 nicht, das geschrieben würde</translation>
+    </message>
+    <message>
+        <source>the motor is not in speed control: ask for a speed first</source>
+        <translation>der Motor ist nicht in Drehzahlregelung: erst eine Drehzahl vorgeben</translation>
+    </message>
+    <message>
+        <source>the motor does not turn at its set-point of %1 rpm</source>
+        <translation>der Motor dreht nicht mit seinem Sollwert von %1 rpm</translation>
+    </message>
+    <message>
+        <source>%1 is not 0, and would be afterwards: bring it to 0 first</source>
+        <translation>%1 ist nicht 0 und wäre es nachher: erst auf 0 bringen</translation>
+    </message>
+    <message>
+        <source>a Stop waits for the board to be reached</source>
+        <translation>ein Stopp wartet darauf, dass das Board erreicht wird</translation>
+    </message>
+    <message>
+        <source>every motor is being stopped</source>
+        <translation>jeder Motor wird gestoppt</translation>
+    </message>
+    <message>
+        <source>the set-point is %1 rpm now, it was %2 rpm</source>
+        <translation>der Sollwert ist jetzt %1 rpm, er war %2 rpm</translation>
+    </message>
+    <message>
+        <source>the set-point may be %1 rpm now, it was %2 rpm</source>
+        <translation>der Sollwert ist jetzt vielleicht %1 rpm, er war %2 rpm</translation>
+    </message>
+    <message>
+        <source>%1 may hold what the experiment wrote</source>
+        <translation>%1 enthält vielleicht, was der Versuch geschrieben hat</translation>
+    </message>
+    <message>
+        <source>the motor is in torque control now, it was in speed control</source>
+        <translation>der Motor ist jetzt in Drehmomentregelung, er war in Drehzahlregelung</translation>
+    </message>
+    <message>
+        <source>what comes next is not agreed to any more</source>
+        <translation>was folgt, ist nicht mehr vereinbart</translation>
+    </message>
+    <message>
+        <source>the way to the first speed takes 1 ms to 10 s</source>
+        <translation>der Weg zur ersten Drehzahl dauert 1 ms bis 10 s</translation>
+    </message>
+    <message>
+        <source>nothing says how fast this motor may turn: give the greatest speed that it may have</source>
+        <translation>nichts sagt, wie schnell dieser Motor drehen darf: seine höchste Drehzahl angeben</translation>
+    </message>
+    <message>
+        <source>%1 rpm are more than the %2 rpm that are allowed</source>
+        <translation>%1 rpm sind mehr als die erlaubten %2 rpm</translation>
+    </message>
+    <message>
+        <source>%1 A are more than the %2 A that are allowed</source>
+        <translation>%1 A sind mehr als die erlaubten %2 A</translation>
+    </message>
+    <message>
+        <source>stay above %1 rpm: this motor has no sensor, and at %2 rpm its rotor might be lost</source>
+        <translation>über %1 rpm bleiben: dieser Motor hat keinen Sensor, und bei %2 rpm könnte sein Rotor verloren gehen</translation>
+    </message>
+    <message>
+        <source>it could take %1 s, and what moves a motor by itself ends within %2 s: take fewer repetitions, or a shorter time for each</source>
+        <translation>es könnte %1 s dauern, und was einen Motor von selbst bewegt, endet nach %2 s: weniger Wiederholungen nehmen oder für jede weniger Zeit</translation>
+    </message>
+    <message>
+        <source>both speeds are the same: there is no step</source>
+        <translation>beide Drehzahlen sind gleich: es gibt keinen Sprung</translation>
+    </message>
+    <message>
+        <source>both currents are the same: there is no step</source>
+        <translation>beide Ströme sind gleich: es gibt keinen Sprung</translation>
+    </message>
+    <message>
+        <source>a series has 1 to %1 repetitions</source>
+        <translation>eine Reihe hat 1 bis %1 Wiederholungen</translation>
+    </message>
+    <message>
+        <source>a speed is held for 50 ms to 10 s</source>
+        <translation>eine Drehzahl wird 50 ms bis 10 s gehalten</translation>
+    </message>
+    <message>
+        <source>a current is held for 10 to 500 ms</source>
+        <translation>ein Strom wird 10 bis 500 ms gehalten</translation>
+    </message>
+    <message>
+        <source>a current rises within 10 ms to 2 s and is held for 100 ms to 2 s</source>
+        <translation>ein Strom steigt in 10 ms bis 2 s und wird 100 ms bis 2 s gehalten</translation>
+    </message>
+    <message>
+        <source>the motor has to turn</source>
+        <translation>der Motor muss drehen</translation>
+    </message>
+    <message>
+        <source>a torque against the way that the motor turns would brake it, and nothing says that its supply takes what comes back: both currents have to push the same way</source>
+        <translation>ein Drehmoment gegen die Drehrichtung würde den Motor bremsen, und nichts sagt, dass seine Versorgung aufnimmt, was zurückkommt: beide Ströme müssen in dieselbe Richtung treiben</translation>
+    </message>
+    <message>
+        <source>this board does not record the angle of its rotor</source>
+        <translation>dieses Board zeichnet den Winkel seines Rotors nicht auf</translation>
+    </message>
+    <message>
+        <source>this board does not record the current along its magnets</source>
+        <translation>dieses Board zeichnet den Strom längs der Magnete nicht auf</translation>
+    </message>
+    <message>
+        <source>this board does not record voltages, currents and the angle of its rotor</source>
+        <translation>dieses Board zeichnet Spannungen, Ströme und den Winkel seines Rotors nicht auf</translation>
+    </message>
+    <message>
+        <source>this board does not record its voltage and both of its currents</source>
+        <translation>dieses Board zeichnet seine Spannung und seine beiden Ströme nicht auf</translation>
+    </message>
+    <message>
+        <source>this board holds no current through a motor that rests</source>
+        <translation>dieses Board hält keinen Strom durch einen ruhenden Motor</translation>
+    </message>
+    <message>
+        <source>the board does not tell the nominal current of its motor</source>
+        <translation>das Board nennt den Nennstrom seines Motors nicht</translation>
+    </message>
+    <message>
+        <source>the board does not tell the strength of the magnets, without which no torque is known</source>
+        <translation>das Board nennt die Stärke der Magnete nicht, ohne die kein Drehmoment bekannt ist</translation>
+    </message>
+    <message>
+        <source>it needs two currents, the second at least 1.5 times as strong as the first</source>
+        <translation>es braucht zwei Ströme, der zweite mindestens 1,5-mal so stark wie der erste</translation>
+    </message>
+    <message>
+        <source>%1 A are more than a motor at rest is given here</source>
+        <translation>%1 A sind mehr, als ein ruhender Motor hier bekommt</translation>
+    </message>
+    <message>
+        <source>at most %1 A flow along the magnets</source>
+        <translation>längs der Magnete fließen höchstens %1 A</translation>
+    </message>
+    <message>
+        <source>it takes 1 to 30 s</source>
+        <translation>es dauert 1 bis 30 s</translation>
+    </message>
+    <message>
+        <source>it takes 4 to 40 s</source>
+        <translation>es dauert 4 bis 40 s</translation>
+    </message>
+    <message>
+        <source>it needs two speeds in one direction, the lower one first</source>
+        <translation>es braucht zwei Drehzahlen in einer Richtung, die niedrigere zuerst</translation>
+    </message>
+    <message>
+        <source>the speed may go to and fro by less than half of it</source>
+        <translation>die Drehzahl darf um weniger als ihre Hälfte hin und her gehen</translation>
+    </message>
+    <message>
+        <source>There is no such motor.</source>
+        <translation>Einen solchen Motor gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This board does not record the speed and the current of its motor at the rate of its control loop.</source>
+        <translation>Dieses Board zeichnet Drehzahl und Strom seines Motors nicht im Takt seiner Regelung auf.</translation>
+    </message>
+    <message>
+        <source>the run ended early: %1</source>
+        <translation>der Lauf endete vorzeitig: %1</translation>
+    </message>
+    <message>
+        <source>the series ended early: %1</source>
+        <translation>die Reihe endete vorzeitig: %1</translation>
+    </message>
+    <message>
+        <source>the recording ends before the series does</source>
+        <translation>die Aufzeichnung endet vor der Reihe</translation>
+    </message>
+    <message>
+        <source>it is no recording of an experiment</source>
+        <translation>es ist keine Aufzeichnung eines Versuchs</translation>
+    </message>
+    <message>
+        <source>it is no recording of a series of steps</source>
+        <translation>es ist keine Aufzeichnung einer Reihe von Sprüngen</translation>
+    </message>
+    <message>
+        <source>it is no recording of a series of current steps</source>
+        <translation>es ist keine Aufzeichnung einer Reihe von Stromsprüngen</translation>
+    </message>
+    <message>
+        <source>it is no recording of a mechanical identification</source>
+        <translation>es ist keine Aufzeichnung einer mechanischen Identifikation</translation>
+    </message>
+    <message>
+        <source>it is no recording of an electrical identification</source>
+        <translation>es ist keine Aufzeichnung einer elektrischen Identifikation</translation>
+    </message>
+    <message>
+        <source>it is no recording of a speed&apos;s frequency response</source>
+        <translation>es ist keine Aufzeichnung eines Frequenzgangs der Drehzahl</translation>
+    </message>
+    <message>
+        <source>it is no recording of a current loop&apos;s frequency response</source>
+        <translation>es ist keine Aufzeichnung eines Frequenzgangs des Stromreglers</translation>
+    </message>
+    <message>
+        <source>it holds no samples of the signals that it needs</source>
+        <translation>sie enthält keine Abtastwerte der Signale, die gebraucht werden</translation>
+    </message>
+    <message>
+        <source>it holds no samples of the signals of its series of steps</source>
+        <translation>sie enthält keine Abtastwerte der Signale ihrer Sprünge</translation>
+    </message>
+    <message>
+        <source>it holds no samples of that time</source>
+        <translation>sie enthält keine Abtastwerte dieser Zeit</translation>
+    </message>
+    <message>
+        <source>the motor was never driven by a torque in it</source>
+        <translation>der Motor wurde darin nie von einem Drehmoment getrieben</translation>
+    </message>
+    <message>
+        <source>the motor was never driven by a current while it turned</source>
+        <translation>der Motor wurde nie von einem Strom getrieben, während er drehte</translation>
+    </message>
+    <message>
+        <source>the set-point was never moved in it</source>
+        <translation>der Sollwert wurde darin nie bewegt</translation>
+    </message>
+    <message>
+        <source>the motor turned for only %1 s of it without a gap; %2 s are needed</source>
+        <translation>der Motor drehte nur %1 s davon ohne Lücke; %2 s sind nötig</translation>
+    </message>
+    <message>
+        <source>too little of it is without a gap: stretches of two seconds are needed</source>
+        <translation>zu wenig davon ist ohne Lücke: Strecken von zwei Sekunden sind nötig</translation>
+    </message>
+    <message>
+        <source>too little of it is without a gap: a second is needed</source>
+        <translation>zu wenig davon ist ohne Lücke: eine Sekunde ist nötig</translation>
+    </message>
+    <message>
+        <source>the speed hardly changed: no inertia follows from it</source>
+        <translation>die Drehzahl änderte sich kaum: daraus folgt kein Trägheitsmoment</translation>
+    </message>
+    <message>
+        <source>this motor changes its speed too fast for its Hall sensors: between two of their edges their angle is too far from the rotor&apos;s to tell a torque</source>
+        <translation>dieser Motor ändert seine Drehzahl zu schnell für seine Hallsensoren: zwischen zweien ihrer Flanken ist ihr Winkel zu weit von dem des Rotors, um ein Drehmoment zu nennen</translation>
+    </message>
+    <message>
+        <source>part of the friction may be a fan&apos;s: the angle of Hall sensors at these speeds does not tell the one from the other</source>
+        <translation>ein Teil der Reibung ist vielleicht die eines Lüfters: der Winkel von Hallsensoren unterscheidet das eine bei diesen Drehzahlen nicht vom anderen</translation>
+    </message>
+    <message>
+        <source>the voltages tell magnets of %1 mWb, the board of %2 mWb (%3 %): the voltages were believed; perhaps the angle of its rotor is off, as after an alignment against friction</source>
+        <translation>die Spannungen sprechen für Magnete von %1 mWb, das Board nennt %2 mWb (%3 %): den Spannungen wurde geglaubt; vielleicht stimmt der Winkel des Rotors nicht, wie nach einem Ausrichten gegen Reibung</translation>
+    </message>
+    <message>
+        <source>the rotor all but stood for %1 s of it, which count for nothing</source>
+        <translation>der Rotor stand %1 s davon fast still, die nicht zählen</translation>
+    </message>
+    <message>
+        <source>%1 % of the samples do not fit the others and count for nothing</source>
+        <translation>%1 % der Abtastwerte passen nicht zu den anderen und zählen nicht</translation>
+    </message>
+    <message>
+        <source>the rotor turned where it was to rest: neither its resistance nor the angle that it was aligned to is sure</source>
+        <translation>der Rotor drehte, wo er ruhen sollte: weder sein Widerstand noch der Winkel, auf den er ausgerichtet wurde, ist sicher</translation>
+    </message>
+    <message>
+        <source>at rest no two different currents were held for long enough</source>
+        <translation>in Ruhe wurden keine zwei verschiedenen Ströme lange genug gehalten</translation>
+    </message>
+    <message>
+        <source>at rest no resistance follows from the voltages</source>
+        <translation>in Ruhe folgt aus den Spannungen kein Widerstand</translation>
+    </message>
+    <message>
+        <source>it does not tell the nominal current of the motor</source>
+        <translation>sie nennt den Nennstrom des Motors nicht</translation>
+    </message>
+    <message>
+        <source>while it turned the current along the magnets hardly changed</source>
+        <translation>während er drehte, änderte sich der Strom längs der Magnete kaum</translation>
+    </message>
+    <message>
+        <source>while it turned no inductance follows from the voltages</source>
+        <translation>während er drehte, folgt aus den Spannungen keine Induktivität</translation>
+    </message>
+    <message>
+        <source>what the dead time takes cannot be told from the resistance: every current swung through zero within a PWM period</source>
+        <translation>was die Totzeit nimmt, ist vom Widerstand nicht zu unterscheiden: jeder Strom schwang innerhalb einer PWM-Periode durch null</translation>
+    </message>
+    <message>
+        <source>nothing follows from it</source>
+        <translation>daraus folgt nichts</translation>
+    </message>
+    <message>
+        <source>not conclusive: no step of this series could be measured</source>
+        <translation>nicht schlüssig: kein Sprung dieser Reihe konnte gemessen werden</translation>
+    </message>
+    <message>
+        <source>not conclusive: not all of it could be measured</source>
+        <translation>nicht schlüssig: nicht alles davon konnte gemessen werden</translation>
+    </message>
+    <message>
+        <source>the loop&apos;s gain does not fall through 1 where it could be measured: no margin is told</source>
+        <translation>die Kreisverstärkung fällt nicht durch 1, wo sie gemessen werden konnte: keine Reserve wird genannt</translation>
+    </message>
+    <message>
+        <source>above 10 Hz the motor&apos;s own response is not told: what is taken for the angle of a rotor without an encoder follows its current, too</source>
+        <translation>über 10 Hz wird der Frequenzgang des Motors selbst nicht genannt: was ohne Sensor für den Winkel des Rotors gehalten wird, folgt auch seinem Strom</translation>
+    </message>
+    <message>
+        <source>nothing in it follows the set-point</source>
+        <translation>nichts darin folgt dem Sollwert</translation>
+    </message>
+    <message>
+        <source>the current does not follow its reference in it</source>
+        <translation>der Strom folgt darin seinem Sollwert nicht</translation>
+    </message>
+    <message>
+        <source>it is the loop at %1 A: what a bridge loses by its dead time damps it the more the smaller the current is</source>
+        <translation>es ist der Regelkreis bei %1 A: was eine Brücke durch ihre Totzeit verliert, dämpft ihn umso mehr, je kleiner der Strom ist</translation>
+    </message>
+    <message>
+        <source>the board does not tell its gains, so its loop is not known</source>
+        <translation>das Board nennt seine Verstärkungen nicht, also ist sein Regelkreis nicht bekannt</translation>
+    </message>
+    <message>
+        <source>no speed loop has the period that the board tells</source>
+        <translation>kein Drehzahlregler hat die Periode, die das Board nennt</translation>
+    </message>
+    <message>
+        <source>too few frequencies of the response are clear enough</source>
+        <translation>zu wenige Frequenzen des Frequenzgangs sind deutlich genug</translation>
+    </message>
+    <message>
+        <source>no gains keep the distance from instability that is asked for</source>
+        <translation>keine Verstärkungen halten den verlangten Abstand von der Instabilität</translation>
+    </message>
+    <message>
+        <source>run %1 (up) stands apart from the others by its %2; it is part of the mean</source>
+        <translation>Lauf %1 (hoch) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
+    </message>
+    <message>
+        <source>run %1 (down) stands apart from the others by its %2; it is part of the mean</source>
+        <translation>Lauf %1 (herunter) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
+    </message>
+    <message>
+        <source>the mean %1 is that of %2 of %3 runs</source>
+        <translation>Mittel aus %2 von %3 Läufen: %1</translation>
+    </message>
+    <message>
+        <source>rise time</source>
+        <translation>Anstiegszeit</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>settling time</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>Spitzenstrom</translation>
+    </message>
+    <message>
+        <source>the step is only %1 digits of the set-point; %2 rpm or more say more</source>
+        <translation>der Sprung ist nur %1 Digits des Sollwerts; %2 rpm oder mehr sagen mehr</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs do not settle while their speed is held</source>
+        <translation>%1 von %2 Läufen regeln nicht aus, solange ihre Drehzahl gehalten wird</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs do not settle while their current is held</source>
+        <translation>%1 von %2 Läufen regeln nicht aus, solange ihr Strom gehalten wird</translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its speed</source>
+        <translation>in %1 fehlen Abtastwerte: von der Drehzahl wird nichts gesagt</translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its current</source>
+        <translation>in %1 fehlen Abtastwerte: vom Strom wird nichts gesagt</translation>
+    </message>
+    <message>
+        <source>the speed does not step in %1</source>
+        <translation>die Drehzahl springt nicht in %1</translation>
+    </message>
+    <message>
+        <source>the current does not step in %1</source>
+        <translation>der Strom springt nicht in %1</translation>
+    </message>
+    <message>
+        <source>the instant of %1 is uncertain by %2 ms: its settling time is not told</source>
+        <translation>der Zeitpunkt von %1 ist um %2 ms unsicher: die Ausregelzeit wird nicht genannt</translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its speed is held</source>
+        <translation>%1 regelt nicht aus, solange die Drehzahl gehalten wird</translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its current is held</source>
+        <translation>%1 regelt nicht aus, solange der Strom gehalten wird</translation>
+    </message>
+    <message>
+        <source>run %1 (up)</source>
+        <translation>Lauf %1 (hoch)</translation>
+    </message>
+    <message>
+        <source>run %1 (down)</source>
+        <translation>Lauf %1 (herunter)</translation>
+    </message>
+    <message>
+        <source>the current was at its limit in %1 % of %2: it does not show the loop alone</source>
+        <translation>der Strom war in %1 % von %2 an seiner Grenze: er zeigt nicht den Regler allein</translation>
+    </message>
+    <message>
+        <source>the noise of the measured current is %1 % of the step: overshoot and settling are told from noise, too; a larger step says more</source>
+        <translation>das Rauschen des gemessenen Stroms ist %1 % des Sprungs: Überschwingen und Ausregelzeit kommen auch aus dem Rauschen; ein größerer Sprung sagt mehr</translation>
+    </message>
+</context>
+<context>
     <name>Laid</name>
     <message>
         <source>its beginning</source>

@@ -812,6 +812,589 @@
     </message>
 </context>
 <context>
+    <name>Lab</name>
+    <message>
+        <source>a current of %1 A is above the %2 A that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is above the %2 rpm that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is below the %2 rpm that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed of %1 rpm is above the %2 rpm that are allowed, and the wrong way: its sensor may be aligned wrongly, or two phases exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bus voltage of %1 V is above the %2 V that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bus voltage of %1 V is below the %2 V that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temperature of %1 °C is above the %2 °C that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no samples came for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bus voltage was not read for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the temperature was not read for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link to the board was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board&apos;s answer was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board&apos;s answer was lost (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was not sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was not sent (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board refused it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board refused it (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the motor&apos;s state: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording its signals: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading its bus voltage: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it writes: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the start goes to: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the way to the first speed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a step of it: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the way back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what was there before: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading what is there afterwards: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board reports a fault: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something else stopped the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the start-up went on to turn the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor did not come to run within %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed did not come to rest at %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed did not come back to %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor was not seen to stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer came in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor neither runs nor rests: it is in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor turns, and this is measured while it rests: stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not give %1, which would be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor is not in speed control: ask for a speed first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor does not turn at its set-point of %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not 0, and would be afterwards: bring it to 0 first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Stop waits for the board to be reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every motor is being stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-point is %1 rpm now, it was %2 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-point may be %1 rpm now, it was %2 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 may hold what the experiment wrote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor is in torque control now, it was in speed control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what comes next is not agreed to any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the way to the first speed takes 1 ms to 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing says how fast this motor may turn: give the greatest speed that it may have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rpm are more than the %2 rpm that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 A are more than the %2 A that are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stay above %1 rpm: this motor has no sensor, and at %2 rpm its rotor might be lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it could take %1 s, and what moves a motor by itself ends within %2 s: take fewer repetitions, or a shorter time for each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both speeds are the same: there is no step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both currents are the same: there is no step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a series has 1 to %1 repetitions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed is held for 50 ms to 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a current is held for 10 to 500 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a current rises within 10 ms to 2 s and is held for 100 ms to 2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor has to turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a torque against the way that the motor turns would brake it, and nothing says that its supply takes what comes back: both currents have to push the same way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not record the angle of its rotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not record the current along its magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not record voltages, currents and the angle of its rotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not record its voltage and both of its currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board holds no current through a motor that rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not tell the nominal current of its motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not tell the strength of the magnets, without which no torque is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs two currents, the second at least 1.5 times as strong as the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 A are more than a motor at rest is given here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 A flow along the magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it takes 1 to 30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it takes 4 to 40 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs two speeds in one direction, the lower one first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed may go to and fro by less than half of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not record the speed and the current of its motor at the rate of its control loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run ended early: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the series ended early: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording ends before the series does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of an experiment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a series of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a series of current steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a mechanical identification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of an electrical identification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a speed&apos;s frequency response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a current loop&apos;s frequency response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no samples of the signals that it needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no samples of the signals of its series of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no samples of that time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor was never driven by a torque in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor was never driven by a current while it turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set-point was never moved in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor turned for only %1 s of it without a gap; %2 s are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little of it is without a gap: stretches of two seconds are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little of it is without a gap: a second is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed hardly changed: no inertia follows from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this motor changes its speed too fast for its Hall sensors: between two of their edges their angle is too far from the rotor&apos;s to tell a torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part of the friction may be a fan&apos;s: the angle of Hall sensors at these speeds does not tell the one from the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the voltages tell magnets of %1 mWb, the board of %2 mWb (%3 %): the voltages were believed; perhaps the angle of its rotor is off, as after an alignment against friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rotor all but stood for %1 s of it, which count for nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the samples do not fit the others and count for nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rotor turned where it was to rest: neither its resistance nor the angle that it was aligned to is sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at rest no two different currents were held for long enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at rest no resistance follows from the voltages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not tell the nominal current of the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>while it turned the current along the magnets hardly changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>while it turned no inductance follows from the voltages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the dead time takes cannot be told from the resistance: every current swung through zero within a PWM period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing follows from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not conclusive: no step of this series could be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not conclusive: not all of it could be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the loop&apos;s gain does not fall through 1 where it could be measured: no margin is told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above 10 Hz the motor&apos;s own response is not told: what is taken for the angle of a rotor without an encoder follows its current, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in it follows the set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current does not follow its reference in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is the loop at %1 A: what a bridge loses by its dead time damps it the more the smaller the current is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not tell its gains, so its loop is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no speed loop has the period that the board tells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few frequencies of the response are clear enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no gains keep the distance from instability that is asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 (up) stands apart from the others by its %2; it is part of the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 (down) stands apart from the others by its %2; it is part of the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean %1 is that of %2 of %3 runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rise time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settling time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step is only %1 digits of the set-point; %2 rpm or more say more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs do not settle while their speed is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs do not settle while their current is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed does not step in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current does not step in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instant of %1 is uncertain by %2 ms: its settling time is not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its speed is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its current is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 (up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run %1 (down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current was at its limit in %1 % of %2: it does not show the loop alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the noise of the measured current is %1 % of the step: overshoot and settling are told from noise, too; a larger step says more</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Laid</name>
     <message>
         <source>its beginning</source>

@@ -6,6 +6,7 @@
 #include "widgets/base/steady_label.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
+#include "widgets/lab/lab_text.h"
 
 #include <QBoxLayout>
 #include <QDialog>
@@ -26,7 +27,7 @@ std::vector<lab::Experiment> allOf(const ExperimentBar::Run &run)
 
 QString endText(const lab::Outcome &outcome)
 {
-    const QString reason = QString::fromStdString(outcome.reason);
+    const QString reason = labText(outcome.reason);
     switch (outcome.end) {
     case lab::End::Complete:
         return reason.isEmpty() ? ExperimentBar::tr("Done; the motor is as it was.")
@@ -43,14 +44,6 @@ QString endText(const lab::Outcome &outcome)
 }
 
 } // namespace
-
-QString labSentence(const std::string &words)
-{
-    QString text = QString::fromStdString(words);
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
-    return text + QLatin1Char('.');
-}
 
 ExperimentBar::ExperimentBar(const Parts &parts, const char *prefix, QWidget *page)
     : QWidget(page)

@@ -135,7 +135,4 @@ private:
     QThreadPool m_pool; ///< last: its job ends before anything that it tells
 };
 
-/// A sentence of core, which begins small and has no full stop.
-QString labSentence(const std::string &words);
-
 } // namespace widgets

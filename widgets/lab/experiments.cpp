@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/control/motion_allowed.h"
+#include "widgets/lab/lab_text.h"
 
 #include <algorithm>
 
@@ -36,7 +37,7 @@ Result<lab::Subject, QString> Experiments::subject() const
         return fail(motionAllowed(m_device, drive::Feature::SpeedRamp).why);
     auto found = lab::subjectOf(*m_device.identified(), m_device.motor());
     if (!found)
-        return fail(QString::fromStdString(found.error()));
+        return fail(labText(found.error()));
     return *found;
 }
 

@@ -1,5 +1,7 @@
 #include "widgets/lab/identification.h"
 
+#include "widgets/lab/lab_text.h"
+
 namespace widgets {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
+#include "widgets/lab/lab_text.h"
 #include "widgets/lab/run_mark.h"
 
 #include <QFont>
@@ -211,7 +212,7 @@ QString StepRuns::tip(const StepResult &result) const
                          .arg(QString::number(++count), values.join(QStringLiteral(", "))));
     }
     for (const std::string &note : result.series.notes)
-        lines.append(QString::fromStdString(note));
+        lines.append(labSentence(note));
     constexpr qsizetype kMostLines = 24;
     if (lines.size() > kMostLines)
         lines = lines.mid(0, kMostLines) << QStringLiteral("\u2026");

@@ -4,6 +4,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/lab/lab_text.h"
 
 #include <QComboBox>
 #include <QHeaderView>

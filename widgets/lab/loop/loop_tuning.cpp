@@ -1,6 +1,7 @@
 #include "widgets/lab/loop/loop_tuning.h"
 
 #include "widgets/base/value_text.h"
+#include "widgets/lab/lab_text.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/lab/lab_text.h"
 
 #include <QComboBox>
 #include <QEvent>

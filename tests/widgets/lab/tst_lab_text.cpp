@@ -1,0 +1,152 @@
+// What core says of experiments, in German: every sentence that its sources hold, with their numbers, alone and together.
+#include "support/places.h"
+#include "widgets/lab/lab_text.h"
+
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+using widgets::labSentence;
+using widgets::labText;
+
+class TestLabText : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void englishStaysAsItIs();
+    void theyAreGerman_data();
+    void theyAreGerman();
+    void everySentenceOfTheSourcesIsKnown();
+
+private:
+    QTranslator m_german;
+};
+
+namespace {
+
+/// The English of a context, of the file that translators fill.
+QStringList sourcesOf(const QString &context)
+{
+    QFile file(support::sourceFile(QStringLiteral("translations/rotorscope_de.ts")));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QXmlStreamReader xml(&file);
+    QStringList all;
+    QString in;
+    while (!xml.atEnd()) {
+        if (!xml.readNextStartElement())
+            continue;
+        if (xml.name() == QLatin1String("name"))
+            in = xml.readElementText();
+        else if (xml.name() == QLatin1String("source") && in == context)
+            all.append(xml.readElementText());
+    }
+    return all;
+}
+
+/// The string literals of a C++ text, those that stand together as one; no names of files, keys or signals.
+QStringList sentencesIn(const QString &code)
+{
+    static const QRegularExpression literals(
+        QStringLiteral("\"(?:[^\"\\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\\n]|\\\\.)*\")*"));
+    static const QRegularExpression seams(QStringLiteral("\"\\s*\""));
+    QStringList all;
+    for (auto each = literals.globalMatch(code); each.hasNext();) {
+        QString text = each.next().captured().remove(seams).trimmed();
+        text = text.mid(1, text.size() - 2).trimmed();
+        if (text.count(QLatin1Char(' ')) >= 4)
+            all.append(text);
+    }
+    return all;
+}
+
+} // namespace
+
+void TestLabText::initTestCase()
+{
+    QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de.qm")));
+    QLocale::setDefault(QLocale(QLocale::German));
+}
+
+void TestLabText::englishStaysAsItIs()
+{
+    QLocale::setDefault(QLocale::c());
+    for (const char *words :
+        {"no samples came for 0.5 s", "words that nobody knows",
+            "the series ended early: the board reports a fault: SPEED_FDBK; the motor has to turn"})
+        QCOMPARE(labText(words), QString::fromUtf8(words));
+    QLocale::setDefault(QLocale(QLocale::German));
+}
+
+void TestLabText::theyAreGerman_data()
+{
+    QTest::addColumn<QString>("english");
+    QTest::addColumn<QString>("german");
+    QTest::newRow("numbers") << "no samples came for 0.5 s"
+                             << QStringLiteral("0,5 s lang kamen keine Abtastwerte");
+    QTest::newRow("names") << "I_D_REF is not 0, and would be afterwards: bring it to 0 first"
+                           << QStringLiteral(
+                                  "I_D_REF ist nicht 0 und wäre es nachher: erst auf 0 bringen");
+    QTest::newRow("one in another")
+        << "the run ended early: the board reports a fault: SPEED_FDBK"
+        << QStringLiteral("der Lauf endete vorzeitig: das Board meldet einen Fehler: SPEED_FDBK");
+    QTest::newRow("several")
+        << "a speed of 654 rpm is below the 660 rpm that are allowed; every motor is being "
+           "stopped; "
+           "the set-point is 880 rpm now, it was 840 rpm"
+        << QStringLiteral(
+               "eine Drehzahl von 654 rpm liegt unter den erlaubten 660 rpm; jeder Motor "
+               "wird gestoppt; der Sollwert ist jetzt 880 rpm, er war 840 rpm");
+    QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"
+                                      << QStringLiteral("2 von 5 Läufen regeln nicht aus, solange "
+                                                        "ihre Drehzahl gehalten wird");
+    QTest::newRow("words that are not known")
+        << "the board refused it (BAD_RAW)"
+        << QStringLiteral("das Board hat es abgelehnt (BAD_RAW)");
+}
+
+void TestLabText::theyAreGerman()
+{
+    QFETCH(QString, english);
+    QFETCH(QString, german);
+    QCoreApplication::installTranslator(&m_german);
+    const QString text = labText(english.toStdString());
+    const QString sentence = labSentence(english.toStdString());
+    QCoreApplication::removeTranslator(&m_german);
+    QCOMPARE(text, german);
+    german[0] = german[0].toUpper();
+    QCOMPARE(sentence, german + QLatin1Char('.'));
+}
+
+/// What is said of a plan's file is of the command line, which speaks English.
+void TestLabText::everySentenceOfTheSourcesIsKnown()
+{
+    const QStringList known = sourcesOf(QStringLiteral("Lab"));
+    QVERIFY(known.size() > 100);
+    int looked = 0;
+    QStringList missing;
+    QDirIterator files(support::sourceFile(QStringLiteral("core/lab")),
+        {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+        QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile file(files.next());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        if (file.fileName().endsWith(QLatin1String("plan_file.cpp")))
+            continue;
+        QString code = QString::fromUtf8(file.readAll());
+        code.remove(QRegularExpression(QStringLiteral("//[^\\n]*")));
+        for (const QString &sentence : sentencesIn(code)) {
+            ++looked;
+            if (std::none_of(known.begin(), known.end(),
+                    [&](const QString &one) { return one.contains(sentence); }))
+                missing.append(sentence);
+        }
+    }
+    QVERIFY(looked > 80);
+    QVERIFY2(missing.isEmpty(), qPrintable(missing.join(QLatin1Char('\n'))));
+}
+
+QTEST_GUILESS_MAIN(TestLabText)
+#include "tst_lab_text.moc"

@@ -1,0 +1,17 @@
+// What core says of an experiment, in the person's language: why it was not carried out, what ended it, what has to be known of
+// its result. Its words are English sentences with numbers and names in them, several of them with semicolons between.
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+namespace widgets {
+
+/// The words as they stand within a sentence; those without a translation stay English.
+QString labText(const std::string &words);
+
+/// The same as a sentence: begins with a capital, ends with a full stop.
+QString labSentence(const std::string &words);
+
+} // namespace widgets
