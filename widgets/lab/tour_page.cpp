@@ -226,12 +226,12 @@ Result<ExperimentBar::Run, QString> TourPage::wholeTour()
 Result<ExperimentBar::Run, QString> TourPage::proof()
 {
     const auto gains = chosen();
+    const auto &measured = m_parts.tuning.measured();
+    if (!gains && !measured)
+        return fail(tr("It takes the response of the tour."));
     if (!gains)
-        return fail(m_parts.tuning.measured()
-                ? labSentence(m_parts.tuning.measured()->whyNone.empty()
-                        ? "no gains keep the distance of this goal"
-                        : m_parts.tuning.measured()->whyNone)
-                : tr("It takes the response of the tour."));
+        return fail(measured->whyNone.empty() ? tr("No gains keep the distance of this goal.")
+                                              : labSentence(measured->whyNone));
     return m_parts.tuning.proofRun(length(), *gains);
 }
 
