@@ -843,7 +843,7 @@
     </message>
     <message>
         <source>no samples came for %1 s</source>
-        <translation>%1 s lang kamen keine Abtastwerte</translation>
+        <translation>%1 s lang kamen keine Messwerte</translation>
     </message>
     <message>
         <source>the bus voltage was not read for %1 s</source>
@@ -927,7 +927,7 @@
     </message>
     <message>
         <source>then %1</source>
-        <translation>dann %1</translation>
+        <translation>danach: %1</translation>
     </message>
     <message>
         <source>the board reports a fault: %1</source>
@@ -1175,15 +1175,15 @@
     </message>
     <message>
         <source>it holds no samples of the signals that it needs</source>
-        <translation>sie enthält keine Abtastwerte der Signale, die gebraucht werden</translation>
+        <translation>sie enthält keine Messwerte der Signale, die gebraucht werden</translation>
     </message>
     <message>
         <source>it holds no samples of the signals of its series of steps</source>
-        <translation>sie enthält keine Abtastwerte der Signale ihrer Sprünge</translation>
+        <translation>sie enthält keine Messwerte der Signale ihrer Sprünge</translation>
     </message>
     <message>
         <source>it holds no samples of that time</source>
-        <translation>sie enthält keine Abtastwerte dieser Zeit</translation>
+        <translation>sie enthält keine Messwerte dieser Zeit</translation>
     </message>
     <message>
         <source>the motor was never driven by a torque in it</source>
@@ -1231,11 +1231,11 @@
     </message>
     <message>
         <source>%1 % of the samples do not fit the others and count for nothing</source>
-        <translation>%1 % der Abtastwerte passen nicht zu den anderen und zählen nicht</translation>
+        <translation>%1 % der Messwerte passen nicht zu den anderen und zählen nicht</translation>
     </message>
     <message>
         <source>the rotor turned where it was to rest: neither its resistance nor the angle that it was aligned to is sure</source>
-        <translation>der Rotor drehte, wo er ruhen sollte: weder sein Widerstand noch der Winkel, auf den er ausgerichtet wurde, ist sicher</translation>
+        <translation>der Rotor drehte, wo er ruhen sollte: weder der Widerstand noch der Winkel, auf den ausgerichtet wurde, ist sicher</translation>
     </message>
     <message>
         <source>at rest no two different currents were held for long enough</source>
@@ -1279,7 +1279,7 @@
     </message>
     <message>
         <source>above 10 Hz the motor&apos;s own response is not told: what is taken for the angle of a rotor without an encoder follows its current, too</source>
-        <translation>über 10 Hz wird der Frequenzgang des Motors selbst nicht genannt: was ohne Sensor für den Winkel des Rotors gehalten wird, folgt auch seinem Strom</translation>
+        <translation>über 10 Hz wird der Frequenzgang des Motors selbst nicht genannt: was ohne Encoder für den Winkel des Rotors gehalten wird, folgt auch seinem Strom</translation>
     </message>
     <message>
         <source>nothing in it follows the set-point</source>
@@ -1351,11 +1351,11 @@
     </message>
     <message>
         <source>samples are missing in %1: nothing is told of its speed</source>
-        <translation>in %1 fehlen Abtastwerte: von der Drehzahl wird nichts gesagt</translation>
+        <translation>in %1 fehlen Messwerte: von der Drehzahl wird nichts gesagt</translation>
     </message>
     <message>
         <source>samples are missing in %1: nothing is told of its current</source>
-        <translation>in %1 fehlen Abtastwerte: vom Strom wird nichts gesagt</translation>
+        <translation>in %1 fehlen Messwerte: vom Strom wird nichts gesagt</translation>
     </message>
     <message>
         <source>the speed does not step in %1</source>
@@ -1392,6 +1392,50 @@
     <message>
         <source>the noise of the measured current is %1 % of the step: overshoot and settling are told from noise, too; a larger step says more</source>
         <translation>das Rauschen des gemessenen Stroms ist %1 % des Sprungs: Überschwingen und Ausregelzeit kommen auch aus dem Rauschen; ein größerer Sprung sagt mehr</translation>
+    </message>
+    <message>
+        <source>the port was closed</source>
+        <translation>der Port wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the port was lost</source>
+        <translation>der Port ging verloren</translation>
+    </message>
+    <message>
+        <source>somebody else commanded the motor</source>
+        <translation>jemand anders hat dem Motor etwas befohlen</translation>
+    </message>
+    <message>
+        <source>the drive was disarmed</source>
+        <translation>die Freigabe wurde zurückgenommen</translation>
+    </message>
+    <message>
+        <source>the drive is not armed any more</source>
+        <translation>der Antrieb ist nicht mehr freigegeben</translation>
+    </message>
+    <message>
+        <source>every motor was stopped</source>
+        <translation>jeder Motor wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>no port is open</source>
+        <translation>kein Port ist offen</translation>
+    </message>
+    <message>
+        <source>another experiment is running</source>
+        <translation>ein anderer Versuch läuft</translation>
+    </message>
+    <message>
+        <source>the drive is not armed</source>
+        <translation>der Antrieb ist nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>too late: it was asked for more than half a second ago</source>
+        <translation>zu spät: es wurde vor mehr als einer halben Sekunde verlangt</translation>
     </message>
 </context>
 <context>

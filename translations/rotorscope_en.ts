@@ -1393,6 +1393,50 @@
         <source>the noise of the measured current is %1 % of the step: overshoot and settling are told from noise, too; a larger step says more</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the port was closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the port was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody else commanded the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive was disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive is not armed any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every motor was stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no port is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another experiment is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive is not armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too late: it was asked for more than half a second ago</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

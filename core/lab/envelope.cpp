@@ -15,8 +15,10 @@ std::string text(double value)
 {
     std::array<char, 32> buffer{};
     constexpr int kDigits = 4;
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, kDigits);
+    constexpr double kWhole = 1e4; // from there on whole numbers have more digits than these
+    const bool whole = std::abs(value) >= kWhole && std::abs(value) < 1e9;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+        whole ? std::chars_format::fixed : std::chars_format::general, whole ? 0 : kDigits);
     return {buffer.data(), end.ptr};
 }
 

@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-/// A place holder takes whatever stands there, which may be another of these.
+/// A place holder takes whatever stands there up to a semicolon, which may be another of these.
 constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "a current of %1 A is above the %2 A that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a speed of %1 rpm is above the %2 rpm that are allowed"),
@@ -41,6 +41,17 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the way back: %1"),
     QT_TRANSLATE_NOOP("Lab", "what was there before: %1"),
     QT_TRANSLATE_NOOP("Lab", "reading what is there afterwards: %1"),
+    QT_TRANSLATE_NOOP("Lab", "the port was closed"),
+    QT_TRANSLATE_NOOP("Lab", "the port was lost"),
+    QT_TRANSLATE_NOOP("Lab", "somebody else commanded the motor"),
+    QT_TRANSLATE_NOOP("Lab", "the drive was disarmed"),
+    QT_TRANSLATE_NOOP("Lab", "the drive is not armed any more"),
+    QT_TRANSLATE_NOOP("Lab", "every motor was stopped"),
+    QT_TRANSLATE_NOOP("Lab", "no port is open"),
+    QT_TRANSLATE_NOOP("Lab", "another experiment is running"),
+    QT_TRANSLATE_NOOP("Lab", "the drive is not armed"),
+    QT_TRANSLATE_NOOP("Lab", "no answer"),
+    QT_TRANSLATE_NOOP("Lab", "too late: it was asked for more than half a second ago"),
     QT_TRANSLATE_NOOP("Lab", "then %1"),
     QT_TRANSLATE_NOOP("Lab", "the board reports a fault: %1"),
     QT_TRANSLATE_NOOP("Lab", "something else stopped the motor"),
@@ -209,9 +220,9 @@ const std::vector<LabPattern> &labPatterns()
             const QStringList pieces = QString::fromUtf8(english).split(place);
             QString pattern;
             for (const QString &piece : pieces)
-                pattern +=
-                    (pattern.isEmpty() && &piece == &pieces.front() ? QString()
-                                                                    : QStringLiteral("(.+?)"))
+                pattern += (pattern.isEmpty() && &piece == &pieces.front()
+                                   ? QString()
+                                   : QStringLiteral("((?:(?!; ).)+?)"))
                     + QRegularExpression::escape(piece);
             made.push_back(
                 {english, QRegularExpression(QRegularExpression::anchoredPattern(pattern)),

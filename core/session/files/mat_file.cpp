@@ -249,7 +249,8 @@ MatResult write(const QString &path, const capture::Snapshot &channels,
         path, [&](std::string_view &piece) { return packing.next(piece); },
         [&] { return packing.goesOn(); });
     if (packing.failed())
-        result.file = {FileError::CannotWrite, made.errorString()};
+        result.file = {
+            FileError::CannotWrite, QStringLiteral("what was written could not be read back")};
     return result;
 }
 

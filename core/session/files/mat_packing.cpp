@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <QScopeGuard>
 #include <QtEndian>
 
 #include <algorithm>
@@ -44,10 +45,11 @@ bool MatPacking::next(std::string_view &piece)
 /// The element of `size` bytes that stands next, as one packed element.
 void MatPacking::pack(qint64 size)
 {
+    QByteArray room(kPackedAtOnce, Qt::Uninitialized);
+    m_piece.fill('\0', kTag);
     z_stream packer{};
     m_failed = deflateInit(&packer, kLevel) != Z_OK;
-    QByteArray packed(kTag, '\0');
-    QByteArray room(kPackedAtOnce, Qt::Uninitialized);
+    const auto end = qScopeGuard([&packer] { (void)deflateEnd(&packer); });
     for (qint64 left = size; left > 0 && goesOn();) {
         QByteArray plain = m_plain.read(std::min(left, kPackedAtOnce));
         m_failed = plain.isEmpty();
@@ -58,16 +60,19 @@ void MatPacking::pack(qint64 size)
             packer.next_out = reinterpret_cast<Bytef *>(room.data());
             packer.avail_out = static_cast<uInt>(room.size());
             (void)deflate(&packer, left > 0 ? Z_NO_FLUSH : Z_FINISH);
-            packed.append(room.constData(), room.size() - static_cast<qsizetype>(packer.avail_out));
+            m_piece.append(
+                room.constData(), room.size() - static_cast<qsizetype>(packer.avail_out));
         } while (packer.avail_out == 0);
         m_cancelled =
             !m_proceed(static_cast<double>(m_plain.pos()) / static_cast<double>(m_plain.size()));
     }
-    (void)deflateEnd(&packer);
-    qToLittleEndian(kPackedType, packed.data());
+    if (!goesOn()) {
+        m_piece.clear();
+        return;
+    }
+    qToLittleEndian(kPackedType, m_piece.data());
     qToLittleEndian(
-        static_cast<std::uint32_t>(packed.size() - kTag), packed.data() + sizeof(std::uint32_t));
-    m_piece = std::move(packed);
+        static_cast<std::uint32_t>(m_piece.size() - kTag), m_piece.data() + sizeof(std::uint32_t));
 }
 
 } // namespace session

@@ -1,4 +1,5 @@
-// What core says of experiments, in German: every sentence that its sources hold, with their numbers, alone and together.
+// What core says of experiments, in German, with its numbers, alone and together; and that a sentence of the lab's sources is
+// known here, as far as five words or more of it stand together.
 #include "support/places.h"
 #include "widgets/lab/lab_text.h"
 
@@ -85,7 +86,7 @@ void TestLabText::theyAreGerman_data()
     QTest::addColumn<QString>("english");
     QTest::addColumn<QString>("german");
     QTest::newRow("numbers") << "no samples came for 0.5 s"
-                             << QStringLiteral("0,5 s lang kamen keine Abtastwerte");
+                             << QStringLiteral("0,5 s lang kamen keine Messwerte");
     QTest::newRow("names") << "I_D_REF is not 0, and would be afterwards: bring it to 0 first"
                            << QStringLiteral(
                                   "I_D_REF ist nicht 0 und wäre es nachher: erst auf 0 bringen");
@@ -99,6 +100,22 @@ void TestLabText::theyAreGerman_data()
         << QStringLiteral(
                "eine Drehzahl von 654 rpm liegt unter den erlaubten 660 rpm; jeder Motor "
                "wird gestoppt; der Sollwert ist jetzt 880 rpm, er war 840 rpm");
+    QTest::newRow("what came after what")
+        << "the speed did not come to rest at 900 rpm; then the way back: the board refused it; "
+           "every "
+           "motor is being stopped; the set-point is 900 rpm now, it was 840 rpm"
+        << QStringLiteral(
+               "die Drehzahl kam bei 900 rpm nicht zur Ruhe; danach: der Weg zurück: das "
+               "Board hat es abgelehnt; jeder Motor wird gestoppt; der Sollwert ist "
+               "jetzt 900 rpm, er war 840 rpm");
+    QTest::newRow("the same twice")
+        << "a step of it: the board refused it (BAD_RAW); what was there before: the board refused "
+           "it"
+        << QStringLiteral(
+               "ein Schritt davon: das Board hat es abgelehnt (BAD_RAW); was vorher war: "
+               "das Board hat es abgelehnt");
+    QTest::newRow("of a session") << "every motor was stopped"
+                                  << "jeder Motor wurde gestoppt";
     QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"
                                       << QStringLiteral("2 von 5 Läufen regeln nicht aus, solange "
                                                         "ihre Drehzahl gehalten wird");
