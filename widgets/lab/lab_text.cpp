@@ -11,6 +11,7 @@ namespace {
 
 /// A place holder takes whatever stands there up to a semicolon, which may be another of these.
 constexpr const char *kLabTexts[] = {
+    // NOLINTBEGIN(bugprone-suspicious-missing-comma): long ones stand in several pieces
     QT_TRANSLATE_NOOP("Lab", "a current of %1 A is above the %2 A that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a speed of %1 rpm is above the %2 rpm that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a speed of %1 rpm is below the %2 rpm that are allowed"),
@@ -26,8 +27,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the link to the board was lost"),
     QT_TRANSLATE_NOOP("Lab", "the board's answer was lost"),
     QT_TRANSLATE_NOOP("Lab", "the board's answer was lost (%1)"),
-    QT_TRANSLATE_NOOP("Lab", "it was not sent"),
-    QT_TRANSLATE_NOOP("Lab", "it was not sent (%1)"),
+    QT_TRANSLATE_NOOP("Lab", "it was not sent"), QT_TRANSLATE_NOOP("Lab", "it was not sent (%1)"),
     QT_TRANSLATE_NOOP("Lab", "the board refused it"),
     QT_TRANSLATE_NOOP("Lab", "the board refused it (%1)"),
     QT_TRANSLATE_NOOP("Lab", "reading the motor's state: %1"),
@@ -37,23 +37,19 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "what the start goes to: %1"),
     QT_TRANSLATE_NOOP("Lab", "the start: %1"),
     QT_TRANSLATE_NOOP("Lab", "the way to the first speed: %1"),
-    QT_TRANSLATE_NOOP("Lab", "a step of it: %1"),
-    QT_TRANSLATE_NOOP("Lab", "the way back: %1"),
+    QT_TRANSLATE_NOOP("Lab", "a step of it: %1"), QT_TRANSLATE_NOOP("Lab", "the way back: %1"),
     QT_TRANSLATE_NOOP("Lab", "what was there before: %1"),
     QT_TRANSLATE_NOOP("Lab", "reading what is there afterwards: %1"),
-    QT_TRANSLATE_NOOP("Lab", "the port was closed"),
-    QT_TRANSLATE_NOOP("Lab", "the port was lost"),
+    QT_TRANSLATE_NOOP("Lab", "the port was closed"), QT_TRANSLATE_NOOP("Lab", "the port was lost"),
     QT_TRANSLATE_NOOP("Lab", "somebody else commanded the motor"),
     QT_TRANSLATE_NOOP("Lab", "the drive was disarmed"),
     QT_TRANSLATE_NOOP("Lab", "the drive is not armed any more"),
     QT_TRANSLATE_NOOP("Lab", "every motor was stopped"),
     QT_TRANSLATE_NOOP("Lab", "no port is open"),
     QT_TRANSLATE_NOOP("Lab", "another experiment is running"),
-    QT_TRANSLATE_NOOP("Lab", "the drive is not armed"),
-    QT_TRANSLATE_NOOP("Lab", "no answer"),
+    QT_TRANSLATE_NOOP("Lab", "the drive is not armed"), QT_TRANSLATE_NOOP("Lab", "no answer"),
     QT_TRANSLATE_NOOP("Lab", "too late: it was asked for more than half a second ago"),
-    QT_TRANSLATE_NOOP("Lab", "then %1"),
-    QT_TRANSLATE_NOOP("Lab", "the board reports a fault: %1"),
+    QT_TRANSLATE_NOOP("Lab", "then %1"), QT_TRANSLATE_NOOP("Lab", "the board reports a fault: %1"),
     QT_TRANSLATE_NOOP("Lab", "something else stopped the motor"),
     QT_TRANSLATE_NOOP("Lab", "the start-up went on to turn the motor"),
     QT_TRANSLATE_NOOP("Lab", "the motor did not come to run within %1 s"),
@@ -107,8 +103,7 @@ constexpr const char *kLabTexts[] = {
         "Lab", "it needs two currents, the second at least 1.5 times as strong as the first"),
     QT_TRANSLATE_NOOP("Lab", "%1 A are more than a motor at rest is given here"),
     QT_TRANSLATE_NOOP("Lab", "at most %1 A flow along the magnets"),
-    QT_TRANSLATE_NOOP("Lab", "it takes 1 to 30 s"),
-    QT_TRANSLATE_NOOP("Lab", "it takes 4 to 40 s"),
+    QT_TRANSLATE_NOOP("Lab", "it takes 1 to 30 s"), QT_TRANSLATE_NOOP("Lab", "it takes 4 to 40 s"),
     QT_TRANSLATE_NOOP("Lab", "it needs two speeds in one direction, the lower one first"),
     QT_TRANSLATE_NOOP("Lab", "the speed may go to and fro by less than half of it"),
     QT_TRANSLATE_NOOP("Lab", "There is no such motor."),
@@ -180,10 +175,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP(
         "Lab", "run %1 (down) stands apart from the others by its %2; it is part of the mean"),
     QT_TRANSLATE_NOOP("Lab", "the mean %1 is that of %2 of %3 runs"),
-    QT_TRANSLATE_NOOP("Lab", "rise time"),
-    QT_TRANSLATE_NOOP("Lab", "overshoot"),
-    QT_TRANSLATE_NOOP("Lab", "settling time"),
-    QT_TRANSLATE_NOOP("Lab", "peak current"),
+    QT_TRANSLATE_NOOP("Lab", "rise time"), QT_TRANSLATE_NOOP("Lab", "overshoot"),
+    QT_TRANSLATE_NOOP("Lab", "settling time"), QT_TRANSLATE_NOOP("Lab", "peak current"),
     QT_TRANSLATE_NOOP(
         "Lab", "the step is only %1 digits of the set-point; %2 rpm or more say more"),
     QT_TRANSLATE_NOOP("Lab", "%1 of %2 runs do not settle while their speed is held"),
@@ -196,13 +189,13 @@ constexpr const char *kLabTexts[] = {
         "Lab", "the instant of %1 is uncertain by %2 ms: its settling time is not told"),
     QT_TRANSLATE_NOOP("Lab", "%1 does not settle while its speed is held"),
     QT_TRANSLATE_NOOP("Lab", "%1 does not settle while its current is held"),
-    QT_TRANSLATE_NOOP("Lab", "run %1 (up)"),
-    QT_TRANSLATE_NOOP("Lab", "run %1 (down)"),
+    QT_TRANSLATE_NOOP("Lab", "run %1 (up)"), QT_TRANSLATE_NOOP("Lab", "run %1 (down)"),
     QT_TRANSLATE_NOOP(
         "Lab", "the current was at its limit in %1 % of %2: it does not show the loop alone"),
     QT_TRANSLATE_NOOP("Lab",
         "the noise of the measured current is %1 % of the step: overshoot and settling are told "
         "from noise, too; a larger step says more"),
+    // NOLINTEND(bugprone-suspicious-missing-comma)
 };
 
 struct LabPattern {
