@@ -128,7 +128,10 @@ public:
         widgets::ScopeView *scope = m_rig.window.scope();
         scope->setVisibleRange(newest - kHour, newest);
         scope->time().setFollowing(true);
-        scope->setCalm(false); // as for a motor that is driven
+        // As for a motor that is driven: neither link nor scope takes its time.
+        device.setArmed(true);
+        require(until([&] { return device.armed(); }), "not armed");
+        scope->setCalm(false);
         const quint64 drawn = scope->redraws();
         require(until([&] { return scope->redraws() > drawn + 20; }), "nothing is drawn");
     }
