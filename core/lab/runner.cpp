@@ -128,7 +128,7 @@ void Runner::take(const drive::Event &event, TimePoint now)
         return;
     const auto broken = m_envelope.take(event, *m_experiment.subject.catalog, now);
     if (broken && moves())
-        return abort(*broken + wrongWay(*broken));
+        return abort(*broken + wrongWay());
     if (const auto *ended = std::get_if<drive::Ended>(&event)) {
         onEnded(*ended, now);
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
@@ -277,12 +277,13 @@ void Runner::advance(TimePoint now)
 }
 
 /// What a speed beyond its bounds means for a motor that was started and turns backward on its way to the first one.
-std::string Runner::wrongWay(const std::string &broken) const
+std::string Runner::wrongWay() const
 {
-    const auto rpm = m_envelope.rpm();
-    const bool backward = rpm && *rpm * m_conditions.firstRpm < 0.0;
-    if (m_phase != Phase::Approaching || m_ran || !m_experiment.subject.seesRotor() || !backward
-        || !broken.starts_with("a speed of"))
+    const double rpm = m_envelope.rpm().value_or(0.0);
+    const Caps bounds = caps();
+    const bool backward =
+        rpm * m_conditions.firstRpm < 0.0 && (rpm < bounds.leastRpm || rpm > bounds.mostRpm);
+    if (m_phase != Phase::Approaching || m_ran || !m_experiment.subject.seesRotor() || !backward)
         return {};
     return ", and the wrong way: its sensor may be aligned wrongly, or two phases exchanged";
 }

@@ -74,7 +74,7 @@ private:
     void onStatus(const drive::MotorStatus &status, TimePoint now);
     void onRead(TimePoint now);
     void onCompared();
-    std::string wrongWay(const std::string &broken) const;
+    std::string wrongWay() const;
     void onLate(TimePoint now);
     void approach(TimePoint now);
     void work(TimePoint now);

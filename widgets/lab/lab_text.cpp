@@ -213,9 +213,8 @@ const std::vector<LabPattern> &labPatterns()
             const QStringList pieces = QString::fromUtf8(english).split(place);
             QString pattern;
             for (const QString &piece : pieces)
-                pattern += (pattern.isEmpty() && &piece == &pieces.front()
-                                   ? QString()
-                                   : QStringLiteral("((?:(?!; ).)+?)"))
+                pattern +=
+                    (&piece == &pieces.front() ? QString() : QStringLiteral("((?:(?!; ).)+?)"))
                     + QRegularExpression::escape(piece);
             made.push_back(
                 {english, QRegularExpression(QRegularExpression::anchoredPattern(pattern)),
