@@ -1437,6 +1437,10 @@
         <source>too late: it was asked for more than half a second ago</source>
         <translation>zu spät: es wurde vor mehr als einer halben Sekunde verlangt</translation>
     </message>
+    <message>
+        <source>the motor was started all the same</source>
+        <translation>der Motor wurde trotzdem gestartet</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

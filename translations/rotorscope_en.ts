@@ -1437,6 +1437,10 @@
         <source>too late: it was asked for more than half a second ago</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the motor was started all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

@@ -91,7 +91,7 @@ void Runner::ask(Ask what, TimePoint now)
     if (currents != nullptr)
         m_currents = *currents;
     const bool torque = currents != nullptr || std::holds_alternative<drive::TorqueRamp>(what);
-    m_byTorque = (m_byTorque || torque) && !m_asked_rpm;
+    m_byTorque = m_byTorque || torque;
     m_commanded = m_commanded || torque || m_asked_rpm;
     m_answered = false;
     m_asked = std::move(what);
@@ -170,6 +170,8 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
     if (m_asked_rpm && mayHaveHappened)
         m_target_rpm = *m_asked_rpm;
+    if (m_asked_rpm && m_answered)
+        m_byTorque = false;
     m_asked_rpm.reset();
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
     if (m_answered)
@@ -189,6 +191,10 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
 void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
 {
     m_status = status;
+    // A board may take a start and answer as if it had not.
+    const bool drives = status.state == MotorState::Starting || status.state == MotorState::Running;
+    if (m_stands && drives && !m_ran)
+        return abort("the motor was started all the same");
     if (!moves())
         return;
     if (status.state == MotorState::FaultNow || status.state == MotorState::FaultOver) {

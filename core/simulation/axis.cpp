@@ -17,6 +17,7 @@ MotorTruth truthOf(const Axis &axis)
     truth.measuredRpm = axis.firmware.speed_rpm();
     truth.referenceRpm = axis.firmware.speedReference_rpm();
     truth.rpm = axis.plant.speed_radps() * 30.0 / std::numbers::pi;
+    truth.iqAmps = axis.plant.iq_a();
     truth.maxRpm = stage.maxSpeed_rpm;
     truth.ampsPerDigit = stage.ampsPerDigit();
     truth.maxAmps = stage.maxReadable_a;

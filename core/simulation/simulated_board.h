@@ -59,6 +59,7 @@ struct MotorTruth {
     double rpm = 0.0; ///< of the rotor, mechanical, signed
     double measuredRpm = 0.0,
            referenceRpm = 0.0; ///< what the firmware takes the speed for, and wants
+    double iqAmps = 0.0; ///< through the windings, across the magnets, peak, signed
     double maxRpm = 0.0; ///< that the design allows; 0: not known
     double ampsPerDigit = 0.0; ///< of current registers of 16 bits; 0: not known
     double maxAmps = 0.0; ///< that can be measured, peak; 0: not known

@@ -156,6 +156,14 @@ DEFECTS = [
         ("widgets/files/record_control.cpp", "constexpr double kMega = 1e6;", "constexpr double kMega = 5e5;")]),
     ("a file is not named in the title", "tst_monkey@14-31", "untrue", [
         ("widgets/window/main_window.cpp", "    else if (m_workbench.signalPlan().showsFile())\n", "    else if (m_workbench.signalPlan().showsFile() && m_device.portOpen())\n")]),
+    ("an experiment holds no bound of speed", "tst_experiment_faults@1-600", "MS28", [
+        ("core/lab/envelope.cpp", "if (m_caps.mostRpm == m_caps.leastRpm)", "if (m_caps.mostRpm >= m_caps.leastRpm)")]),
+    ("an experiment holds no bound of current", "tst_experiment_faults@1-600", "MS28", [
+        ("core/lab/envelope.cpp", "return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps", "return m_caps.mostAmps < 0.0 && std::abs(amps) > m_caps.mostAmps")]),
+    ("what an experiment borrowed is not given back", "tst_experiment_faults@1-600", "MS32", [
+        ("core/lab/runner.cpp", "    if (m_lent)\n        m_restores", "    if (std::exchange(m_lent, false) && m_old.empty())\n        m_restores")]),
+    ("a torque that nobody asked for stays in force unsaid", "tst_experiment_faults@1-600", "MS32", [
+        ("core/lab/runner.cpp", "    if (m_asked_rpm && m_answered)\n", "    if (m_asked_rpm)\n")]),
     ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [
         ("app/cli/command_capture.cpp", 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())', 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks() / 1000)')]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
@@ -190,7 +198,7 @@ def until(command, words, seconds, **more):
 
 
 def judged(build, jobs, test):
-    """A test by its name, of a monkey with its seeds (@FIRST-LAST), and if wanted its functions."""
+    """A test by its name, of a campaign with its seeds (@FIRST-LAST), and if wanted its functions."""
     name, *functions = test.split()
     name, _, seeds = name.partition("@")
     code, text = run(["cmake", "--build", build, "--target", name, "-j", jobs], 1800)

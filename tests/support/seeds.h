@@ -1,9 +1,9 @@
-// Which seeds a campaign plays: few of them, many with ROTORSCOPE_LONG=1. ROTORSCOPE_SEED=n plays that one alone;
+// Which seeds a campaign plays: few of them, many with ROTORSCOPE_LONG=1. ROTORSCOPE_SEED=n plays that one alone, n-m those from n to m;
 // ROTORSCOPE_FIRST_SEED=n begins there, so that a campaign that runs again tries what has not been tried, and
 // ROTORSCOPE_SEEDS=n plays so many.
 #pragma once
 
-#include <QtGlobal>
+#include <QStringList>
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +18,11 @@ struct Seeds {
 
 inline Seeds seedsOf(std::uint64_t few, std::uint64_t many)
 {
-    if (qEnvironmentVariableIsSet("ROTORSCOPE_SEED"))
-        return {qEnvironmentVariable("ROTORSCOPE_SEED").toULongLong(), 1, true};
+    if (qEnvironmentVariableIsSet("ROTORSCOPE_SEED")) {
+        const QStringList ends = qEnvironmentVariable("ROTORSCOPE_SEED").split(QLatin1Char('-'));
+        const std::uint64_t first = ends.first().toULongLong(), last = ends.last().toULongLong();
+        return {first, last >= first ? last - first + 1 : 1, first == last};
+    }
     Seeds seeds{1, qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? many : few};
     if (qEnvironmentVariableIsSet("ROTORSCOPE_FIRST_SEED"))
         seeds.first = qEnvironmentVariable("ROTORSCOPE_FIRST_SEED").toULongLong();
@@ -42,8 +45,10 @@ std::string playSeeds(const Seeds &seeds, Play play)
         if (!what)
             continue;
         ++played;
-        if (!what->empty() && ++failed <= kTold)
-            wrong += "seed " + std::to_string(seed) + ": " + *what + "\n";
+        if (what->empty() || ++failed > kTold)
+            continue;
+        wrong += "seed " + std::to_string(seed) + ": " + *what + "\n";
+        qWarning("seed %llu: %s", static_cast<unsigned long long>(seed), what->c_str());
     }
     qInfo("sessions with faults: %llu, failed: %llu", played, failed);
     return wrong;

@@ -37,6 +37,8 @@ private Q_SLOTS:
     void aMotorInTorqueControlIsLeftAlone();
     void aMotorThatIsNotAtItsSetPointIsLeftAlone();
     void aRefusedStartLeavesTheMotorAlone();
+    void aStartThatWasTakenAndAnsweredOtherwiseIsStopped();
+    void aTorqueThatMayStillBeInForceIsSaid();
     void aBoardThatDoesNotObeyIsToldAtTheEnd();
     void somebodyElsesActEndsItWithoutAnother();
     void boardsThatRecordNothingSayWhy();
@@ -486,6 +488,49 @@ void TestRunner::aRefusedStartLeavesTheMotorAlone()
     VERIFY_END(bench.run(), End::Refused);
     QCOMPARE(bench.stops, 0);
     QVERIFY(bench.pair.board->truth(1).idle);
+}
+
+void TestRunner::aStartThatWasTakenAndAnsweredOtherwiseIsStopped()
+{
+    LabBench bench;
+    const auto handOn = bench.pair.onEvent;
+    bench.pair.onEvent = [&](drive::Event event) {
+        auto *ended = std::get_if<drive::Ended>(&event);
+        const auto *command =
+            bench.wishes.empty() ? nullptr : std::get_if<Command>(&bench.wishes.back().what);
+        if (ended != nullptr && command != nullptr && ended->id == bench.wishes.back().id
+            && command->action == MotorAction::Start)
+            ended->outcome = drive::Outcome::Refused;
+        handOn(event);
+    };
+    VERIFY_END(bench.run(), End::Aborted);
+    QVERIFY(bench.runner->outcome().reason.find("started all the same") != std::string::npos);
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    bench.pair.runFor(3s);
+    QVERIFY(bench.pair.board->truth(1).idle);
+}
+
+/// The way back from it was asked for and never arrived.
+void TestRunner::aTorqueThatMayStillBeInForceIsSaid()
+{
+    LabBench bench;
+    bench.pair.verdictTaken = true; // a cut line
+    QVERIFY(bench.pair.runAt(1500));
+    lab::SpinPlan plan = lab::spinPlanFor(bench.experiment.subject, {});
+    plan.length = 2s;
+    bench.experiment.plan = plan;
+    bool torque = false;
+    bench.pair.loses = [&](const Bytes &) {
+        const bool ramp =
+            !bench.wishes.empty() && std::holds_alternative<SpeedRamp>(bench.wishes.back().what);
+        torque = torque || !bench.asked<drive::TorqueRamp>().empty()
+            || !bench.asked<drive::CurrentReference>().empty();
+        return torque && ramp;
+    };
+    VERIFY_END(bench.run(), End::Aborted);
+    QVERIFY2(bench.runner->outcome().reason.find("in torque control now") != std::string::npos,
+        bench.runner->outcome().reason.c_str());
 }
 
 /// Its STOPs are answered and do nothing: the series ends with a Stop that goes on, and says so.

@@ -8,6 +8,7 @@
 #include "support/judged_line.h"
 #include "support/link_pair.h"
 #include "support/screen/screen_judge.h"
+#include "support/seeds.h"
 #include "support/window_rig.h"
 
 #include <QAbstractButton>
@@ -933,10 +934,9 @@ private Q_SLOTS:
 void TestMonkey::whateverIsPressedTheRulesHold()
 {
     const bool isLong = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0;
-    const QStringList seeds = qEnvironmentVariable("ROTORSCOPE_SEED").split(QLatin1Char('-'));
-    const int only = seeds.first().toInt();
-    const int first = only > 0 ? only : 1;
-    const int last = only > 0 ? seeds.last().toInt() : isLong ? 1000 : 10;
+    const support::Seeds seeds = support::seedsOf(10, 1000);
+    const int first = static_cast<int>(seeds.first);
+    const int last = first + static_cast<int>(seeds.count) - 1;
     std::vector<int> all = firstActs(isLong ? 200 : 25);
     if (const QString chosen = qEnvironmentVariable("ROTORSCOPE_ACTS"); !chosen.isEmpty()) {
         all.clear();
