@@ -27,7 +27,7 @@ namespace widgets {
 
 namespace {
 constexpr int kFrameMs = 16;
-constexpr int kCalmFrameMs = 50; ///< while nothing is driven
+constexpr int kCalmFrameMs = 66; ///< while nothing is driven
 
 bool isSeen(const QWidget &window)
 {

@@ -94,7 +94,7 @@ public:
 
 public Q_SLOTS:
     void
-    captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz, 20 Hz while calm)
+    captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz, 15 Hz while calm)
     /// Five times a second. @param waits  for samples: a trace without new ones is told as such
     void beat(bool waits);
     void setCalm(bool calm); ///< nothing is driven: new samples need not be drawn so often

@@ -112,14 +112,16 @@ private:
     StreamControl m_stream{m_board};
 };
 
-/// At 3 Mbaud less comes meanwhile than the 4 kB that a system keeps of what was not read. An answer comes between samples.
+/// Less comes meanwhile than the 4 kB that a system keeps of what was not read. An answer comes between samples.
 Duration McpDrive::gathersFor() const
 {
-    constexpr Duration kSamples = std::chrono::milliseconds(10),
-                       kAnswer = std::chrono::milliseconds(5);
+    constexpr Duration kSamples = std::chrono::milliseconds(16),
+                       kAnswer = std::chrono::milliseconds(8);
+    constexpr double kMostBytes = 3000.0;
     if (!m_stream.wanted() || !atRest())
         return {};
-    return linkIsFree() ? kSamples : kAnswer;
+    const double line = std::max(m_board.streaming.linkBytesPerSecond, kMostBytes);
+    return std::min(linkIsFree() ? kSamples : kAnswer, fromSeconds(kMostBytes / line));
 }
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)

@@ -30,7 +30,7 @@ public:
     struct Config {
         /// Time between two batches; a batch that was late by a quarter of it or less does not delay the next.
         Duration period = std::chrono::milliseconds(16);
-        Duration calmPeriod = std::chrono::milliseconds(50); ///< while nothing moves
+        Duration calmPeriod = std::chrono::milliseconds(66); ///< while nothing moves
         int maxUnacknowledged = 2;
         std::size_t maxWaitingValues =
             2'000'000; ///< sample values, about 20 s of a full 1.8 Mbaud link

@@ -126,6 +126,13 @@ struct Scenario {
             bench.experiment.plan = plan;
         }
         }
+        if (random.chance(0.3)) { // a person who allows less than the motor would take
+            const double most_a =
+                subject.limits.nominalCurrentAmps * 0.02 * double(5 + random.below(40));
+            bench.steps.caps.maxCurrentAmps = most_a;
+            std::visit(
+                [&](auto &plan) { plan.caps.maxCurrentAmps = most_a; }, bench.experiment.plan);
+        }
     }
 
     /// One, or two at the same time.
@@ -234,6 +241,17 @@ struct Scenario {
         return values;
     }
 
+    /// Something was asked for that moves the motor: what it did before was not of the experiment.
+    bool moved() const
+    {
+        return std::any_of(bench.wishes.begin(), bench.wishes.end(), [](const drive::Wish &wish) {
+            return !std::holds_alternative<drive::Read>(wish.what)
+                && !std::holds_alternative<drive::Write>(wish.what)
+                && !std::holds_alternative<drive::Stream>(wish.what)
+                && !std::holds_alternative<drive::Watch>(wish.what);
+        });
+    }
+
     /// From the beginning until it is over and everything is as quiet as it gets.
     void run()
     {
@@ -245,7 +263,7 @@ struct Scenario {
         BoundsWatch bounds(agreementTo(bench.experiment, runs ? 1500.0 : 0.0).caps,
             heard ? Duration(45ms) : Duration(700ms));
         bench.eachTurn = [&] {
-            if (bench.runner && !bench.runner->over())
+            if (bench.runner && !bench.runner->over() && moved())
                 bounds.look(bench.pair.board->truth(1), bench.pair.now);
         };
         bench.begin();
@@ -305,7 +323,8 @@ std::string whatIsWrong(const Scenario &scenario)
     if (outcome.end != End::Complete && outcome.reason.empty())
         return "no reason";
     const simulation::MotorTruth truth = bench.pair.board->truth(1);
-    if (bench.stops > 0 && !truth.idle) // heard as soon as there is a link
+    const bool obeys = scenario.lie == nullptr || scenario.lie->lie != simulation::Lie::NeverStops;
+    if (bench.stops > 0 && !truth.idle && obeys) // heard as soon as there is a link
         return "stopped, and the motor is driven";
     const bool same = truth.driven == scenario.runs
         && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
