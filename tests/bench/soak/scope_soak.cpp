@@ -1,42 +1,23 @@
 // Minutes of a full-rate capture in the real window, in real time: five signals at 16 kHz from the simulated board inside
 // the program, while a driver turns the wheel and drags the picture without a pause. Prints what was lost, what the
 // memory grew by, and how long the GUI thread was away between two beats of a timer; docs/performance.md reads it.
-#include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "bench/soak/restless_hand.h"
 
-#include <QApplication>
-#include <QFile>
-#include <QMouseEvent>
-#include <QTimer>
-#include <QWheelEvent>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <numeric>
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using namespace bench;
 using namespace std::chrono_literals;
 
-constexpr std::array kSignals{"I_A", "I_B", "I_Q_MEAS", "I_D_MEAS", "STOPLL_EL_ANGLE"};
-constexpr int kPatience_ms = 30'000;
 constexpr auto kBeat = 5ms;
-constexpr auto kFrame = 16ms; ///< between two acts of the hand
 
 int failed(const char *what)
 {
     std::fprintf(stderr, "scope-soak: %s\n", what);
     return 1;
-}
-
-template <class Condition>
-bool until(Condition condition)
-{
-    return QTest::qWaitFor(condition, kPatience_ms);
 }
 
 /// Milliseconds between two beats of a timer of the GUI thread.
@@ -65,83 +46,6 @@ private:
     Clock::time_point m_last = Clock::now();
     std::vector<double> m_beats;
 };
-
-/// Zooms out to minutes and in to samples, drags to and fro; every act asks for a redraw.
-class Hand : public QObject {
-public:
-    explicit Hand(facts::WindowRig &rig)
-        : m_rig(rig)
-        , m_plot(rig.find<QWidget>("scopePlot"))
-    {
-        connect(&m_timer, &QTimer::timeout, this, &Hand::act);
-        m_timer.start(kFrame);
-    }
-    std::uint64_t acts() const { return m_acts; }
-
-private:
-    void act()
-    {
-        const QRect area = m_rig.window.scope()->plotRect(0);
-        const QPoint middle = area.center();
-        const auto step = static_cast<int>(m_acts++ % 240);
-        if (step < 80) // in and out again
-            turn(middle, step < 40 ? 120 : -120);
-        else if (step == 80)
-            mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton);
-        else if (step < 239)
-            mouse(QEvent::MouseMove,
-                middle + QPoint(int(0.4 * area.width() * std::sin(step / 10.0)), 0), Qt::NoButton);
-        else
-            mouse(QEvent::MouseButtonRelease, middle, Qt::LeftButton);
-    }
-    void turn(const QPoint &at, int angle)
-    {
-        QWheelEvent wheel(at, m_plot->mapToGlobal(at), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
-            Qt::NoScrollPhase, false);
-        QApplication::sendEvent(m_plot, &wheel);
-    }
-    void mouse(QEvent::Type type, const QPoint &at, Qt::MouseButton button)
-    {
-        const Qt::MouseButtons held =
-            type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-        QMouseEvent event(type, at, m_plot->mapToGlobal(at), button, held, Qt::NoModifier);
-        QApplication::sendEvent(m_plot, &event);
-    }
-
-    facts::WindowRig &m_rig;
-    QWidget *m_plot;
-    QTimer m_timer;
-    std::uint64_t m_acts = 0;
-};
-
-/// What the process holds, in MiB; nothing where the system does not tell it in this way.
-std::optional<double> residentMiB()
-{
-    QFile file(QStringLiteral("/proc/self/status"));
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    for (const QByteArray &line : file.readAll().split('\n')) {
-        if (line.startsWith("VmRSS:"))
-            return line.mid(6).simplified().split(' ').front().toDouble() / 1024.0;
-    }
-    return {};
-}
-
-/// Replaces what the scope shows at first by the five signals; whether all of them stream.
-bool showSignals(facts::WindowRig &rig)
-{
-    const auto &catalog = *rig.workbench.device().catalog();
-    std::vector<catalog::RegisterId> ids;
-    for (const char *name : kSignals)
-        ids.push_back(catalog.resolve(name).value_or(0));
-    for (const auto id : ids)
-        rig.window.selection()->add(id, 0);
-    for (const auto &info : rig.workbench.capture().channels()) {
-        if (std::find(ids.begin(), ids.end(), info.registerId) == ids.end())
-            rig.window.selection()->remove(info.registerId);
-    }
-    return until([&] { return rig.workbench.capture().streaming().size() == kSignals.size(); });
-}
 
 int soak(int seconds)
 {
