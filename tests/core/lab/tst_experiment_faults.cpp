@@ -5,6 +5,7 @@
 // held against the bounds that were shown, and its registers against those of
 // before. ROTORSCOPE_LONG=1 tries ten thousand of them; support/seeds.h says which
 // others.
+#include "core/lab/drawn_plans.h"
 #include "lab/caps.h"
 #include "simulation/mcp/liars.h"
 #include "support/lab_bench.h"
@@ -89,50 +90,9 @@ struct Scenario {
     {
         runs = random.chance(0.5);
         at = std::chrono::milliseconds(random.below(9000));
-        const Subject &subject = bench.experiment.subject;
-        switch (random.below(5)) {
-        case 0: {
-            // Without a sensor: with room above what its observer needs.
-            const auto least =
-                static_cast<int>(std::max(1000.0, subject.leastObservedRpm() + 300.0));
-            const int from = least + static_cast<int>(random.below(500));
-            bench.steps = {.fromRpm = from,
-                .toRpm = from + static_cast<int>(200 + random.below(600)),
-                .repeat = static_cast<int>(1 + random.below(3))};
-            break;
-        }
-        case 1: {
-            SpinPlan plan = spinPlanFor(subject, {});
-            plan.length = 3s;
-            bench.experiment.plan = plan;
-            break;
-        }
-        case 2: {
-            const bool flux = random.chance(0.5);
-            const double share = 0.05 + 0.002 * double(random.below(100));
-            CurrentStepPlan plan = currentStepPlanFor(
-                subject, flux, 0.0, share * subject.limits.nominalCurrentAmps, {});
-            plan.repeat = static_cast<int>(1 + random.below(3));
-            bench.experiment.plan = plan;
-            break;
-        }
-        case 3:
-            bench.experiment.plan = restPlanFor(subject, {});
-            break;
-        default: {
-            ResponsePlan plan = random.chance(0.5) ? currentResponsePlanFor(subject, {})
-                                                   : responsePlanFor(subject, {});
-            plan.length = 4s;
-            bench.experiment.plan = plan;
-        }
-        }
-        if (random.chance(0.3)) { // a person who allows less than the motor would take
-            const double most_a =
-                subject.limits.nominalCurrentAmps * 0.02 * double(5 + random.below(40));
-            bench.steps.caps.maxCurrentAmps = most_a;
-            std::visit(
-                [&](auto &plan) { plan.caps.maxCurrentAmps = most_a; }, bench.experiment.plan);
-        }
+        bench.experiment.plan = support::drawnPlan(random, bench.experiment.subject);
+        if (const auto *steps = std::get_if<StepPlan>(&bench.experiment.plan))
+            bench.steps = *steps;
     }
 
     /// One, or two at the same time.
@@ -258,8 +218,6 @@ struct Scenario {
         const auto before = registers();
         const bool heard = lie == nullptr && !has(Trouble::Noise) && !has(Trouble::Mute)
             && !has(Trouble::Cut) && !has(Trouble::Reset);
-        if (std::holds_alternative<StepPlan>(bench.experiment.plan))
-            bench.experiment.plan = bench.steps;
         BoundsWatch bounds(agreementTo(bench.experiment, runs ? 1500.0 : 0.0).caps,
             heard ? Duration(45ms) : Duration(700ms));
         bench.eachTurn = [&] {
