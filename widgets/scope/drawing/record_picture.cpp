@@ -54,10 +54,11 @@ void RecordPicture::update(const Look &look, std::vector<Record> records, const 
 
 void RecordPicture::drawOn(QImage &image, std::span<const QRgb> colors) const
 {
+    const int width = m_picture.width(); // asked for each pixel it is a call, and a tenth of this
     for (int y = 0; y < m_picture.height(); ++y) {
         const auto *from = reinterpret_cast<const QRgb *>(m_picture.constScanLine(y));
         auto *to = reinterpret_cast<QRgb *>(image.scanLine(y));
-        for (int x = 0; x < m_picture.width(); ++x) {
+        for (int x = 0; x < width; ++x) {
             const QRgb place = from[x] - m_first; // of what is no longer wanted: beyond all colours
             to[x] = place < colors.size() ? colors[place] : 0U;
         }
