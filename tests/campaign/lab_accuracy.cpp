@@ -1,6 +1,7 @@
 // How right the lab is: experiments on virtual time with motors whose truth is known, as a table. The presets, and the motors
 // of tests/data/invented, which nothing was tuned with; with several seeds, without a load and with two brakes. What did not
 // come to a result is told with its reason. `rotorscope-lab-accuracy 20 pm24` takes twenty seeds of one motor.
+#include "campaign/lab_gains.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "session/files/motor_file.h"
@@ -188,5 +189,16 @@ int main(int count, char **words)
         "\n| motor | results | Rs | Ld | Lq | flux | else |\n|---|---|---|---|---|---|---|\n");
     for (const Motor &motor : all)
         electrics(motor, seeds);
+    std::printf(
+        "\nMedium gains: Ms that was measured, overshoot in %% as predicted and as measured.\n\n"
+        "| motor | load | gains as they were | four times | a quarter | else "
+        "|\n|---|---|---|---|---|---|\n");
+    int kept = 0, cases = 0;
+    for (const Motor &motor : all)
+        if (simulation::findPreset(motor.name) != nullptr) {
+            kept += campaign::gainsOf(motor.name, motor.plant, seeds);
+            cases += 12 * int(seeds);
+        }
+    std::printf("\n%d of %d as promised.\n", kept, cases);
     return 0;
 }

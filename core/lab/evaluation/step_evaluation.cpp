@@ -187,6 +187,59 @@ void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nan
 
 namespace {
 
+/// The values of parabolas through as many neighbours, without the ends. Source: A. Savitzky, M. Golay, Anal. Chem. 36 (1964) 1627.
+std::vector<double> smoothed(const std::vector<double> &values, std::size_t half)
+{
+    const double m = double(half), all = (2 * m - 1) * (2 * m + 1) * (2 * m + 3);
+    std::vector<double> smooth;
+    for (std::size_t i = half; i + half < values.size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k <= 2 * half; ++k) {
+            const double off = double(k) - m;
+            sum += 3.0 * (3 * m * m + 3 * m - 1 - 5 * off * off) / all * values[i + k - half];
+        }
+        smooth.push_back(sum);
+    }
+    return smooth;
+}
+
+/// Overshoot of a speed with noise, whose peak is the noise's, too: smoothed over a part of its rise, less what noise like that
+/// of its end adds to such a peak on average (the bootstrap's estimate of a bias: B. Efron, Ann. Statist. 7 (1979) 1).
+std::optional<double> overshootOf(
+    const capture::Channel &speed, const StepRun &run, Nanos until, const scope::StepResponse &step)
+{
+    constexpr double kShareOfRise = 0.35, kTail = 0.2;
+    const scope::SampleRange range(speed, run.at, until);
+    std::vector<double> values;
+    range.visit([&](double, double value, bool) {
+        values.push_back((value - step.initial()) / (step.final() - step.initial()) - 1.0);
+    });
+    if (values.size() < 3 || range.gapInside())
+        return std::nullopt;
+    const double step_s = range.secondsOf(range.begin() + 1) - range.secondsOf(range.begin());
+    const auto half = static_cast<std::size_t>(kShareOfRise * *run.rise_s / step_s);
+    const auto tail = static_cast<std::size_t>(kTail * double(values.size()));
+    if (half < 2 || tail < half || values.size() < 4 * half)
+        return std::nullopt;
+    const std::vector<double> smooth = smoothed(values, half);
+    const auto peak = std::max_element(smooth.begin(), smooth.end());
+    if (*peak <= 0.0)
+        return 0.0;
+    const auto from =
+        peak - std::min<std::ptrdiff_t>(peak - smooth.begin(), std::ptrdiff_t(2 * half));
+    const auto to = std::min(peak + std::ptrdiff_t(2 * half), smooth.end());
+    const auto noise = smooth.end() - std::ptrdiff_t(tail - half);
+    double bias = 0.0;
+    int shifts = 0;
+    for (auto at = noise; smooth.end() - at >= to - from; at += std::ptrdiff_t(half), ++shifts) {
+        double most = 0.0;
+        for (auto one = from; one != to; ++one)
+            most = std::max(most, *one + *(at + (one - from)));
+        bias += most - *peak;
+    }
+    return shifts == 0 ? *peak * 100.0 : std::max(0.0, *peak - bias / shifts) * 100.0;
+}
+
 void measureByAngle(
     StepRun &run, const capture::Channel &angle, double polePairs, double window_s, Nanos until)
 {
@@ -197,6 +250,14 @@ void measureByAngle(
         run.unusable = scope::WhyNot::GapInside;
     else
         measureStep(run, *turned.channel(ids.front().id), run.at - kBefore, until);
+    if (!run.rise_s)
+        return;
+    const capture::Channel &speed = *turned.channel(ids.front().id);
+    scope::StepSettings settings;
+    settings.at = run.at;
+    if (const auto overshoot = overshootOf(
+            speed, run, until, scope::StepResponse({speed, run.at - kBefore, until}, settings)))
+        run.overshoot_pct = overshoot;
 }
 
 } // namespace
@@ -218,10 +279,15 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
         measureStep(run, *channels.speed, run.at - kBefore, asked.until);
         return run;
     }
-    measureByAngle(run, *channels.angle, facts.polePairs, kSpeedWindow_s, asked.until);
-    if (run.rise_s && *run.rise_s < kWindowsPerRise * kSpeedWindow_s)
+    // Between the edges of Hall sensors the angle runs on by a speed that was, and jumps at each: all of a turn's are taken.
+    const double slower_rpm = std::max(1.0, std::min(std::abs(asked.from), std::abs(asked.to)));
+    const bool hall = channels.angle->info().name.starts_with("HALL");
+    const double least_s = hall ? kMinute_s / (slower_rpm * facts.polePairs) : kLeastWindow_s;
+    measureByAngle(
+        run, *channels.angle, facts.polePairs, std::max(kSpeedWindow_s, least_s), asked.until);
+    if (run.rise_s && *run.rise_s < kWindowsPerRise * kSpeedWindow_s && least_s < kSpeedWindow_s)
         measureByAngle(run, *channels.angle, facts.polePairs,
-            std::max(kLeastWindow_s, *run.rise_s / kWindowsPerRise), asked.until);
+            std::max(least_s, *run.rise_s / kWindowsPerRise), asked.until);
     return run;
 }
 

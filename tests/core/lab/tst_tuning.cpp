@@ -1,50 +1,18 @@
 // Gains from the measured response of simulated motors: that their loops keep the distance that was promised, and step as
 // predicted, whatever gains the board began with.
-#include "lab/evaluation/tuning.h"
+#include "core/lab/gain_acts.h"
 #include "simulation/plant/presets.h"
-#include "support/lab_bench.h"
 
 using namespace lab;
 using namespace std::chrono_literals;
+using support::digitsOf;
+using support::Gains;
+using support::gainsOf;
 using support::LabBench;
+using support::respond;
+using support::write;
 
 namespace {
-
-struct Gains {
-    int proportional = 0, integral = 0; ///< digits
-};
-
-Gains gainsOf(LabBench &bench)
-{
-    const Registers &registers = bench.experiment.subject.registers;
-    return {int(bench.number(registers.gain)), int(bench.number(registers.integral))};
-}
-
-bool write(LabBench &bench, const Gains &gains)
-{
-    const Registers &registers = bench.experiment.subject.registers;
-    return bench.pair.runUntilEnded(
-        bench.pair.submit(drive::Write{{{registers.gain, std::int64_t{gains.proportional}},
-                                           {registers.integral, std::int64_t{gains.integral}}},
-            drive::Reach::Parameters}));
-}
-
-GainDigits digitsOf(LabBench &bench)
-{
-    const Subject &subject = bench.experiment.subject;
-    const Registers &registers = subject.registers;
-    return {jumpPerRpm(subject, 1.0, bench.number(registers.gainExponent)),
-        jumpPerRpm(subject, 1.0, bench.number(registers.integralExponent))};
-}
-
-Result<SpeedResponse, std::string> respond(LabBench &bench)
-{
-    bench.experiment.plan = responsePlanFor(bench.experiment.subject, {});
-    const Outcome outcome = bench.run();
-    if (outcome.end != End::Complete)
-        return fail(outcome.reason);
-    return evaluateResponse(bench.capture, bench.happenings);
-}
 
 simulation::BoardOptions boardOf(const QString &motor)
 {
@@ -100,6 +68,51 @@ private Q_SLOTS:
             qPrintable(QString::number(proof->phaseMargin_deg->value)));
         QVERIFY2(std::abs(proof->crossover_hz->value / medium->crossover_hz - 1.0) < 0.1,
             qPrintable(QString::number(proof->crossover_hz->value)));
+    }
+
+    void theOvershootOfASmallStepIsTheRotors_data()
+    {
+        QTest::addColumn<QString>("motor");
+        for (const char *motor : {"servo24", "blower36", "pm24"}) // an encoder, Hall sensors, none
+            QTest::newRow(motor) << QString::fromLatin1(motor);
+    }
+    /// Twenty digits of the speed, in which noise is as large as the overshoot.
+    void theOvershootOfASmallStepIsTheRotors()
+    {
+        QFETCH(const QString, motor);
+        LabBench bench(boardOf(motor));
+        const ResponsePlan around = responsePlanFor(bench.experiment.subject, {});
+        bench.steps = {.fromRpm = around.rpm - around.amplitudeRpm,
+            .toRpm = around.rpm + around.amplitudeRpm,
+            .repeat = 5};
+        bench.experiment.plan = bench.steps;
+        const Gains told = gainsOf(bench);
+        QVERIFY(write(bench, {told.proportional / 2, told.integral})); // livelier than the board's
+        std::vector<double> peaks; // of the rotor itself, above each step up
+        bool wasUp = false;
+        bench.eachTurn = [&] {
+            const simulation::MotorTruth truth = bench.pair.board->truth(1);
+            const bool up = std::abs(truth.referenceRpm - bench.steps.toRpm) < 10.0;
+            if (up && !wasUp)
+                peaks.push_back(0.0);
+            if (up)
+                peaks.back() = std::max(peaks.back(), truth.rpm - bench.steps.toRpm);
+            wasUp = up;
+        };
+        const Outcome outcome = bench.run();
+        QVERIFY2(outcome.end == End::Complete, outcome.reason.c_str());
+        const auto series = bench.series();
+        QVERIFY(series && series->runs.size() == 10 && peaks.size() == 5);
+        double told_pct = 0.0, rotor_pct = 0.0;
+        for (const StepRun &run : series->runs)
+            if (run.up) {
+                QVERIFY(run.overshoot_pct);
+                told_pct += *run.overshoot_pct / 5.0;
+            }
+        for (const double peak : peaks)
+            rotor_pct += peak / (2.0 * around.amplitudeRpm) * 100.0 / 5.0;
+        QVERIFY2(rotor_pct > 10.0 && std::abs(told_pct - rotor_pct) < 5.0,
+            qPrintable(QStringLiteral("%1 %, the rotor %2 %").arg(told_pct).arg(rotor_pct)));
     }
 
     void aLoopKeepsItsPromiseOrIsTooLivelyOrTooSlow()
