@@ -35,7 +35,8 @@ SESSIONS = {"tst_mcb_sessions": "everythingEndsOnceWhateverHappens",
             "tst_mcp_drive_faults": "underRandomFaultsEachWishEndsOnceAndTheLinkComesBack",
             "tst_legacy_drive_faults": "everyWishEndsOnceAndNoValueGoesAstray",
             "tst_liars": "noLieMisleadsTheDrive",
-            "tst_experiment_faults": "whateverHappensNothingIsLeftWithoutASentence"}
+            "tst_experiment_faults": "whateverHappensNothingIsLeftWithoutASentence",
+            "tst_session_experiment_faults": "whateverIsPulledItEndsOnceAndNothingIsLeftUnsaid"}
 PLAYED = "sessions with faults"
 # The tests that have another long form, and its functions where not all of them; each is a row.
 LONG = {"tst_mcp_drive_faults": ["oneFaultAtAnyByteIsOvercome", "aStopGetsThroughABadLine"],

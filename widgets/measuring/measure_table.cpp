@@ -135,18 +135,15 @@ void MeasureTable::measure(double from, double to)
 
 void MeasureTable::measureLong(MeasureJob job, std::uint64_t cost)
 {
-    constexpr int kRest = 2; // times as long as it took
     Asked asked{job.from, job.to, job.trigger, cost, {}};
     for (const MeasureJob::Piece &piece : job.pieces)
         asked.rows.emplace_back(piece.row, piece.channel ? piece.channel->info().id : 0);
-    const bool rests = m_took.isValid() && m_took.elapsed() < m_rest_ms;
-    if (asked == m_answered || rests || std::exchange(m_busy, true))
+    if (asked == m_answered || !m_rest.over())
         return;
-    m_took.start();
+    m_rest.begin();
     const auto newest = [this, number = ++m_asked] { return m_asked == number; };
     inThread(std::move(job), newest, [this, newest, asked](const Results &results) {
-        m_busy = false;
-        m_rest_ms = kRest * m_took.restart();
+        m_rest.end();
         if (!newest())
             return;
         m_answered = asked;

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "scope/statistics.h"
+#include "widgets/measuring/job_rest.h"
 #include "widgets/measuring/measure_job.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/scope/drawing/marks.h"
 
 #include <QAbstractTableModel>
-#include <QElapsedTimer>
 #include <QThreadPool>
 
 #include <atomic>
@@ -107,10 +107,8 @@ private:
     std::uint64_t m_lastId = 0;
     std::atomic<int> m_asked = 0; ///< times that a picture was: an older answer is of no use
     std::atomic<int> m_cleared = 0; ///< times that the statistics were
-    bool m_busy = false; ///< with a picture
     Asked m_answered;
-    QElapsedTimer m_took; ///< since a long one was begun, then since it ended
-    qint64 m_rest_ms = 0; ///< after it: a running picture is not to take a whole core
+    JobRest m_rest; ///< of long pictures
     std::atomic<bool> m_leaving = false;
     QThreadPool m_pool; // last: its jobs end before anything that they tell
 };

@@ -238,7 +238,7 @@ SpectrumWanted SpectrumPanel::wanted() const
 /// One job at a time; what changed meanwhile is seen at the next heartbeat.
 void SpectrumPanel::compute()
 {
-    if (m_busy || !isVisible())
+    if (!m_rest.over() || !isVisible())
         return;
     const SpectrumWanted next = wanted();
     if (next == m_answered || waits(next))
@@ -251,7 +251,7 @@ void SpectrumPanel::compute()
                                                          : tr("Choose a trace."));
         return;
     }
-    m_busy = true;
+    m_rest.begin();
     const capture::Snapshot copy = m_capture.snapshot({&next.channel, 1});
     auto before = m_answer.mean;
     if (!before || beginsAnew(next))
@@ -301,7 +301,7 @@ bool SpectrumPanel::beginsAnew(const SpectrumWanted &stretch) const
 
 void SpectrumPanel::take(const SpectrumAnswer &answer, int begun)
 {
-    m_busy = false;
+    m_rest.end();
     if (begun != m_begun) {
         compute();
         return;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
+#include "widgets/measuring/job_rest.h"
 #include "widgets/measuring/ready_formulas.h"
 #include "widgets/measuring/spectrum_job.h"
 
@@ -35,12 +36,12 @@ public:
     void choose(capture::ChannelId channel); ///< of the traces that are shown
     void focusFirst() override;
 
-    bool busy() const { return m_busy; } ///< a spectrum is being computed
+    bool busy() const { return m_rest.busy(); } ///< a spectrum is being computed
     /// What is shown is what is chosen, or what is averaged waits for samples that it has not seen.
     bool settled() const
     {
         const SpectrumWanted next = wanted();
-        return !m_busy && (m_answered == next || waits(next));
+        return !m_rest.busy() && (m_answered == next || waits(next));
     }
 
 Q_SIGNALS:
@@ -83,7 +84,7 @@ private:
     std::optional<SpectrumWanted> m_answered; ///< it is of this
     std::vector<SpectrumWanted> m_averaged; ///< all of its mean: samples count once
     int m_begun = 0; ///< how often averaging began anew; an answer of before is none
-    bool m_busy = false;
+    JobRest m_rest;
     QThreadPool m_pool; // last: its job ends before anything that it tells
 };
 

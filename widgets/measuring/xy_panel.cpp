@@ -26,7 +26,6 @@ namespace widgets {
 
 namespace {
 constexpr int kXySideWidth = 250;
-constexpr qint64 kLeastMs = 50; ///< between two pictures
 constexpr double kNewest = 0.1; ///< seconds
 constexpr std::size_t kPointsAPixel = 8; ///< of the plot's width and height: some turns of a circle
 enum class XyRange { Picture, NewestStretch, BetweenCursors };
@@ -298,7 +297,7 @@ void XyPanel::focusFirst()
 /// One job at a time; what changed meanwhile is seen when the scope draws again, or at the next heartbeat.
 void XyPanel::compute()
 {
-    if (m_busy || !isVisible() || (m_since.isValid() && m_since.elapsed() < kLeastMs))
+    if (!m_rest.over() || !isVisible())
         return;
     const XyWanted next = wanted();
     if (next == m_answered) {
@@ -313,8 +312,7 @@ void XyPanel::compute()
         m_plot->showNothing(missingText());
         return;
     }
-    m_busy = true;
-    m_since.start();
+    m_rest.begin();
     const std::array ids{next.x, next.y};
     const capture::Snapshot copy = m_capture.snapshot(ids);
     m_pool.start([this, copy, next] {
@@ -326,7 +324,7 @@ void XyPanel::compute()
 
 void XyPanel::take(const XyAnswer &answer)
 {
-    m_busy = false;
+    m_rest.end();
     m_answered = answer.wanted;
     m_answer = answer;
     showAnswer();

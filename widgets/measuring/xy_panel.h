@@ -3,11 +3,11 @@
 #pragma once
 
 #include "widgets/base/form.h"
+#include "widgets/measuring/job_rest.h"
 #include "widgets/measuring/ready_formulas.h"
 #include "widgets/measuring/xy_job.h"
 #include "widgets/measuring/xy_plot.h"
 
-#include <QElapsedTimer>
 #include <QThreadPool>
 
 #include <optional>
@@ -48,7 +48,7 @@ public:
     void focusFirst() override;
 
     /// What is shown is what is chosen.
-    bool settled() const { return !m_busy && m_answered == wanted(); }
+    bool settled() const { return !m_rest.busy() && m_answered == wanted(); }
 
 private:
     /// The channels of a kind, if they are recorded.
@@ -90,8 +90,7 @@ private:
     QFormLayout *m_form = nullptr;
     std::optional<XyWanted> m_answered;
     XyAnswer m_answer;
-    QElapsedTimer m_since; ///< the last job began
-    bool m_busy = false;
+    JobRest m_rest{50}; ///< ms between two pictures
     QThreadPool m_pool; // last: its job ends before anything that it tells
 };
 
