@@ -1441,6 +1441,10 @@
         <source>the motor was started all the same</source>
         <translation>der Motor wurde trotzdem gestartet</translation>
     </message>
+    <message>
+        <source>the motor may be in torque control now, it was in speed control</source>
+        <translation>der Motor ist jetzt vielleicht in Drehmomentregelung, er war in Drehzahlregelung</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

@@ -1441,6 +1441,10 @@
         <source>the motor was started all the same</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the motor may be in torque control now, it was in speed control</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

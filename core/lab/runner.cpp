@@ -170,7 +170,7 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
     if (m_asked_rpm && mayHaveHappened)
         m_target_rpm = *m_asked_rpm;
-    if (m_asked_rpm && m_answered)
+    if (m_answered && std::holds_alternative<drive::SpeedRamp>(m_asked))
         m_byTorque = false;
     m_asked_rpm.reset();
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
@@ -601,7 +601,8 @@ void Runner::finish()
                 + m_experiment.subject.nameOf(old.id) + " may hold what the experiment wrote";
     if (m_byTorque)
         m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
-            + "the motor is in torque control now, it was in speed control";
+            + (m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
+                              : "the motor is in torque control now, it was in speed control");
     m_outcome = m_soFar;
 }
 

@@ -127,7 +127,7 @@ private:
     int m_tries = 0; ///< of it, that were too late
     std::optional<int> m_asked_rpm; ///< on its way
     bool m_stands = false; ///< the start was refused
-    bool m_byTorque = false; ///< a torque was asked for last
+    bool m_byTorque = false; ///< a torque was asked for, and no speed was taken since
     drive::CurrentReference m_currents; ///< that were asked for last
     bool m_ran = false; ///< the motor did
     Outcome m_soFar;

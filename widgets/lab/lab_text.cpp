@@ -69,6 +69,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 may hold what the experiment wrote"),
     QT_TRANSLATE_NOOP("Lab", "the motor is in torque control now, it was in speed control"),
+    QT_TRANSLATE_NOOP("Lab", "the motor may be in torque control now, it was in speed control"),
     QT_TRANSLATE_NOOP("Lab", "the motor was started all the same"),
     QT_TRANSLATE_NOOP("Lab", "what comes next is not agreed to any more"),
     QT_TRANSLATE_NOOP("Lab", "the way to the first speed takes 1 ms to 10 s"),

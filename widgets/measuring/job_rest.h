@@ -17,7 +17,11 @@ public:
     }
 
     bool busy() const { return m_busy; }
-    bool over() const { return !m_busy && (!m_clock.isValid() || m_clock.elapsed() >= m_rest_ms); }
+    /// @param runs  the picture does; of one that stands another is wanted only because somebody chose it
+    bool over(bool runs) const
+    {
+        return !m_busy && (!runs || !m_clock.isValid() || m_clock.elapsed() >= m_rest_ms);
+    }
     void begin()
     {
         m_busy = true;
@@ -26,9 +30,10 @@ public:
     void end()
     {
         constexpr int kTimes = 2;
+        constexpr qint64 kMost_ms = 2000; // somebody may have chosen another meanwhile
         m_busy = false;
         const qint64 took_ms = m_clock.restart();
-        m_rest_ms = std::max(kTimes * took_ms, m_least_ms - took_ms);
+        m_rest_ms = std::max(std::min(kTimes * took_ms, kMost_ms), m_least_ms - took_ms);
     }
 
 private:

@@ -138,7 +138,7 @@ void MeasureTable::measureLong(MeasureJob job, std::uint64_t cost)
     Asked asked{job.from, job.to, job.trigger, cost, {}};
     for (const MeasureJob::Piece &piece : job.pieces)
         asked.rows.emplace_back(piece.row, piece.channel ? piece.channel->info().id : 0);
-    if (asked == m_answered || !m_rest.over())
+    if (asked == m_answered || !m_rest.over(m_scope.running()))
         return;
     m_rest.begin();
     const auto newest = [this, number = ++m_asked] { return m_asked == number; };

@@ -238,7 +238,7 @@ SpectrumWanted SpectrumPanel::wanted() const
 /// One job at a time; what changed meanwhile is seen at the next heartbeat.
 void SpectrumPanel::compute()
 {
-    if (!m_rest.over() || !isVisible())
+    if (!m_rest.over(m_scope.running()) || !isVisible())
         return;
     const SpectrumWanted next = wanted();
     if (next == m_answered || waits(next))

@@ -297,7 +297,7 @@ void XyPanel::focusFirst()
 /// One job at a time; what changed meanwhile is seen when the scope draws again, or at the next heartbeat.
 void XyPanel::compute()
 {
-    if (!m_rest.over() || !isVisible())
+    if (!m_rest.over(m_scope.running()) || !isVisible())
         return;
     const XyWanted next = wanted();
     if (next == m_answered) {

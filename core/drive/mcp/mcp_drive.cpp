@@ -120,8 +120,9 @@ Duration McpDrive::gathersFor() const
     constexpr double kMostBytes = 3000.0;
     if (!m_stream.wanted() || !atRest())
         return {};
-    const double line = std::max(m_board.streaming.linkBytesPerSecond, kMostBytes);
-    return std::min(linkIsFree() ? kSamples : kAnswer, fromSeconds(kMostBytes / line));
+    const double line = m_board.streaming.linkBytesPerSecond;
+    return line > 0.0 ? std::min(linkIsFree() ? kSamples : kAnswer, fromSeconds(kMostBytes / line))
+                      : Duration::zero();
 }
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace lab {
@@ -191,15 +192,13 @@ namespace {
 std::vector<double> smoothed(const std::vector<double> &values, std::size_t half)
 {
     const double m = double(half), all = (2 * m - 1) * (2 * m + 1) * (2 * m + 3);
+    std::vector<double> weights;
+    for (double off = -m; off <= m; off += 1.0)
+        weights.push_back(3.0 * (3 * m * m + 3 * m - 1 - 5 * off * off) / all);
     std::vector<double> smooth;
-    for (std::size_t i = half; i + half < values.size(); ++i) {
-        double sum = 0.0;
-        for (std::size_t k = 0; k <= 2 * half; ++k) {
-            const double off = double(k) - m;
-            sum += 3.0 * (3 * m * m + 3 * m - 1 - 5 * off * off) / all * values[i + k - half];
-        }
-        smooth.push_back(sum);
-    }
+    for (std::size_t i = half; i + half < values.size(); ++i)
+        smooth.push_back(std::inner_product(
+            weights.begin(), weights.end(), values.begin() + std::ptrdiff_t(i - half), 0.0));
     return smooth;
 }
 
@@ -209,29 +208,36 @@ std::optional<double> overshootOf(
     const capture::Channel &speed, const StepRun &run, Nanos until, const scope::StepResponse &step)
 {
     constexpr double kShareOfRise = 0.35, kTail = 0.2;
+    constexpr std::size_t kMostHalf =
+        32; // samples: more of them smooth no better, and cost their square
     const scope::SampleRange range(speed, run.at, until);
-    std::vector<double> values;
-    range.visit([&](double, double value, bool) {
-        values.push_back((value - step.initial()) / (step.final() - step.initial()) - 1.0);
-    });
-    if (values.size() < 3 || range.gapInside())
+    if (range.end() < range.begin() + 3 || range.gapInside())
         return std::nullopt;
-    const double step_s = range.secondsOf(range.begin() + 1) - range.secondsOf(range.begin());
-    const auto half = static_cast<std::size_t>(kShareOfRise * *run.rise_s / step_s);
+    const double sample_s = range.secondsOf(range.begin() + 1) - range.secondsOf(range.begin());
+    const auto whole = static_cast<std::size_t>(kShareOfRise * *run.rise_s / sample_s);
+    const std::size_t every = whole / kMostHalf + 1, half = whole / every;
+    std::vector<double> values;
+    std::size_t count = 0;
+    range.visit([&](double, double value, bool) {
+        if (count++ % every == 0)
+            values.push_back((value - step.initial()) / (step.final() - step.initial()) - 1.0);
+    });
     const auto tail = static_cast<std::size_t>(kTail * double(values.size()));
-    if (half < 2 || tail < half || values.size() < 4 * half)
+    if (half < 2 || values.size() < 4 * half)
         return std::nullopt;
     const std::vector<double> smooth = smoothed(values, half);
     const auto peak = std::max_element(smooth.begin(), smooth.end());
     if (*peak <= 0.0)
         return 0.0;
-    const auto from =
-        peak - std::min<std::ptrdiff_t>(peak - smooth.begin(), std::ptrdiff_t(2 * half));
-    const auto to = std::min(peak + std::ptrdiff_t(2 * half), smooth.end());
-    const auto noise = smooth.end() - std::ptrdiff_t(tail - half);
+    // What is behind the last value that neighbours reach is no part of the tail.
+    const std::size_t quiet = tail > half ? tail - half : 0;
+    const auto reach = std::ptrdiff_t(std::min(2 * half, quiet / 2));
+    const auto from = peak - std::min(peak - smooth.begin(), reach);
+    const auto to = peak + std::min(smooth.end() - peak, reach);
+    const auto noise = smooth.end() - std::ptrdiff_t(quiet);
     double bias = 0.0;
     int shifts = 0;
-    for (auto at = noise; smooth.end() - at >= to - from; at += std::ptrdiff_t(half), ++shifts) {
+    for (auto at = noise; reach > 0 && smooth.end() - at >= to - from; ++at, ++shifts) {
         double most = 0.0;
         for (auto one = from; one != to; ++one)
             most = std::max(most, *one + *(at + (one - from)));
@@ -246,13 +252,16 @@ void measureByAngle(
     run.speedWindow_s = window_s;
     const capture::Capture turned = speedOf(angle, polePairs, window_s, run.at - kBefore, until);
     const auto ids = turned.channels();
-    if (ids.empty())
+    run.rise_s.reset();
+    run.overshoot_pct.reset();
+    if (ids.empty()) {
         run.unusable = scope::WhyNot::GapInside;
-    else
-        measureStep(run, *turned.channel(ids.front().id), run.at - kBefore, until);
+        return;
+    }
+    const capture::Channel &speed = *turned.channel(ids.front().id);
+    measureStep(run, speed, run.at - kBefore, until);
     if (!run.rise_s)
         return;
-    const capture::Channel &speed = *turned.channel(ids.front().id);
     scope::StepSettings settings;
     settings.at = run.at;
     if (const auto overshoot = overshootOf(
@@ -279,10 +288,13 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
         measureStep(run, *channels.speed, run.at - kBefore, asked.until);
         return run;
     }
-    // Between the edges of Hall sensors the angle runs on by a speed that was, and jumps at each: all of a turn's are taken.
-    const double slower_rpm = std::max(1.0, std::min(std::abs(asked.from), std::abs(asked.to)));
-    const bool hall = channels.angle->info().name.starts_with("HALL");
-    const double least_s = hall ? kMinute_s / (slower_rpm * facts.polePairs) : kLeastWindow_s;
+    // Between two edges of Hall sensors the angle runs on by a speed that was, and it jumps at each: a whole electrical turn has
+    // all of them alike. Of a slow motor that would be longer than what is measured.
+    constexpr double kLongestTurn_s = 20e-3;
+    const double turn_s = kMinute_s
+        / (std::max(1.0, std::min(std::abs(asked.from), std::abs(asked.to))) * facts.polePairs);
+    const bool hall = channels.angle->info().name.starts_with("HALL") && turn_s <= kLongestTurn_s;
+    const double least_s = std::max(kLeastWindow_s, hall ? turn_s : 0.0);
     measureByAngle(
         run, *channels.angle, facts.polePairs, std::max(kSpeedWindow_s, least_s), asked.until);
     if (run.rise_s && *run.rise_s < kWindowsPerRise * kSpeedWindow_s && least_s < kSpeedWindow_s)

@@ -2,9 +2,9 @@
 //
 // The instant of a step is in the data: when the set-point jumps, the speed loop's proportional part makes the reference of
 // Iq jump by gain times step at its next turn. Found, it is known to a sample; clocks of board and computer play no part.
-// The speed is taken from the electrical angle where that was recorded, as the difference over 2 to 5 ms, the
-// shorter the faster the step: the speed signals of boards count in steps of 6 rpm and are averaged already.
-// Definitions of rise, overshoot and settling: scope/step_response.h.
+// The speed is taken from the electrical angle where that was recorded, as the difference over 2 to 5 ms, the shorter the faster
+// the step, by Hall sensors over an electrical turn: the speed signals of boards count in steps of 6 rpm and are averaged already.
+// Definitions of rise and settling: scope/step_response.h; of overshoot, too, but of a speed by the angle without its noise.
 #pragma once
 
 #include "capture/capture.h"

@@ -289,12 +289,13 @@ std::string whatIsWrong(const Scenario &scenario)
     const bool says = outcome.reason.find("set-point") != std::string::npos
         || outcome.end == End::Aborted || outcome.end == End::Interrupted
         || outcome.end == End::Lost;
+    using simulation::Lie;
     const bool byTheBoard = scenario.has(Trouble::Load) || scenario.has(Trouble::Fault)
         || scenario.has(Trouble::Reset)
         || (scenario.lie != nullptr
-            && (scenario.lie->acts == simulation::LieActs::OnDrive
-                || scenario.lie->lie == simulation::Lie::Resets
-                || scenario.lie->lie == simulation::Lie::ResetsInAnswer));
+            && std::set{Lie::FaultInStart, Lie::FaultInRun, Lie::FaultStays, Lie::FaultFlickers,
+                Lie::NeverStops, Lie::OkButIdle, Lie::Resets, Lie::ResetsInAnswer}
+                   .contains(scenario.lie->lie));
     if (!same && !says && !byTheBoard)
         return "the judge: MS32: the motor is not as it was, and nothing says so";
     if (!scenario.broken.empty())
