@@ -208,8 +208,8 @@ std::optional<double> overshootOf(
     const capture::Channel &speed, const StepRun &run, Nanos until, const scope::StepResponse &step)
 {
     constexpr double kShareOfRise = 0.35, kTail = 0.2;
-    constexpr std::size_t kMostHalf =
-        32; // samples: more of them smooth no better, and cost their square
+    // Samples; the speed is a mean over a window already, so that more of them smooth hardly better, and they cost their square.
+    constexpr std::size_t kMostHalf = 32;
     const scope::SampleRange range(speed, run.at, until);
     if (range.end() < range.begin() + 3 || range.gapInside())
         return std::nullopt;

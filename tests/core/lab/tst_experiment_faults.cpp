@@ -124,7 +124,6 @@ struct Scenario {
         options.seed = seed;
         if (lie != nullptr)
             options.lies = {{lie->lie}};
-
         return options;
     }
 

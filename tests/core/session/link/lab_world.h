@@ -8,13 +8,6 @@
 
 namespace support {
 
-inline simulation::BoardOptions servo()
-{
-    simulation::BoardOptions options;
-    options.motor = "servo24";
-    return options;
-}
-
 struct LabWorld {
     TimePoint now{1000s};
     support::JudgedWorld line;
@@ -25,6 +18,12 @@ struct LabWorld {
     std::vector<std::pair<TimePoint, capture::StreamLayout>> layouts;
     std::optional<drive::MotorStatus> status;
 
+    static simulation::BoardOptions servo()
+    {
+        simulation::BoardOptions options;
+        options.motor = "servo24";
+        return options;
+    }
     explicit LabWorld(simulation::BoardOptions options = servo())
         : line(std::move(options), drive::Protocol::Mcp, [this] { return now; })
         , session(line.parts())
