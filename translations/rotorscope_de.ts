@@ -1445,6 +1445,10 @@
         <source>the motor may be in torque control now, it was in speed control</source>
         <translation>der Motor ist jetzt vielleicht in Drehmomentregelung, er war in Drehzahlregelung</translation>
     </message>
+    <message>
+        <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its torque was counted by that</source>
+        <translation>das Board hält seinen Rotor für %1 elektrische Grad neben dem, wo er ist, wie nach einem Ausrichten gegen Reibung: sein Drehmoment wurde danach gezählt</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

@@ -1445,6 +1445,10 @@
         <source>the motor may be in torque control now, it was in speed control</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its torque was counted by that</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

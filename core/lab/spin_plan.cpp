@@ -190,7 +190,10 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         conditions.zeroBefore = {registers.referenceD};
         return conditions;
     }
-    for (const drive::RegisterId id : {registers.voltage, registers.currentD})
+    // Only an encoder can have been aligned aside, which that voltage tells; others are better served by a higher rate.
+    const bool aligned = subject.nameOf(registers.angle).starts_with("ENCODER");
+    for (const drive::RegisterId id :
+        {registers.voltage, aligned ? registers.voltageD : 0, registers.currentD})
         if (id != 0)
             conditions.recorded.push_back(id);
     return conditions;

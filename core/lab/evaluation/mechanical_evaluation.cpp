@@ -155,20 +155,37 @@ Mechanics mechanicsOf(const RecordedSpin &spin, const Fits &fits)
     return found;
 }
 
+std::array<Estimate *, 4> numbersOf(Mechanics &of)
+{
+    return {&of.inertia_kgm2, &of.viscous_nms, &of.dry_nm, &of.fan_nms2};
+}
+
+/// The torques were counted with it already.
+void take(Mechanics &found, const Aside &aside)
+{
+    for (Estimate *one : numbersOf(found))
+        grow(*one, aside.unsure * one->value);
+    constexpr double kNoticed_deg = 8.0; // 1 % of the torque
+    const double angle_deg = std::abs(std::asin(aside.sine)) * 180.0 / std::numbers::pi;
+    if (angle_deg > kNoticed_deg)
+        found.notes.push_back("the board takes its rotor for " + textOf(angle_deg, 2)
+            + " electrical degrees beside where it is, as after an alignment against friction: its "
+              "torque was counted by that");
+}
+
 /// All torques are counted with the flux that the board tells. Where its voltages say clearly otherwise they are right.
 void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 {
     const double ratio = measured_wb.value / told_wb;
     const double unsure = (*measured_wb.high - *measured_wb.low) / 2.0 / told_wb;
-    const std::array all{&found.inertia_kgm2, &found.viscous_nms, &found.dry_nm, &found.fan_nms2};
     if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure) {
         // Nobody knows which of them is right, and voltages have a scale of their own.
         constexpr double kBoth = 2.0;
-        for (Estimate *one : all)
+        for (Estimate *one : numbersOf(found))
             grow(*one, kBoth * (ratio - 1.0) * one->value);
         return;
     }
-    for (Estimate *one : all) {
+    for (Estimate *one : numbersOf(found)) {
         one->value *= ratio;
         one->low = *one->low * ratio;
         one->high = *one->high * ratio;
@@ -180,6 +197,20 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
         + textOf((ratio - 1.0) * kPercent, 2)
         + " %): the voltages were believed; perhaps the angle of its rotor is off, as after an "
           "alignment against friction");
+}
+
+/// As FluxValue has them, as far as they were recorded.
+std::vector<const capture::Channel *> signalsOf(
+    const capture::Capture &capture, const RecordedSpin &plan)
+{
+    std::vector<const capture::Channel *> signals;
+    for (const std::string *name : {&plan.current, &plan.voltage, &plan.voltageD, &plan.currentD}) {
+        const capture::Channel *channel = fastChannel(capture, *name);
+        if (channel == nullptr)
+            break;
+        signals.push_back(channel);
+    }
+    return signals;
 }
 
 } // namespace
@@ -202,12 +233,19 @@ Result<Mechanics, std::string> evaluateMechanics(
         drivenSpan(plan->motor, at, happenings.end(), angle->timeOf(angle->end() - 1));
     if (!span)
         return fail(std::string("the motor was never driven by a torque in it"));
-    const capture::Channel *voltage = fastChannel(capture, plan->voltage);
-    const std::array others{current, voltage == nullptr ? current : voltage};
-    const std::vector<Segment> all = segmentsOf(*angle, others, span->from, span->to);
+    const std::vector<Segment> all =
+        segmentsOf(*angle, signalsOf(capture, *plan), span->from, span->to);
     const double edge_s = edgeOf(*plan);
-    const std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan), edge_s);
+    std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan), edge_s);
     const double stood_s = timeOf(all) - timeOf(segments);
+    const double told_wb = plan->torquePerAmp / (1.5 * plan->polePairs);
+    const auto flux = fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
+    Aside aside;
+    // An observer follows voltages itself; Hall sensors are where they were built in, and lag more than they are off.
+    if (flux && flux->d && plan->angle.starts_with("ENCODER")) {
+        aside = asideOf(*flux->d, told_wb);
+        turnCurrents(segments, aside);
+    }
     MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s});
     for (const Segment &segment : segments)
         stretches.take(segment);
@@ -227,10 +265,9 @@ Result<Mechanics, std::string> evaluateMechanics(
     const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
     Mechanics found = mechanicsOf(*plan, {*plain, *fan, stretches.fastest, digit_nm, unsure});
     const Fit &chosen = found.fan ? *fan : *plain;
-    const auto flux = voltage == nullptr ? std::nullopt
-                                         : fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
+    take(found, aside);
     if (flux)
-        compareFlux(found, *flux, plan->torquePerAmp / (1.5 * plan->polePairs));
+        compareFlux(found, flux->q, told_wb * aside.cosine);
     double squares = 0.0;
     for (const double torque : rows.wanted)
         squares += torque * torque;

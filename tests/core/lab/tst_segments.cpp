@@ -112,8 +112,8 @@ private Q_SLOTS:
         recording.make();
         const auto flux = fitFlux(recording.segments());
         QVERIFY(flux);
-        QVERIFY2(std::abs(flux->value / recording.flux_wb - 1.0) < 2e-3,
-            qPrintable(QString::number(flux->value)));
+        QVERIFY2(std::abs(flux->q.value / recording.flux_wb - 1.0) < 2e-3,
+            qPrintable(QString::number(flux->q.value)));
     }
 
     void aSpeedThatStaysTellsNoFlux()
