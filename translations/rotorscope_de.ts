@@ -1449,6 +1449,22 @@
         <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its torque was counted by that</source>
         <translation>das Board hält seinen Rotor für %1 elektrische Grad neben dem, wo er ist, wie nach einem Ausrichten gegen Reibung: sein Drehmoment wurde danach gezählt</translation>
     </message>
+    <message>
+        <source>this board has no gains of a speed loop</source>
+        <translation>dieses Board hat keine Verstärkungen eines Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>gains are 0 to %1 digits</source>
+        <translation>Verstärkungen sind 0 bis %1 Digits</translation>
+    </message>
+    <message>
+        <source>the motor turns, and its gains are written while it rests: stop it first</source>
+        <translation>der Motor dreht, und seine Verstärkungen werden geschrieben, während er ruht: zuerst anhalten</translation>
+    </message>
+    <message>
+        <source>the motor was started meanwhile</source>
+        <translation>der Motor wurde inzwischen gestartet</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2622,6 +2638,10 @@
     <message>
         <source>Run</source>
         <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Its gains are Kp %1 and Ki %2 meanwhile.</source>
+        <translation>Seine Verstärkungen sind dabei Kp %1 und Ki %2.</translation>
     </message>
 </context>
 <context>
@@ -5043,16 +5063,20 @@
         <translation>Der Regelkreis hält, was vorhergesagt war: Ms %1, zugesagt höchstens %2.</translation>
     </message>
     <message>
-        <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
-        <translation>Schlechter als vorhergesagt: Ms %1, zugesagt höchstens %2. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
-    </message>
-    <message>
-        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. &quot;Back to the old gains&quot; brings them back.</source>
-        <translation>Langsamer als vorhergesagt: Durchtritt bei %1 Hz statt bei %2 Hz. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
-    </message>
-    <message>
         <source>Neither proved nor refuted: the loop&apos;s gain does not fall through 1 where it could be measured. &quot;Back to the old gains&quot; brings them back.</source>
         <translation>Weder bestätigt noch widerlegt: Die Verstärkung des Regelkreises fällt nicht dort durch 1, wo sie gemessen werden konnte. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
+    </message>
+    <message>
+        <source>It swings with its gains. The next response is measured with %1, and the old gains come back afterwards.</source>
+        <translation>Mit diesen Verstärkungen schwingt er. Der nächste Frequenzgang wird mit %1 gemessen; danach kommen die alten zurück.</translation>
+    </message>
+    <message>
+        <source>Worse than predicted: Ms %1, at most %2 promised. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
+        <translation>Schlechter als vorhergesagt: Ms %1, versprochen höchstens %2. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten“ holt die alten zurück.</translation>
+    </message>
+    <message>
+        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
+        <translation>Langsamer als vorhergesagt: Durchtritt %1 Hz statt %2 Hz. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten“ holt die alten zurück.</translation>
     </message>
 </context>
 <context>

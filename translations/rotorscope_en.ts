@@ -1449,6 +1449,22 @@
         <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its torque was counted by that</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>this board has no gains of a speed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gains are 0 to %1 digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor turns, and its gains are written while it rests: stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor was started meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2621,6 +2637,10 @@
     </message>
     <message>
         <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its gains are Kp %1 and Ki %2 meanwhile.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5042,15 +5062,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Worse than predicted: Ms %1, at most %2 promised. &quot;Back to the old gains&quot; brings them back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. &quot;Back to the old gains&quot; brings them back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Neither proved nor refuted: the loop&apos;s gain does not fall through 1 where it could be measured. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It swings with its gains. The next response is measured with %1, and the old gains come back afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worse than predicted: Ms %1, at most %2 promised. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

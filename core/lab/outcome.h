@@ -21,6 +21,7 @@ struct Outcome {
     /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
     std::string reason;
     TimePoint at{}; ///< when it ended; the session says it
+    bool swings = false; ///< it ended before it began: the speed did not come to rest
     bool operator==(const Outcome &) const = default;
 };
 

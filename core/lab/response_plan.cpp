@@ -18,6 +18,7 @@ constexpr const char *kResponseEntry = "response plan";
 constexpr double kMostSpeed = 0.4; ///< of the allowed speed
 constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
 constexpr double kMarginAmplitudes = 3.0; ///< amplitudes beyond both
+constexpr int kMostGain = 32767; ///< of a register of 16 bits
 
 template <class Regulator, class Field>
 void eachGain(Regulator &regulator, Field &&field)
@@ -94,12 +95,20 @@ std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
         return "it takes 4 to 40 s";
     if (plan.amplitudeRpm < 1 || 2 * plan.amplitudeRpm >= std::abs(plan.rpm))
         return "the speed may go to and fro by less than half of it";
+    if (plan.kp < 0 || plan.ki < 0 || plan.kp > kMostGain || plan.ki > kMostGain)
+        return "gains are 0 to " + std::to_string(kMostGain) + " digits";
+    if (plan.kp > 0 && (subject.registers.gain == 0 || subject.registers.integral == 0))
+        return "this board has no gains of a speed loop";
     return {};
 }
 
 Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
 {
     const Registers &registers = subject.registers;
+    std::vector<drive::RegisterWrite> lent;
+    if (plan.kp > 0)
+        lent = {
+            {registers.gain, std::int64_t{plan.kp}}, {registers.integral, std::int64_t{plan.ki}}};
     return {.firstRpm = plan.rpm,
         .approach = plan.approach,
         .leastRpm = double(plan.rpm) - plan.amplitudeRpm,
@@ -107,7 +116,8 @@ Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
         .margin_rpm = std::max(kLeastMargin_rpm, kMarginAmplitudes * plan.amplitudeRpm),
         .user = plan.caps,
         .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
-        .length = plan.length};
+        .length = plan.length,
+        .lent = lent};
 }
 
 std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject)

@@ -15,6 +15,7 @@ struct ResponsePlan {
     int current = 0; ///< 1: the current loop is what is asked about; 0: motor and speed loop
     int rpm = 0; ///< around which it goes, signed
     int amplitudeRpm = 60;
+    int kp = 0, ki = 0; ///< digits of the speed loop's gains meanwhile; kp 0: as the board has them
     milliseconds length{16000};
     milliseconds approach{500};
     std::uint32_t seed = 1; ///< of the times
@@ -34,6 +35,8 @@ void eachField(ResponsePlan &plan, Field &&field)
     field("current loop", plan.current);
     field("rpm", plan.rpm);
     field("amplitude rpm", plan.amplitudeRpm);
+    field("speed kp", plan.kp);
+    field("speed ki", plan.ki);
     field("length ms", plan.length);
     field("approach ms", plan.approach);
     field("seed", plan.seed);

@@ -17,6 +17,9 @@ constexpr Duration kAnswerWithin = 3s; ///< of what moves nothing
 constexpr Duration kRunsWithin = 10s; ///< a start, with its alignment and its rev-up
 constexpr Duration kReachesWithin = 5s; ///< after the ramp
 constexpr Duration kRestsWithin = 5s; ///< after its stop
+/// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take seconds.
+constexpr Duration kCoastsSeen = 10s, kCoastsUnseen = 4s;
+constexpr double kStands = 0.01; ///< of the allowed speed
 constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
@@ -54,8 +57,9 @@ Runner::Runner(Experiment experiment)
 {
 }
 
-void Runner::begin(TimePoint now)
+void Runner::begin(TimePoint now, std::optional<TimePoint> ranAt)
 {
+    m_ranAt = ranAt;
     const Subject &subject = m_experiment.subject;
     if (const std::string why = objectionTo(m_experiment); !why.empty()) {
         m_outcome = {End::Refused, why, {}};
@@ -233,7 +237,13 @@ void Runner::advance(TimePoint now)
     case Phase::Watching:
         if (!m_answered)
             break;
-        return m_ran ? approach(now) : lend(now);
+        return m_ran ? approach(now) : coast(now);
+    case Phase::Coasting:
+        if (m_status->state != MotorState::Idle)
+            return giveUp(End::Refused, "the motor was started meanwhile", now);
+        if (late || stands())
+            return lend(now);
+        break;
     case Phase::Lending:
         if (m_answered)
             return aim(now);
@@ -302,6 +312,7 @@ void Runner::onLate(TimePoint now)
         return abort(
             "the motor did not come to run within " + std::to_string(kRunsWithin / 1s) + " s");
     case Phase::Approaching:
+        m_soFar.swings = m_soFar.reason.empty();
         return giveUp(End::Refused,
             "the speed did not come to rest at " + rpmText(m_conditions.firstRpm), now);
     case Phase::Returning:
@@ -324,6 +335,8 @@ void Runner::onRead(TimePoint now)
         return refuse("the motor neither runs nor rests: it is in " + m_status->stateName);
     if (m_ran && m_conditions.beginning != Beginning::AtSpeed)
         return refuse("the motor turns, and this is measured while it rests: stop it first");
+    if (m_ran && !m_conditions.lent.empty())
+        return refuse("the motor turns, and its gains are written while it rests: stop it first");
     for (const drive::RegisterWrite &lent : m_conditions.lent) {
         const auto old = m_values.find(lent.id);
         if (old == m_values.end())
@@ -406,6 +419,21 @@ Caps Runner::courseCaps() const
 
 /// What set-points differ by in the board's digits is no difference.
 double Runner::tolerated() const { return std::max(1.0, m_experiment.subject.limits.speedStepRpm); }
+
+void Runner::coast(TimePoint now)
+{
+    const Duration unseen =
+        std::max(Duration::zero(), m_ranAt.value_or(now - kCoastsUnseen) + kCoastsUnseen - now);
+    enter(Phase::Coasting, m_experiment.subject.seesRotor() ? kCoastsSeen : unseen, now);
+    advance(now);
+}
+
+/// As far as a sensor sees it.
+bool Runner::stands() const
+{
+    const double least = std::max(tolerated(), kStands * allowedRpm(m_experiment));
+    return m_experiment.subject.seesRotor() && std::abs(m_status->speedRpm.value_or(0.0)) <= least;
+}
 
 void Runner::lend(TimePoint now)
 {
@@ -546,8 +574,10 @@ void Runner::giveUp(End end, const std::string &reason, TimePoint now)
         m_soFar.reason += (m_soFar.reason.empty() ? "" : "; ") + reason;
         return finish();
     }
-    if (m_soFar.reason.empty())
-        m_soFar = {end, reason, {}};
+    if (m_soFar.reason.empty()) {
+        m_soFar.end = end;
+        m_soFar.reason = reason;
+    }
     if (!m_commanded && !m_lent)
         return finish();
     if (m_phase == Phase::Lending || m_phase == Phase::Aiming

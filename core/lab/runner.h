@@ -29,7 +29,8 @@ public:
 
     explicit Runner(Experiment experiment);
 
-    void begin(TimePoint now);
+    /// @param ranAt  when a motor of the board was last seen not to be idle: its rotor may turn on for a while
+    void begin(TimePoint now, std::optional<TimePoint> ranAt = {});
     void take(const drive::Event &event, TimePoint now);
     void advance(TimePoint now); ///< early or repeated calls do nothing
     /// Somebody else decided about the motor: nothing more is asked of it. @param why  in words
@@ -51,6 +52,7 @@ private:
         Reading, ///< what the motor does now
         Streaming, ///< until the board records
         Watching, ///< until the rest is polled
+        Coasting, ///< until the rotor of a motor that was stopped a moment ago stands
         Lending, ///< of the registers that the plan writes, while the motor rests
         Aiming, ///< of a motor at rest: until its start goes to the first speed, or to no current
         Starting, ///< until it runs
@@ -66,6 +68,8 @@ private:
     void again(TimePoint now);
     void ramp(int rpm, milliseconds duration, TimePoint now);
     void enter(Phase phase, Duration within, TimePoint now);
+    void coast(TimePoint now);
+    bool stands() const;
     void lend(TimePoint now);
     void aim(TimePoint now);
     void start(TimePoint now);
@@ -115,6 +119,7 @@ private:
     std::map<drive::RegisterId, catalog::Value> m_values; ///< the newest
     std::optional<drive::MotorStatus> m_status;
     std::vector<drive::RegisterWrite> m_old; ///< of the borrowed registers
+    std::optional<TimePoint> m_ranAt;
     bool m_lent = false; ///< they may hold what the experiment wrote
     std::deque<Ask> m_restores; ///< still to be asked for
     double m_before_rpm = 0.0; ///< the set-point

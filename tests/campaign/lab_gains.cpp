@@ -39,8 +39,7 @@ struct Proof {
     std::optional<SpeedResponse> response; ///< with those gains
 };
 
-/// What the medium gains of a measured response come to: the response with them, and small steps where it was measured; large
-/// ones meet the limit of the current.
+/// What the medium gains of a measured response come to: the response and the steps that `autotune` proves them by.
 Proof prove(const PlantParameters &plant, const SpeedResponse &measured, GainDigits digits,
     std::uint64_t seed)
 {
@@ -61,10 +60,7 @@ Proof prove(const PlantParameters &plant, const SpeedResponse &measured, GainDig
     const auto proof = support::respond(after);
     if (!proof || !proof->ms)
         return {{proof ? "no Ms" : proof.error()}, {}};
-    const ResponsePlan around = responsePlanFor(steps.experiment.subject, {});
-    steps.steps = {.fromRpm = around.rpm - around.amplitudeRpm,
-        .toRpm = around.rpm + around.amplitudeRpm,
-        .repeat = 5};
+    steps.steps = proofStepsFor(steps.experiment.subject, {});
     steps.experiment.plan = steps.steps;
     const Outcome outcome = steps.run();
     const auto series = steps.series();
@@ -86,7 +82,7 @@ Case tune(const PlantParameters &plant, double factor, std::uint64_t seed)
     if (!support::write(before, {scaled(told.proportional), scaled(told.integral)}))
         return {"the gains were not written"};
     const GainDigits digits = support::digitsOf(before);
-    const auto measured = support::respond(before);
+    const auto measured = support::respondCalmly(before);
     if (!measured)
         return {measured.error()};
     Proof proof = prove(plant, *measured, digits, seed + 1);

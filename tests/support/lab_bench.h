@@ -2,6 +2,7 @@
 // has it, and what a recording of it would hold.
 #pragma once
 
+#include "drive/stop_sequence.h"
 #include "drive/values.h"
 #include "lab/evaluation/step_series.h"
 #include "lab/runner.h"
@@ -37,6 +38,7 @@ struct LabBench {
     lab::Happenings happenings;
     std::vector<drive::Wish> wishes; ///< all that it asked for
     int stops = 0;
+    std::optional<TimePoint> ranAt; ///< as a session knows it
     Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
     std::function<void()> eachTurn; ///< as the world goes on
 
@@ -49,6 +51,9 @@ struct LabBench {
         if (subject)
             experiment.subject = *subject;
         pair.onEvent = [this](const drive::Event &event) {
+            if (const auto *status = std::get_if<drive::MotorStatus>(&event);
+                status != nullptr && !drive::isDriveIdle(*status))
+                ranAt = pair.now;
             for (record::Entry &entry : entries.take(event))
                 keep(entry);
             if (runner)
@@ -73,8 +78,14 @@ struct LabBench {
         };
         if (const auto *response = std::get_if<lab::ResponsePlan>(&experiment.plan))
             keep(lab::entryOf(*response, experiment.subject,
-                {gainOf(registers.gain, registers.gainExponent),
-                    gainOf(registers.integral, registers.integralExponent), 1e-3}));
+                response->kp > 0
+                    ? lab::SpeedRegulator{lab::jumpPerRpm(experiment.subject, response->kp,
+                                              number(registers.gainExponent)),
+                        lab::jumpPerRpm(
+                            experiment.subject, response->ki, number(registers.integralExponent)),
+                        1e-3}
+                    : lab::SpeedRegulator{gainOf(registers.gain, registers.gainExponent),
+                        gainOf(registers.integral, registers.integralExponent), 1e-3}));
         else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
             keep(lab::entryOf(*spin, experiment.subject));
         else if (const auto *current = std::get_if<lab::CurrentStepPlan>(&experiment.plan))
@@ -87,7 +98,7 @@ struct LabBench {
                     experiment.subject, number(registers.gain), number(registers.gainExponent))));
         runner.emplace(experiment);
 
-        runner->begin(pair.now);
+        runner->begin(pair.now, ranAt);
     }
 
     /// One turn of a session: what the runner wants is handed to the drive.

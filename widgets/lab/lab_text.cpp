@@ -150,6 +150,11 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "the rotor turned where it was to rest: neither its resistance nor the angle that it was "
         "aligned to is sure"),
+    QT_TRANSLATE_NOOP("Lab", "this board has no gains of a speed loop"),
+    QT_TRANSLATE_NOOP("Lab", "gains are 0 to %1 digits"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "the motor turns, and its gains are written while it rests: stop it first"),
+    QT_TRANSLATE_NOOP("Lab", "the motor was started meanwhile"),
     QT_TRANSLATE_NOOP("Lab", "at rest no two different currents were held for long enough"),
     QT_TRANSLATE_NOOP("Lab", "at rest no resistance follows from the voltages"),
     QT_TRANSLATE_NOOP("Lab", "it does not tell the nominal current of the motor"),

@@ -58,9 +58,13 @@ QString spinWords(const lab::SpinPlan &plan)
 
 QString responseWords(const lab::ResponsePlan &plan)
 {
-    return PlanQuestion::tr("For %1 its speed jumps at random between %2 and %3.")
-        .arg(secondsText(plan.length), rpmText(plan.rpm - plan.amplitudeRpm),
-            rpmText(plan.rpm + plan.amplitudeRpm));
+    const QString words = PlanQuestion::tr("For %1 its speed jumps at random between %2 and %3.")
+                              .arg(secondsText(plan.length), rpmText(plan.rpm - plan.amplitudeRpm),
+                                  rpmText(plan.rpm + plan.amplitudeRpm));
+    return plan.kp == 0 ? words
+                        : words + QLatin1Char(' ')
+            + PlanQuestion::tr("Its gains are Kp %1 and Ki %2 meanwhile.")
+                  .arg(QString::number(plan.kp), QString::number(plan.ki));
 }
 
 QString restWords(const lab::RestPlan &plan, const lab::Subject &subject)

@@ -1,5 +1,6 @@
 // autotune: measures the response of the speed, proposes gains from it, and with --apply writes them and proves them by a fresh
-// response and a step. The motor is afterwards as it was, but for its gains.
+// response and a step; where they miss what was predicted, once more from that response. The motor is afterwards as it was, but
+// for its gains.
 #include "experiments/experiment_run.h"
 #include "experiments/plan_entry.h"
 #include "experiments/reports.h"
@@ -16,6 +17,7 @@ using session::JsonText;
 namespace {
 
 constexpr double kMsPerSecond = 1e3;
+constexpr int kPasses = 2; ///< with --apply, where the first ones miss their promise
 
 Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
 {
@@ -27,13 +29,26 @@ Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
     return **loop;
 }
 
-Outcome<lab::SpeedResponse> respond(Desk &desk, const lab::Subject &subject)
+/// A loop that swings by itself is calmed for it.
+Outcome<lab::SpeedResponse> respond(
+    Desk &desk, const lab::Subject &subject, const lab::SpeedLoop &loop)
 {
-    ExperimentRun run(desk);
     lab::ResponsePlan plan = lab::responsePlanFor(subject, desk.arguments.limits);
     if (desk.arguments.autotune.seconds > 0)
         plan.length = std::chrono::seconds(desk.arguments.autotune.seconds);
-    const auto path = run.record(subject, {plan});
+    std::optional<ExperimentRun> run;
+    auto path = run.emplace(desk).record(subject, {plan});
+    while (!path && run->swings()) {
+        const auto calmer = lab::calmer(plan, loop);
+        if (!calmer)
+            break;
+        plan = *calmer;
+        Output::error(
+            QStringLiteral("%1 It swings with its gains, and is measured once more with "
+                           "SPEED_KP=%2 SPEED_KI=%3, which are given back afterwards.")
+                .arg(path.error().sentence, QString::number(plan.kp), QString::number(plan.ki)));
+        path = run.emplace(desk).record(subject, {plan});
+    }
     if (!path)
         return tl::make_unexpected(path.error());
     const auto recording = openRecording(*path);
@@ -80,6 +95,22 @@ struct Proof {
     lab::SpeedResponse response;
     lab::StepSeries step;
 };
+
+/// The gains are written, and what became of them is measured.
+Outcome<Proof> prove(Desk &desk, const lab::Subject &subject, const lab::SpeedLoop &loop,
+    const lab::GainCandidate &gains)
+{
+    if (const auto written = writeGains(desk, subject, gains); !written)
+        return tl::make_unexpected(written.error());
+    auto response =
+        respond(desk, subject, lab::withGains(loop, gains.proportional, gains.integral));
+    if (!response)
+        return tl::make_unexpected(response.error());
+    auto series = step(desk, subject);
+    if (!series)
+        return tl::make_unexpected(series.error());
+    return Proof{std::move(*response), std::move(*series)};
+}
 
 struct Tuned {
     lab::SpeedLoop before;
@@ -197,19 +228,12 @@ Outcome<int> verdict(const Tuned &tuned)
                 QString::number(tuned.before.integral)));
 }
 
-Outcome<int> runAutotune(Desk &desk)
+/// Candidates from a response, and the one for the goal that was asked for.
+Outcome<Tuned> propose(Desk &desk, const lab::Subject &subject, const lab::SpeedLoop &loop,
+    const lab::SpeedResponse &response)
 {
-    const auto subject = ExperimentRun(desk).subject();
-    if (!subject)
-        return tl::make_unexpected(subject.error());
-    const auto loop = readLoop(desk, *subject);
-    if (!loop)
-        return tl::make_unexpected(loop.error());
-    const auto measured = respond(desk, *subject);
-    if (!measured)
-        return tl::make_unexpected(measured.error());
     const auto proposed =
-        lab::proposeGains(*measured, loop->digits, subject->limits.nominalCurrentAmps);
+        lab::proposeGains(response, loop.digits, subject.limits.nominalCurrentAmps);
     if (!proposed)
         return failure(kRefused,
             QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(proposed.error())));
@@ -218,23 +242,50 @@ Outcome<int> runAutotune(Desk &desk)
     if (chosen == proposed->end())
         return failure(kRefused,
             QStringLiteral("Not conclusive: no gains keep the distance that is asked for."));
-    Tuned tuned{*loop, *proposed, *chosen, std::nullopt};
-    if (desk.arguments.autotune.apply) {
-        if (const auto written = writeGains(desk, *subject, tuned.chosen); !written)
-            return tl::make_unexpected(written.error());
-        auto response = respond(desk, *subject);
-        if (!response)
-            return tl::make_unexpected(response.error());
-        auto series = step(desk, *subject);
-        if (!series)
-            return tl::make_unexpected(series.error());
-        tuned.proof = Proof{std::move(*response), std::move(*series)};
+    return Tuned{loop, *proposed, *chosen, std::nullopt};
+}
+
+bool missed(const Tuned &tuned)
+{
+    const lab::Kept kept =
+        lab::keptBy(tuned.proof->response, lab::promiseOf(tuned.chosen, tuned.chosen.goal));
+    return kept == lab::Kept::TooLively || kept == lab::Kept::TooSlow;
+}
+
+Outcome<int> runAutotune(Desk &desk)
+{
+    const auto subject = ExperimentRun(desk).subject();
+    if (!subject)
+        return tl::make_unexpected(subject.error());
+    const auto loop = readLoop(desk, *subject);
+    if (!loop)
+        return tl::make_unexpected(loop.error());
+    const auto measured = respond(desk, *subject, *loop);
+    if (!measured)
+        return tl::make_unexpected(measured.error());
+    auto tuned = propose(desk, *subject, *loop, *measured);
+    if (!tuned)
+        return tl::make_unexpected(tuned.error());
+    // What gains that miss their promise are measured by is nearer to them than what they were proposed from.
+    for (int pass = 0; desk.arguments.autotune.apply && pass < kPasses; ++pass) {
+        auto proof = prove(desk, *subject, *loop, tuned->chosen);
+        if (!proof)
+            return tl::make_unexpected(proof.error());
+        tuned->proof = std::move(*proof);
+        if (!missed(*tuned) || pass + 1 == kPasses)
+            break;
+        auto nearer = propose(desk, *subject, *loop, tuned->proof->response);
+        if (!nearer)
+            break; // the verdict says what came of it
+        Output::error(QStringLiteral("Those gains miss what was predicted; once more from their "
+                                     "own response."));
+        tuned = std::move(nearer);
     }
     if (desk.out.json())
-        desk.out.json(jsonOf(tuned));
+        desk.out.json(jsonOf(*tuned));
     else
-        print(tuned, desk.out);
-    return verdict(tuned);
+        print(*tuned, desk.out);
+    return verdict(*tuned);
 }
 
 constexpr OptionText kAutotuneOptions[] = {

@@ -59,6 +59,7 @@ Outcome<QString> ExperimentRun::record(
     const auto outcome = carryOut(parts);
     if (!outcome)
         return tl::make_unexpected(outcome.error());
+    m_swings = outcome->swings;
     const QString reason = text(outcome->reason);
     switch (outcome->end) {
     case lab::End::Complete:

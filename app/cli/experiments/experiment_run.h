@@ -21,6 +21,9 @@ public:
     /// The same, without an evaluation. @return  the file of its recording, which lives as long as this
     Outcome<QString> record(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
 
+    /// That recording ended because the speed did not come to rest.
+    bool swings() const { return m_swings; }
+
 private:
     struct Part {
         lab::Experiment experiment;
@@ -32,7 +35,7 @@ private:
 
     Desk &m_desk;
     QTemporaryDir m_folder; ///< for a recording that is not kept
-    bool m_kept;
+    bool m_kept, m_swings = false;
     QString m_path;
 };
 

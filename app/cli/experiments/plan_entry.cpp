@@ -36,7 +36,13 @@ Outcome<record::Happening> entryOf(Desk &desk, const lab::Experiment &experiment
     const auto loop = readSpeedLoop(desk, experiment.subject);
     if (!loop)
         return tl::make_unexpected(loop.error());
-    return lab::entryOf(experiment, *loop ? (*loop)->regulator : lab::SpeedRegulator());
+    if (!*loop)
+        return lab::entryOf(experiment, {});
+    const auto *response = std::get_if<lab::ResponsePlan>(&experiment.plan);
+    return lab::entryOf(experiment,
+        response != nullptr && response->kp > 0
+            ? lab::withGains(**loop, response->kp, response->ki).regulator
+            : (*loop)->regulator);
 }
 
 } // namespace cli

@@ -25,15 +25,29 @@ std::optional<SpeedLoop> speedLoopOf(
     if (registers.empty() || known.size() != registers.size())
         return std::nullopt;
     SpeedLoop loop;
-    loop.proportional = static_cast<int>(known[0]);
-    loop.integral = static_cast<int>(known[2]);
     loop.digits.proportional = jumpPerRpm(subject, 1.0, known[1]);
     loop.digits.integral = jumpPerRpm(subject, 1.0, known[3]);
-    loop.regulator.proportional = loop.proportional * loop.digits.proportional;
-    loop.regulator.integral = loop.integral * loop.digits.integral;
     if (period_s > 0.0)
         loop.regulator.period_s = period_s;
+    return withGains(loop, static_cast<int>(known[0]), static_cast<int>(known[2]));
+}
+
+SpeedLoop withGains(SpeedLoop loop, int proportional, int integral)
+{
+    loop.proportional = proportional;
+    loop.integral = integral;
+    loop.regulator.proportional = proportional * loop.digits.proportional;
+    loop.regulator.integral = integral * loop.digits.integral;
     return loop;
+}
+
+std::optional<ResponsePlan> calmer(ResponsePlan plan, const SpeedLoop &loop)
+{
+    constexpr int kPart = 4, kLeast = 8; // digits; below, a gain is coarse
+    const bool own = plan.kp > 0;
+    plan.kp = (own ? plan.kp : loop.proportional) / kPart;
+    plan.ki = (own ? plan.ki : loop.integral) / kPart;
+    return plan.kp >= kLeast ? std::optional(plan) : std::nullopt;
 }
 
 std::vector<drive::RegisterWrite> gainWrites(const Subject &subject, int proportional, int integral)

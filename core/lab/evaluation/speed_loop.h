@@ -26,6 +26,13 @@ std::vector<drive::RegisterId> gainRegisters(const Subject &subject);
 std::optional<SpeedLoop> speedLoopOf(
     const Subject &subject, const Numbers &numbers, double period_s);
 
+/// With other gains.
+SpeedLoop withGains(SpeedLoop loop, int proportional, int integral);
+
+/// The same response with a quarter of the gains, of its own or else of the board's: a loop that swings by itself tells nothing.
+/// @return  empty: they are as small as they get
+std::optional<ResponsePlan> calmer(ResponsePlan plan, const SpeedLoop &loop);
+
 /// Both gains as one write.
 std::vector<drive::RegisterWrite> gainWrites(
     const Subject &subject, int proportional, int integral);

@@ -1,5 +1,6 @@
 #include "session/link/session.h"
 
+#include "drive/stop_sequence.h"
 #include "lab/runner.h"
 
 #include <QCoreApplication>
@@ -414,7 +415,7 @@ void Session::run(const lab::Experiment &experiment)
         return;
     }
     m_experiment = std::make_unique<lab::Runner>(experiment);
-    m_experiment->begin(now);
+    m_experiment->begin(now, m_ranAt);
     step(now);
 }
 
@@ -525,8 +526,11 @@ void Session::collectEvents(TimePoint now)
         if (const auto *stream = std::get_if<drive::StreamStarted>(&event))
             qCInfo(lcLink) << "stream of" << stream->layout.fast.size() << "fast and"
                            << stream->layout.slow.size() << "slow signals";
-        if (const auto *status = std::get_if<drive::MotorStatus>(&event))
+        if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
             m_deadMan.takeStatus(*status);
+            if (!drive::isDriveIdle(*status))
+                m_ranAt = now;
+        }
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_driven.told(event, now);
         if (m_experiment)

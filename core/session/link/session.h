@@ -203,6 +203,7 @@ private:
     std::optional<drive::UserLimits> m_limits; ///< the user's; for every drive from then on
     WantedStops m_stops;
     std::unique_ptr<lab::Runner> m_experiment;
+    std::optional<TimePoint> m_ranAt; ///< a motor was last seen not to be idle
     QStringList m_stopsTold;
     TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open
     std::map<QString, drive::LineMemory> m_memory; ///< by path

@@ -1,7 +1,7 @@
 // What a person does to the gains of a speed loop, on a bench of virtual time: reads them, writes them, asks how the loop responds.
 #pragma once
 
-#include "lab/evaluation/tuning.h"
+#include "lab/evaluation/speed_loop.h"
 #include "support/lab_bench.h"
 
 namespace support {
@@ -40,6 +40,27 @@ inline Result<lab::SpeedResponse, std::string> respond(LabBench &bench)
     if (outcome.end != lab::End::Complete)
         return fail(outcome.reason);
     return lab::evaluateResponse(bench.capture, bench.happenings);
+}
+
+/// As autotune: a loop that swings by itself is calmed for it.
+inline Result<lab::SpeedResponse, std::string> respondCalmly(LabBench &bench)
+{
+    const Gains gains = gainsOf(bench);
+    lab::SpeedLoop loop;
+    loop.proportional = gains.proportional;
+    loop.integral = gains.integral;
+    auto plan = std::optional(lab::responsePlanFor(bench.experiment.subject, {}));
+    std::string why;
+    while (plan) {
+        bench.happenings.clear(); // a recording of its own
+        bench.experiment.plan = *plan;
+        const lab::Outcome outcome = bench.run();
+        if (outcome.end == lab::End::Complete)
+            return lab::evaluateResponse(bench.capture, bench.happenings);
+        why = outcome.reason;
+        plan = outcome.swings ? lab::calmer(*plan, loop) : std::nullopt;
+    }
+    return fail(why);
 }
 
 } // namespace support

@@ -40,6 +40,8 @@ private Q_SLOTS:
     void aStartThatWasTakenAndAnsweredOtherwiseIsStopped();
     void aTorqueThatMayStillBeInForceIsSaid();
     void aBoardThatDoesNotObeyIsToldAtTheEnd();
+    void aRotorThatTurnsOnIsWaitedFor_data();
+    void aRotorThatTurnsOnIsWaitedFor();
     void somebodyElsesActEndsItWithoutAnother();
     void boardsThatRecordNothingSayWhy();
 };
@@ -553,6 +555,41 @@ void TestRunner::aBoardThatDoesNotObeyIsToldAtTheEnd()
     QCOMPARE(bench.stops, 1);
     bench.pair.toDrive.cut = false;
     bench.pair.runFor(3s);
+}
+
+void TestRunner::aRotorThatTurnsOnIsWaitedFor_data()
+{
+    QTest::addColumn<QString>("motor");
+    for (const char *motor : {"servo24", "blower36", "pm24"})
+        QTest::newRow(motor) << QString::fromLatin1(motor);
+}
+
+/// An idle motor is not at rest: an encoder would be aligned to a rotor that runs away from it.
+void TestRunner::aRotorThatTurnsOnIsWaitedFor()
+{
+    QFETCH(const QString, motor);
+    simulation::BoardOptions options;
+    options.plant = *simulation::findPreset(motor.toStdString());
+    options.plant->motor.inertia_kgm2 *= 4.0;
+    options.plant->inverter.supplyAbsorbs = true;
+    LabBench bench(options);
+    bench.pair.submit(SpeedRamp{1, 1500, 500ms});
+    bench.pair.submit(Command{MotorAction::Start, 1});
+    QVERIFY(bench.runUntil([&] { return bench.pair.board->truth(1).rpm > 1400.0; }));
+    bench.pair.submit(Command{MotorAction::StopMotor, 1});
+    QVERIFY(bench.runUntil(
+        [&] { return bench.pair.board->truth(1).idle && bench.pair.board->truth(1).rpm > 500.0; }));
+    bench.wishes.clear();
+    std::optional<double> atStart;
+    bench.eachTurn = [&] {
+        if (!atStart && !bench.asked<Command>().empty())
+            atStart = bench.pair.board->truth(1).rpm;
+    };
+    bench.experiment.plan = lab::spinPlanFor(bench.experiment.subject, {});
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return atStart || bench.runner->over(); }));
+    QVERIFY(atStart);
+    QVERIFY2(std::abs(*atStart) < 60.0, qPrintable(QString::number(*atStart)));
 }
 
 void TestRunner::somebodyElsesActEndsItWithoutAnother()

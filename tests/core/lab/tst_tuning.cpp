@@ -115,6 +115,65 @@ private Q_SLOTS:
             qPrintable(QStringLiteral("%1 %, the rotor %2 %").arg(told_pct).arg(rotor_pct)));
     }
 
+    /// A heavy rotor behind an observer: with the gains of the light one its speed swings, and nothing is measured. With a
+    /// quarter of them it is, and the board has its own again.
+    void aLoopThatSwingsIsCalmedToBeMeasured()
+    {
+        simulation::BoardOptions options;
+        options.plant = *simulation::findPreset("ipm48");
+        options.plant->motor.inertia_kgm2 *= 4.0;
+        options.plant->inverter.supplyAbsorbs = true;
+        LabBench bench(options);
+        const Gains told = gainsOf(bench);
+        const auto swinging = respond(bench);
+        QVERIFY(!swinging);
+        QVERIFY2(bench.runner->outcome().swings, swinging.error().c_str());
+        // Its rotor turns on: without a sensor nobody sees that, and a start would end in too much current.
+        QVERIFY(bench.pair.board->truth(1).rpm > 1000.0);
+        SpeedLoop loop;
+        loop.proportional = told.proportional;
+        loop.integral = told.integral;
+        bench.experiment.plan = *calmer(responsePlanFor(bench.experiment.subject, {}), loop);
+        bench.happenings.clear();
+        const Outcome calmed = bench.run();
+        QVERIFY2(calmed.end == End::Complete, qPrintable(support::outcomeText(calmed)));
+        const auto measured = evaluateResponse(bench.capture, bench.happenings);
+        QVERIFY2(measured, measured ? "" : measured.error().c_str());
+        QVERIFY2(bench.runner->outcome().reason.empty(), bench.runner->outcome().reason.c_str());
+        const double digit = digitsOf(bench).proportional;
+        QVERIFY(std::abs(measured->regulator.proportional / digit - told.proportional / 4) < 1e-6);
+        const Gains after = gainsOf(bench);
+        QCOMPARE(after.proportional, told.proportional);
+        QCOMPARE(after.integral, told.integral);
+        // A motor that turns has its gains written by nobody.
+        QVERIFY(bench.runUntil([&] { return std::abs(bench.pair.board->truth(1).rpm) < 1.0; }));
+        QVERIFY(bench.pair.submit(drive::Command{drive::MotorAction::Start, 1}) != 0);
+        QVERIFY(bench.pair.runUntil(
+            [&] { return bench.pair.board->truth(1).state == simulation::MotorState::Run; }, 20s));
+        ResponsePlan plan = responsePlanFor(bench.experiment.subject, {});
+        plan.kp = 100;
+        plan.ki = 10;
+        bench.experiment.plan = plan;
+        const Outcome outcome = bench.run();
+        QVERIFY(outcome.end == End::Refused);
+        QVERIFY2(outcome.reason.find("stop it first") != std::string::npos, outcome.reason.c_str());
+    }
+
+    void gainsGetOnlySoSmall()
+    {
+        SpeedLoop loop;
+        loop.proportional = 400;
+        loop.integral = 50;
+        const auto first = calmer({}, loop);
+        QVERIFY(first);
+        QCOMPARE(first->kp, 100);
+        QCOMPARE(first->ki, 12);
+        const auto second = calmer(*first, loop);
+        QVERIFY(second);
+        QCOMPARE(second->kp, 25);
+        QVERIFY(!calmer(*second, loop));
+    }
+
     void aLoopKeepsItsPromiseOrIsTooLivelyOrTooSlow()
     {
         const Promise promise{1.7, 10.0};

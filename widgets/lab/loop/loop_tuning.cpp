@@ -22,6 +22,8 @@ LoopTuning::Measured measuredBy(
     return measured;
 }
 
+bool missed(lab::Kept kept) { return kept == lab::Kept::TooLively || kept == lab::Kept::TooSlow; }
+
 QString gainsText(const LoopTuning::Gains &gains)
 {
     return LoopTuning::tr("Kp %1, Ki %2", "digits")
@@ -62,6 +64,7 @@ void LoopTuning::boardChanged()
     m_measured.reset();
     m_current.reset();
     m_proof.reset();
+    m_swinging.reset();
     m_old.reset();
     m_applied.reset();
     m_writing.reset();
@@ -112,6 +115,10 @@ Result<ExperimentBar::Run, QString> LoopTuning::speedRun(std::chrono::millisecon
         return fail(tr("The gains are being read."));
     lab::ResponsePlan plan = lab::responsePlanFor(*subject, m_device.userLimits());
     plan.length = length;
+    if (m_swinging && m_swinging->with == present()) {
+        plan.kp = m_swinging->calmed.kp;
+        plan.ki = m_swinging->calmed.ki;
+    }
     return responseRun(*subject, plan, std::nullopt);
 }
 
@@ -122,8 +129,9 @@ Result<ExperimentBar::Run, QString> LoopTuning::proofRun(
     if (!run)
         return run;
     const lab::Subject subject = run->experiments.front().subject;
-    ExperimentBar::Run proof =
-        responseRun(subject, std::get<lab::ResponsePlan>(run->experiments.front().plan), gains);
+    auto plan = std::get<lab::ResponsePlan>(run->experiments.front().plan);
+    plan.kp = plan.ki = 0;
+    ExperimentBar::Run proof = responseRun(subject, plan, gains);
     proof.experiments.push_back({lab::proofStepsFor(subject, m_device.userLimits()), subject});
     return proof;
 }
@@ -156,26 +164,31 @@ Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::millisec
 ExperimentBar::Run LoopTuning::responseRun(
     const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve)
 {
-    const lab::SpeedLoop loop = m_facts.speedLoop(subject).value_or(lab::SpeedLoop());
+    const lab::SpeedLoop present = m_facts.speedLoop(subject).value_or(lab::SpeedLoop());
+    const lab::SpeedLoop loop = plan.kp > 0 ? lab::withGains(present, plan.kp, plan.ki) : present;
     const double nominalAmps = subject.limits.nominalCurrentAmps;
-    const auto evaluate = [this, loop, nominalAmps, toProve](
+    const auto evaluate = [this, plan, loop, nominalAmps, toProve](
                               const Experiments::Record &record) -> ExperimentBar::Show {
+        if (record.outcome.swings)
+            return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
         const auto response = lab::evaluateResponse(record.capture, record.happenings);
         std::optional<lab::StepSeries> steps;
         if (toProve)
             if (const auto series = lab::stepSeries(record.capture, record.happenings))
                 steps = *series;
         std::optional<Measured> measured;
-        if (response && !toProve)
+        if (response)
             measured = measuredBy(*response, loop, nominalAmps);
         return [=, this]() -> QStringList {
             if (!response)
                 return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
-            if (toProve) {
+            if (toProve)
                 m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
-            } else {
-                m_measured = measured;
+            else
                 m_proof.reset();
+            // What misses its promise is nearer to what keeps it than what it was proposed from.
+            if (!toProve || missed(m_proof->kept)) {
+                m_measured = measured;
                 ++m_measurements;
             }
             Q_EMIT changed();
@@ -188,6 +201,19 @@ ExperimentBar::Run LoopTuning::responseRun(
         };
     };
     return {{{plan, subject}}, evaluate, loop.regulator};
+}
+
+/// For the next response.
+QStringList LoopTuning::calm(const lab::ResponsePlan &plan, const lab::SpeedLoop &loop)
+{
+    const auto calmed = lab::calmer(plan, loop);
+    const auto with = present();
+    if (!calmed || !with)
+        return {};
+    m_swinging = Swinging{*with, {calmed->kp, calmed->ki}};
+    return {tr("It swings with its gains. The next response is measured with %1, and the old gains "
+               "come back afterwards.")
+                .arg(gainsText(m_swinging->calmed))};
 }
 
 std::optional<lab::SpeedResponse> LoopTuning::predicted(const Gains &gains) const
@@ -285,12 +311,12 @@ QString LoopTuning::verdict() const
     const QString most = numberText(m_promised.ms, 2);
     switch (m_proof->kept) {
     case lab::Kept::TooLively:
-        return tr("Worse than predicted: Ms %1, at most %2 promised. \"Back to the old gains\" "
-                  "brings them back.")
+        return tr("Worse than predicted: Ms %1, at most %2 promised. Nearer gains are proposed "
+                  "from this response; \"Back to the old gains\" brings those back.")
             .arg(numberText(response.ms->value, 2), most);
     case lab::Kept::TooSlow:
-        return tr("Slower than predicted: crossover %1 Hz instead of %2 Hz. \"Back to the old "
-                  "gains\" brings them back.")
+        return tr("Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are "
+                  "proposed from this response; \"Back to the old gains\" brings those back.")
             .arg(numberText(response.crossover_hz->value, 1),
                 numberText(m_promised.crossover_hz, 1));
     case lab::Kept::Unclear:

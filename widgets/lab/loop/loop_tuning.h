@@ -44,7 +44,8 @@ public:
     std::vector<catalog::RegisterId> watchedRegisters() const;
     void refresh();
 
-    /// What is to be run. @param length  of a response
+    /// What is to be run; behind one that did not begin because the speed swings, with a quarter of its gains.
+    /// @param length  of a response
     Result<ExperimentBar::Run, QString> speedRun(std::chrono::milliseconds length);
     Result<ExperimentBar::Run, QString> currentRun(std::chrono::milliseconds length);
     /// Of gains that the board holds by then.
@@ -83,6 +84,7 @@ private:
     void write(const Gains &gains, const QString &text);
     ExperimentBar::Run responseRun(
         const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve);
+    QStringList calm(const lab::ResponsePlan &plan, const lab::SpeedLoop &loop);
     lab::Promise promised(const Gains &gains) const;
 
     Device &m_device;
@@ -94,6 +96,10 @@ private:
     std::optional<lab::FrequencyResponse> m_current;
     std::optional<Proof> m_proof;
     std::optional<Gains> m_old, m_applied, m_writing;
+    struct Swinging {
+        Gains with, calmed;
+    };
+    std::optional<Swinging> m_swinging; ///< with those gains no response can be measured
     int m_measurements = 0;
     lab::Promise m_promised; ///< of what was applied
 };
