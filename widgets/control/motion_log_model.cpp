@@ -35,6 +35,7 @@ void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &no
     const int row = static_cast<int>(m_log.size());
     beginInsertRows({}, row, row);
     m_log.push_back(session::loggedNow(record, now));
+    m_clock.take(m_log.back());
     endInsertRows();
 }
 
@@ -71,7 +72,10 @@ QString MotionLogModel::cell(const session::LoggedMotion &one, int column) const
     const drive::MotionRecord &record = one.record;
     switch (column) {
     case TimeColumn:
-        return one.asked.toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
+        // What became of a Stop is told when it was seen; all else when it was asked for.
+        return m_clock.at(one, record.stop ? record.ended : record.asked)
+            .toLocalTime()
+            .toString(QStringLiteral("HH:mm:ss.zzz"));
     case MotorColumn:
         return record.motor > 0 ? QString::number(record.motor) : QStringLiteral("\u2013");
     case ActColumn:

@@ -43,6 +43,7 @@ private:
     QString cell(const session::LoggedMotion &one, int column) const;
 
     std::vector<session::LoggedMotion> m_log;
+    session::WallClock m_clock;
     std::size_t m_leftOut = 0;
 };
 

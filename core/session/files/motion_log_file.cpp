@@ -8,7 +8,7 @@ namespace session {
 
 namespace {
 
-constexpr qint64 kJitter_ms = 1000; ///< more than this apart are two clocks, as after a sleep
+constexpr qint64 kJitter_ms = 1000;
 
 qint64 milliseconds(TimePoint time)
 {
@@ -30,6 +30,14 @@ LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now)
     return {std::move(record), now.toUTC().addMSecs(-took.count())};
 }
 
+void WallClock::take(const LoggedMotion &one) { m_aparts.insert(apart(one)); }
+
+QDateTime WallClock::at(const LoggedMotion &one, TimePoint time) const
+{
+    const qint64 soonest = *m_aparts.upper_bound(apart(one) - kJitter_ms);
+    return QDateTime::fromMSecsSinceEpoch(milliseconds(time) + soonest, Qt::UTC);
+}
+
 QString motionLogWho(const QString &program)
 {
     for (const char *name : {"USER", "LOGNAME", "USERNAME"})
@@ -41,19 +49,12 @@ QString motionLogWho(const QString &program)
 QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &who)
 {
     QByteArray text = QByteArray::fromStdString(drive::motionLogHeading()) + '\n';
-    // A record is noted some time after its end, more or less late: the one that was noted soonest tells best how the two
-    // clocks go together.
-    std::vector<qint64> aparts;
-    aparts.reserve(log.size());
+    WallClock clock;
     for (const LoggedMotion &one : log)
-        aparts.push_back(apart(one));
-    std::sort(aparts.begin(), aparts.end());
+        clock.take(one);
     std::vector<LoggedMotion> inOrder = log;
-    for (LoggedMotion &one : inOrder) {
-        const qint64 own = apart(one);
-        const qint64 soonest = *std::upper_bound(aparts.begin(), aparts.end(), own - kJitter_ms);
-        one.asked = one.asked.addMSecs(soonest - own);
-    }
+    for (LoggedMotion &one : inOrder)
+        one.asked = clock.at(one, one.record.asked);
     std::stable_sort(inOrder.begin(), inOrder.end(),
         [](const LoggedMotion &a, const LoggedMotion &b) { return a.asked < b.asked; });
     std::size_t number = 0;

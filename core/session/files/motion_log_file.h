@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include <set>
 #include <vector>
 
 namespace session {
@@ -19,6 +20,18 @@ struct LoggedMotion {
 
 /// A record that came just now: it was asked as much earlier as it took to end.
 LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now);
+
+/// The clock on the wall beside the program's own. A record is noted some time after its end, more or less late: the one that
+/// was noted soonest tells best how the two go together. More than a second apart are two settings, as after a sleep.
+class WallClock {
+public:
+    void take(const LoggedMotion &one);
+    /// @param time  of a record that was taken: when it was asked, or ended. @return  UTC
+    QDateTime at(const LoggedMotion &one, TimePoint time) const;
+
+private:
+    std::multiset<qint64> m_aparts;
+};
 
 /// "kim, Rotorscope"
 QString motionLogWho(const QString &program);

@@ -82,6 +82,30 @@ private Q_SLOTS:
         QVERIFY(lines[2].contains("NOT confirmed"));
     }
 
+    /// What became of a Stop is noted more or less late, and never before the Stop.
+    void whatBecameOfAStopIsToldWhenItWasSeen()
+    {
+        MotionLogModel model;
+        const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
+        const auto take = [&](drive::StopWord word, TimePoint ended, int notedMs) {
+            drive::MotionRecord record;
+            record.act = drive::MotionAct::Stop;
+            record.stop = word;
+            record.asked = TimePoint(10s);
+            record.ended = ended;
+            model.take(record, now.addMSecs(notedMs));
+        };
+        take(drive::StopWord::Requested, TimePoint(10s), 20); // the window heard of it so late
+        take(drive::StopWord::Accepted, TimePoint(10s + 9ms), 12);
+        take(drive::StopWord::DriveIdle, TimePoint(10s + 450ms), 480);
+        const auto time = [&](int row) {
+            return QTime::fromString(model.index(row, MotionLogModel::TimeColumn).data().toString(),
+                QStringLiteral("HH:mm:ss.zzz"));
+        };
+        QCOMPARE(time(0).msecsTo(time(1)), 9);
+        QCOMPARE(time(0).msecsTo(time(2)), 450);
+    }
+
     void theFilesNameGoesWithTheCaptures()
     {
         QCOMPARE(session::motionLogPath(QStringLiteral("/a/run.csv")),
