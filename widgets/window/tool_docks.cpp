@@ -27,6 +27,21 @@ int toolHeight(const QMainWindow &window, double share)
     return std::min(int(window.height() * share), window.height() - kForScope);
 }
 
+/// Before it is shown: a tool is made narrow, where its buttons stand in many lines, and a window that has grown for them does
+/// not shrink again.
+void layOut(QWidget &widget, int width = 0)
+{
+    if (width > 0)
+        widget.resize(width, widget.height());
+    if (QLayout *layout = widget.layout()) {
+        layout->invalidate();
+        layout->activate();
+    }
+    for (QObject *child : widget.children())
+        if (auto *part = qobject_cast<QWidget *>(child); part != nullptr && !part->isWindow())
+            layOut(*part);
+}
+
 } // namespace
 
 ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
@@ -73,6 +88,8 @@ void ToolDocks::open(std::size_t index)
     const Form *form = formOf(tool);
     if (!fits(*tool.dock))
         floatBelow(tool);
+    if (!tool.dock->isFloating())
+        layOut(*tool.dock, m_window.centralWidget()->width());
     tool.dock->show();
     tool.dock->raise();
     if (first)
@@ -186,6 +203,7 @@ void ToolDocks::fill(Tool &tool)
         below->addStretch(1);
     }
     layout->addLayout(below);
+    layOut(*content, std::max(m_window.centralWidget()->width(), tool.dock->width()));
     tool.dock->setWidget(content);
     content->show(); // which a dock that is open already leaves to us
 

@@ -2,7 +2,7 @@
 #include "support/still_places.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/control/state_strip.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/registers/register_model.h"
@@ -396,6 +396,37 @@ private Q_SLOTS:
             dock->close();
         }
         QVERIFY(tools >= 12);
+    }
+
+    void toolsBesideOneAnotherKeepTheWindowSmall_data() { theWholeWindowFitsALowScreen_data(); }
+
+    /// 1280 x 720 with a title bar, and every tool as a tab beside the others: the window may not ask for more than there is.
+    void toolsBesideOneAnotherKeepTheWindowSmall()
+    {
+        QFETCH(const bool, german);
+        if (german) {
+            QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
+            QCoreApplication::installTranslator(&m_german);
+        }
+        const QSize room(1280, 695);
+        open(room);
+        m_rig->window.finishTools();
+        QStringList tall;
+        for (QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>()) {
+            auto *action =
+                m_rig->window.findChild<QAction *>(dock->objectName() + QStringLiteral("Open"));
+            if (action == nullptr)
+                continue;
+            action->trigger();
+            settle();
+            tall.append(QStringLiteral("%1 %2 %3")
+                            .arg(dock->objectName())
+                            .arg(dock->minimumSizeHint().height())
+                            .arg(m_rig->window.minimumSizeHint().height()));
+        }
+        QVERIFY2(m_rig->window.minimumSizeHint().height() <= room.height(),
+            qPrintable(tall.join(QStringLiteral("; "))));
+        QCOMPARE(m_rig->window.size(), room);
     }
 
     /// 1920 x 1080 at a scale of 2, with a title bar.
