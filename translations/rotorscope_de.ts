@@ -874,14 +874,6 @@
         <translation>es wurde nicht gesendet (%1)</translation>
     </message>
     <message>
-        <source>the board refused it</source>
-        <translation>das Board hat es abgelehnt</translation>
-    </message>
-    <message>
-        <source>the board refused it (%1)</source>
-        <translation>das Board hat es abgelehnt (%1)</translation>
-    </message>
-    <message>
         <source>reading the motor&apos;s state: %1</source>
         <translation>Lesen des Motorzustands: %1</translation>
     </message>
@@ -984,10 +976,6 @@
     <message>
         <source>%1 is not 0, and would be afterwards: bring it to 0 first</source>
         <translation>%1 ist nicht 0 und wäre es nachher: erst auf 0 bringen</translation>
-    </message>
-    <message>
-        <source>a Stop waits for the board to be reached</source>
-        <translation>ein Stopp wartet darauf, dass das Board erreicht wird</translation>
     </message>
     <message>
         <source>every motor is being stopped</source>
@@ -1464,6 +1452,30 @@
     <message>
         <source>the motor was started meanwhile</source>
         <translation>der Motor wurde inzwischen gestartet</translation>
+    </message>
+    <message>
+        <source>it was refused</source>
+        <translation>es wurde abgelehnt</translation>
+    </message>
+    <message>
+        <source>it was refused (%1)</source>
+        <translation>es wurde abgelehnt (%1)</translation>
+    </message>
+    <message>
+        <source>the drive was disarmed, and the motor that was started is driven on</source>
+        <translation>die Freigabe wurde zurückgenommen, und der gestartete Motor wird weiter angetrieben</translation>
+    </message>
+    <message>
+        <source>a Stop goes out as soon as the board is reached</source>
+        <translation>ein Stopp geht hinaus, sobald das Board erreicht wird</translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its speed</source>
+        <translation>%1 wurde abgebrochen: von seiner Drehzahl wird nichts genannt</translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its current</source>
+        <translation>%1 wurde abgebrochen: von seinem Strom wird nichts genannt</translation>
     </message>
 </context>
 <context>
@@ -4049,6 +4061,10 @@
         <comment>its names</comment>
         <translation>Anderes Board: %1</translation>
     </message>
+    <message>
+        <source>Experiment: %1</source>
+        <translation>Experiment: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExperimentBar</name>
@@ -5833,10 +5849,6 @@
         <translation>Widerstand Rs</translation>
     </message>
     <message>
-        <source>Dead time</source>
-        <translation>Totzeit</translation>
-    </message>
-    <message>
         <source>Inductance Ld</source>
         <translation>Induktivität Ld</translation>
     </message>
@@ -5892,6 +5904,10 @@
     <message>
         <source>Notes</source>
         <translation>Anmerkungen</translation>
+    </message>
+    <message>
+        <source>Voltage of dead times</source>
+        <translation>Spannung der Totzeiten</translation>
     </message>
 </context>
 <context>
@@ -7478,6 +7494,14 @@
     <message>
         <source>S&amp;peed</source>
         <translation>D&amp;rehzahl</translation>
+    </message>
+    <message>
+        <source>what if: unstable</source>
+        <translation>was wäre wenn: instabil</translation>
+    </message>
+    <message>
+        <source>With these gains the loop would be unstable: its speed would swing ever more.</source>
+        <translation>Mit diesen Verstärkungen wäre der Regelkreis instabil: seine Drehzahl würde immer stärker schwingen.</translation>
     </message>
 </context>
 <context>
@@ -9975,6 +9999,13 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Not understood: a number from %1 to %2</source>
         <translation>Nicht verstanden: eine Zahl von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::WholeSpin</name>
+    <message>
+        <source>A whole number from %1 to %2.</source>
+        <translation>Eine ganze Zahl von %1 bis %2.</translation>
     </message>
 </context>
 <context>

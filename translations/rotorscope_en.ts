@@ -874,14 +874,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the board refused it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the board refused it (%1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>reading the motor&apos;s state: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -983,10 +975,6 @@
     </message>
     <message>
         <source>%1 is not 0, and would be afterwards: bring it to 0 first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a Stop waits for the board to be reached</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1463,6 +1451,30 @@
     </message>
     <message>
         <source>the motor was started meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was refused (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive was disarmed, and the motor that was started is driven on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Stop goes out as soon as the board is reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its current</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4048,6 +4060,10 @@
         <comment>its names</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Experiment: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExperimentBar</name>
@@ -5832,10 +5848,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Inductance Ld</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5890,6 +5902,10 @@
     </message>
     <message>
         <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltage of dead times</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7476,6 +7492,14 @@
     </message>
     <message>
         <source>S&amp;peed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what if: unstable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With these gains the loop would be unstable: its speed would swing ever more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9966,6 +9990,13 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::ValueEdit</name>
     <message>
         <source>Not understood: a number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::WholeSpin</name>
+    <message>
+        <source>A whole number from %1 to %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

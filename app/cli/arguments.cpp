@@ -186,8 +186,9 @@ Outcome<bool> takeCommand(const Command &command, const QStringList &line, Argum
     const Given given(parser);
     arguments.words = given.words();
     if (arguments.words.size() < command.least || arguments.words.size() > command.most)
-        return usage(QStringLiteral("Write: rotorscope-cli --port PORT %1 %2; ")
-                         .arg(name, QLatin1String(command.words))
+        return usage(QStringLiteral("Write: rotorscope-cli %1%2 %3; ")
+                         .arg(command.needsPort ? QStringLiteral("--port PORT ") : QString(), name,
+                             QLatin1String(command.words))
             + seeHelp);
     arguments.raw = given.has("raw");
     if (given.has("motor")) {

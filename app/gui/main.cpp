@@ -7,7 +7,7 @@
 #include "session/link/guardian.h"
 #include "session/transports/port_list.h"
 #include "widgets/base/file_prompt.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"

@@ -181,12 +181,13 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     if (m_answered)
         return;
     std::string why = ended.outcome == drive::Outcome::Unknown ? "the board's answer was lost"
-        : ended.outcome == drive::Outcome::NotSent             ? "it was not sent"
-                                                               : "the board refused it";
+        : ended.outcome == drive::Outcome::NotSent
+        ? "it was not sent"
+        : "it was refused"; // by the drive, or by its board
     if (!ended.reason.empty())
         why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
-        "reading its bus voltage", "what it writes", "what the start goes to", "the start",
+        "reading its bus voltage", "", "what it writes", "what the start goes to", "the start",
         "the way to the first speed", "a step of it", "the way back", "what was there before",
         "reading what is there afterwards", ""};
     giveUp(End::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
@@ -604,12 +605,19 @@ void Runner::interrupt(const std::string &why)
     finish();
 }
 
+void Runner::disarm()
+{
+    const bool drives = moves() && m_phase != Phase::Returning && !m_ran;
+    interrupt(std::string("the drive was disarmed")
+        + (drives ? ", and the motor that was started is driven on" : ""));
+}
+
 void Runner::lose(const std::string &why)
 {
     if (over())
         return;
     if (moves())
-        abort(why, "a Stop waits for the board to be reached");
+        abort(why, "a Stop goes out as soon as the board is reached");
     else
         interrupt(why);
     m_outcome->end = End::Lost;

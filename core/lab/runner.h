@@ -35,6 +35,8 @@ public:
     void advance(TimePoint now); ///< early or repeated calls do nothing
     /// Somebody else decided about the motor: nothing more is asked of it. @param why  in words
     void interrupt(const std::string &why);
+    /// The same of a person who disarms, which stops no motor.
+    void disarm();
     /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
     void lose(const std::string &why);
 

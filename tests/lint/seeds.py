@@ -27,7 +27,7 @@ SEEDS = [
     ('core/base/seed_up.h', '#include "drive/drive.h"\n', 'core/base/seed_up.h: goes up, or aside, to core/drive'),
     ('core/scope/seed_aside.h', '#include "record/entry.h"\n', 'core/scope/seed_aside.h: goes up, or aside, to core/record'),
     ('core/lab/seed_truth.h', '#include "simulation/device.h"\n', 'core/lab/seed_truth.h: must not use core/simulation'),
-    ('core/drive/seed_widgets.h', '#include "widgets/base/theme.h"\n', 'core/drive/seed_widgets.h: goes up to widgets'),
+    ('core/drive/seed_widgets.h', '#include "widgets/base/look/theme.h"\n', 'core/drive/seed_widgets.h: goes up to widgets'),
     ('widgets/base/seed_up.h', '#include "widgets/window/settings.h"\n',
      'widgets/base/seed_up.h: goes up, or aside, to widgets/window'),
     ('widgets/control/seed_aside.h', '#include "widgets/files/record_control.h"\n',

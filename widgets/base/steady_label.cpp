@@ -33,11 +33,38 @@ void SteadyLabel::setLines(int lines)
 
 QStringList SteadyLabel::lines() const
 {
-    QStringList all = text().split(QLatin1Char('\n'));
-    const QString rest = all.mid(m_lines - 1).join(QLatin1Char(' '));
-    all = all.mid(0, m_lines - 1);
-    all.append(rest);
+    QStringList left = text().split(QLatin1Char('\n')), all;
+    const int width = contentsRect().width();
+    while (!left.isEmpty()) {
+        const bool last = all.size() == m_lines - 1;
+        QString line = last ? left.join(QLatin1Char(' ')) : left.takeFirst();
+        if (last)
+            left.clear();
+        // A paragraph goes on where those behind it leave lines over.
+        else if (all.size() + left.size() < m_lines - 1)
+            if (const int fits = fittingWords(line, width); fits < line.size()) {
+                left.prepend(line.mid(fits).trimmed());
+                line.truncate(fits);
+            }
+        all.append(line);
+    }
     return all;
+}
+
+/// The length of the words that a line of this width holds; of its whole text where not even one fits.
+int SteadyLabel::fittingWords(const QString &line, int width) const
+{
+    const QFontMetrics metrics = fontMetrics();
+    if (metrics.horizontalAdvance(line) <= width)
+        return static_cast<int>(line.size());
+    int fits = 0;
+    for (qsizetype space = line.indexOf(QLatin1Char(' ')); space > 0;
+         space = line.indexOf(QLatin1Char(' '), space + 1)) {
+        if (metrics.horizontalAdvance(line.left(space)) > width)
+            break;
+        fits = static_cast<int>(space);
+    }
+    return fits > 0 ? fits : static_cast<int>(line.size());
 }
 
 QSize SteadyLabel::sizeHint() const
@@ -45,7 +72,7 @@ QSize SteadyLabel::sizeHint() const
     ensurePolished();
     const QFontMetrics metrics = fontMetrics();
     int widest = 0;
-    for (const QString &one : m_room.isEmpty() ? lines() : m_room)
+    for (const QString &one : m_room.isEmpty() ? text().split(QLatin1Char('\n')) : m_room)
         widest = std::max(widest, metrics.horizontalAdvance(one));
     constexpr int kAir = 2; // widths are rounded
     return QSize(widest + kAir, (m_lines - 1) * metrics.lineSpacing() + metrics.height())

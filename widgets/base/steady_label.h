@@ -9,7 +9,8 @@ namespace widgets {
 class SteadyLabel : public QLabel {
     Q_OBJECT
 public:
-    /// Plain text. @param lines  each paragraph has one; the last line takes what is left of them
+    /// Plain text. @param lines  each paragraph has one, and goes on in those that are left over; the last line takes what is
+    /// left of all
     explicit SteadyLabel(QWidget *parent = nullptr, int lines = 1);
 
     /// What it may have to say. Without, it is as wide as what it says now: give it a policy that ignores that.
@@ -26,6 +27,7 @@ protected:
 
 private:
     QStringList lines() const;
+    int fittingWords(const QString &line, int width) const;
 
     QStringList m_room;
     int m_lines;

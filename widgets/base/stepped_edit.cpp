@@ -67,6 +67,16 @@ void SteppedEdit::mouseReleaseEvent(QMouseEvent *event)
         selectAll();
 }
 
+void SteppedEdit::setFollowed(const QString &now)
+{
+    if (now == text())
+        return;
+    const bool all = hasFocus() && hasSelectedText() && selectedText() == text();
+    setText(now);
+    if (all)
+        selectAll();
+}
+
 void SteppedEdit::showProblem()
 {
     const QString sentence = problem();
@@ -77,10 +87,14 @@ void SteppedEdit::showProblem()
     }
     setPalette(colors);
     setAccessibleDescription(sentence);
-    if (sentence.isEmpty())
-        QToolTip::hideText();
-    else if (isVisible() && hasFocus())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
+    if (sentence.isEmpty()) {
+        if (const QString told = std::exchange(m_told, {}); !told.isEmpty())
+            if (QToolTip::text() == told) // else it is another widget's
+                QToolTip::hideText();
+    } else if (isVisible() && hasFocus()) {
+        m_told = sentence.toHtmlEscaped();
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), m_told, this);
+    }
 }
 
 } // namespace widgets

@@ -18,6 +18,10 @@ public:
 
     virtual QString problem() const { return {}; } ///< one sentence; empty if the text is good
 
+    /// Shows what it follows. Cursor and selection stay where a person has put them: what is typed next is to replace what
+    /// is selected, however often the board is read meanwhile.
+    void setFollowed(const QString &now);
+
 protected:
     virtual void stepBy(int steps) = 0; ///< -10, -1, 1 or 10; nothing where the text is no number
     virtual bool wheelWanted() const { return hasFocus(); }
@@ -31,6 +35,7 @@ protected:
 
 private:
     bool m_clickedInto = false;
+    QString m_told; ///< the problem that is shown as a tool tip
 };
 
 } // namespace widgets

@@ -71,8 +71,10 @@ void ValueEdit::show()
     const QLocale locale = plainLocale(*this);
     QString text =
         m_time ? exactTime(m_value, locale) : readingText(m_value, m_step, m_unit, locale);
-    setText(text);
     setModified(false);
+    if (hasFocus() && text == this->text())
+        return; // the cursor stays where a person has put it
+    setText(text);
     setCursorPosition(0);
 }
 

@@ -98,6 +98,11 @@ void EventRecorder::hear()
         m_axis.heard(now(), capture::toSeconds(channel->timeOf(channel->end() - 1)));
 }
 
+void EventRecorder::noteExperiment(TimePoint at, const QString &text)
+{
+    note(EventKind::Command, onAxis(at), tr("Experiment: %1").arg(text));
+}
+
 void EventRecorder::note(EventKind kind, double seconds, const QString &text)
 {
     m_log.add(kind, seconds, text);

@@ -36,6 +36,7 @@ public:
     /// Its line tells from now on how exactly its instant is known.
     void left(drive::WishId wish, double within_s);
     void replaced(); ///< another board has answered than before
+    void noteExperiment(TimePoint at, const QString &text);
     void stored(const capture::SampleBlock &block); ///< it is in the capture
 
     /// What was asked for, in words; empty for what is no command. @param several  motors, which are told apart

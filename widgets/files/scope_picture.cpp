@@ -1,6 +1,6 @@
 #include "widgets/files/scope_picture.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QBuffer>

@@ -25,24 +25,6 @@ std::vector<lab::Experiment> allOf(const ExperimentBar::Run &run)
     return all;
 }
 
-QString endText(const lab::Outcome &outcome)
-{
-    const QString reason = labText(outcome.reason);
-    switch (outcome.end) {
-    case lab::End::Complete:
-        return reason.isEmpty() ? ExperimentBar::tr("Done; the motor is as it was.")
-                                : ExperimentBar::tr("Done; afterwards: %1.").arg(reason);
-    case lab::End::Refused:
-        return ExperimentBar::tr("Not carried out: %1.").arg(reason);
-    case lab::End::Aborted:
-        return ExperimentBar::tr("Ended with a Stop: %1.").arg(reason);
-    case lab::End::Interrupted:
-    case lab::End::Lost:
-        break;
-    }
-    return ExperimentBar::tr("Interrupted: %1.").arg(reason);
-}
-
 } // namespace
 
 ExperimentBar::ExperimentBar(const Parts &parts, const char *prefix, QWidget *page)
@@ -56,6 +38,10 @@ ExperimentBar::ExperimentBar(const Parts &parts, const char *prefix, QWidget *pa
         [this] { tell(tr("Not begun: the gains were not written in time.")); });
     Device &device = parts.device;
     connect(m_cancel, &QPushButton::pressed, &device, &Device::stop); // as a Stop does
+    connect(&device, &Device::identityChanged, this, [this, &device] {
+        if (!std::exchange(m_known, device.identified().has_value()) && m_known)
+            m_told.clear(); // which was of the board before, or of the link to it
+    });
     connect(&device, &Device::armedStateChanged, this, &ExperimentBar::refresh);
     connect(&device, &Device::linkStateChanged, this, &ExperimentBar::refresh);
     connect(&device, &Device::statusChanged, this, &ExperimentBar::refresh);
@@ -89,7 +75,7 @@ void ExperimentBar::makeRow(const char *prefix)
     auto *place = new QVBoxLayout(m_place);
     place->setContentsMargins(0, 0, 0, 0);
     place->addWidget(m_progress, 0, Qt::AlignVCenter);
-    m_sentence = new SteadyLabel(this, 2);
+    m_sentence = new SteadyLabel(this, 3);
     m_sentence->setObjectName(named("Sentence"));
     m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto *buttons = new QWidget(this);
@@ -100,6 +86,24 @@ void ExperimentBar::makeRow(const char *prefix)
     m_row->setContentsMargins(0, 0, 0, 0);
     m_row->addWidget(buttons);
     m_row->addWidget(m_sentence, 1);
+}
+
+QString ExperimentBar::endText(const lab::Outcome &outcome)
+{
+    const QString reason = labText(outcome.reason);
+    switch (outcome.end) {
+    case lab::End::Complete:
+        return reason.isEmpty() ? tr("Done; the motor is as it was.")
+                                : tr("Done; afterwards: %1.").arg(reason);
+    case lab::End::Refused:
+        return tr("Not carried out: %1.").arg(reason);
+    case lab::End::Aborted:
+        return tr("Ended with a Stop: %1.").arg(reason);
+    case lab::End::Interrupted:
+    case lab::End::Lost:
+        break;
+    }
+    return tr("Interrupted: %1.").arg(reason);
 }
 
 int ExperimentBar::add(Button button)

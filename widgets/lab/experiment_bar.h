@@ -66,6 +66,8 @@ public:
         std::chrono::milliseconds patience{500};
     };
 
+    static QString endText(const lab::Outcome &outcome); ///< a sentence
+
     /// @param prefix  of the names of what is in it: "step" makes "stepCancel", "stepProgress", "stepSentence"
     ExperimentBar(const Parts &parts, const char *prefix, QWidget *page);
 
@@ -124,6 +126,7 @@ private:
     QElapsedTimer m_since; ///< the one that is running began
     std::size_t m_part = 0;
     QString m_told; ///< how the last one ended
+    bool m_known = false; ///< a board is
     QString m_more; ///< what has to be known of it
 
     QBoxLayout *m_row = nullptr;

@@ -163,7 +163,7 @@ void LiveGain::show()
     const auto held = m_wanted ? m_wanted : digits();
     if (hasFocus() && isModified())
         return; // it is being typed
-    setText(held ? QString::number(*held) : QString());
+    setFollowed(held ? QString::number(*held) : QString());
     showProblem();
 }
 

@@ -144,7 +144,7 @@ QString MotorFindings::name(Row row) const
     case Resistance:
         return tr("Resistance Rs");
     case DeadTime:
-        return tr("Dead time");
+        return tr("Voltage of dead times");
     case Ld:
         return tr("Inductance Ld");
     case Lq:

@@ -2,12 +2,12 @@
 
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/base/whole_spin.h"
 #include "widgets/control/setpoint_edit.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *
 
 QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const char *name)
 {
-    auto *spin = new QSpinBox(this);
+    auto *spin = new WholeSpin(this);
     spin->setObjectName(QLatin1String(name));
     new WheelGuard(spin);
     auto *label = new QLabel(text, this);

@@ -4,13 +4,13 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/base/whole_spin.h"
 #include "widgets/lab/lab_text.h"
 
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -85,7 +85,7 @@ QWidget *TourPage::makeChoices()
     m_goal->addItems({tr("stiff"), tr("medium"), tr("quick")});
     m_goal->setCurrentIndex(1);
     new WheelGuard(m_goal);
-    m_length = new QSpinBox(choices);
+    m_length = new WholeSpin(choices);
     m_length->setObjectName(QStringLiteral("tourLength"));
     m_length->setRange(kLeast_s, kMost_s);
     m_length->setValue(kUsual_s);

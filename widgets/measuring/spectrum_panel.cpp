@@ -4,6 +4,7 @@
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/base/whole_spin.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"
@@ -19,7 +20,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -52,7 +52,7 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     , m_size(new QComboBox(this))
     , m_axis(new QComboBox(this))
     , m_scale(new QComboBox(this))
-    , m_average(new QSpinBox(this))
+    , m_average(new WholeSpin(this))
     , m_note(new SteadyLabel(this))
 {
     setObjectName(QStringLiteral("spectrumPanel"));

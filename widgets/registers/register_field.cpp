@@ -89,7 +89,7 @@ void RegisterField::show()
     if (m_text)
         m_text->setText(text);
     if (m_edit && (!m_edit->hasFocus() || m_edit->text() == m_shown))
-        m_edit->setText(text);
+        m_edit->setFollowed(text);
     if (m_choice && !m_choice->view()->isVisible())
         m_choice->setCurrentIndex(m_choice->findText(text));
     m_shown = text;

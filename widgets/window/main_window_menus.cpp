@@ -1,7 +1,7 @@
 // The menus of the main window: only entries that work, each key given once.
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
 #include "widgets/files/marker_file.h"

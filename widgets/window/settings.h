@@ -2,7 +2,7 @@
 // gives the defaults, and saving replaces it whole or not at all.
 #pragma once
 
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/forms/ramp_preset.h"
 #include "widgets/window/workspace.h"
 

@@ -9,6 +9,9 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 
+#include <algorithm>
+#include <array>
+
 namespace widgets {
 namespace {
 
@@ -20,6 +23,14 @@ bool needsSpace(QObject *focused)
     if (const auto *view = qobject_cast<QAbstractItemView *>(focused))
         return view->currentIndex().siblingAtColumn(0).flags().testFlag(Qt::ItemIsUserCheckable);
     return qobject_cast<QComboBox *>(focused) != nullptr;
+}
+
+/// Of a list or a tree, whose rows they go through.
+bool needsToMove(QObject *focused, int key)
+{
+    constexpr std::array kMoves{Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Home, Qt::Key_End};
+    return qobject_cast<QAbstractItemView *>(focused) != nullptr
+        && std::find(kMoves.begin(), kMoves.end(), key) != kMoves.end();
 }
 
 } // namespace
@@ -37,7 +48,9 @@ bool ShortcutGuard::eventFilter(QObject *watched, QEvent *event)
     const auto *key = static_cast<QKeyEvent *>(event);
     const bool plain =
         (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
-    if (plain && key->key() == Qt::Key_Space && needsSpace(watched)) {
+    if (plain
+        && ((key->key() == Qt::Key_Space && needsSpace(watched))
+            || needsToMove(watched, key->key()))) {
         event->accept();
         return true;
     }

@@ -1,6 +1,7 @@
 #include "widgets/window/workbench.h"
 
 #include "widgets/files/open_recording.h"
+#include "widgets/lab/experiment_bar.h"
 
 #include <QCoreApplication>
 #include <QInputEvent>
@@ -208,6 +209,10 @@ void Workbench::connectExperiments()
     // A file that is being written holds them as one of the command line does.
     connect(&m_experiments, &Experiments::noted, this,
         [this](qint64 at, const record::Happening &what) { m_recording.add(at, what); });
+    connect(
+        &m_experiments, &Experiments::ended, this, [this](const Experiments::RecordPtr &record) {
+            m_recorder.noteExperiment(record->outcome.at, ExperimentBar::endText(record->outcome));
+        });
 }
 
 } // namespace widgets

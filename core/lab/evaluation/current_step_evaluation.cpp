@@ -118,6 +118,8 @@ void noteNoise(
     double count = 0.0;
     const Nanos hold = std::chrono::nanoseconds(plan.plan.hold).count();
     for (const StepRun &run : found.runs) {
+        if (run.cut)
+            continue;
         const scope::SampleRange range(response, run.at - hold / 2, run.at);
         double before = 0.0;
         range.visit([&](double, double value, bool joined) {
@@ -159,9 +161,11 @@ Result<MeasuredSteps, std::string> currentSteps(
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     const capture::Channel *current = fastChannel(capture, plan->current);
     MeasuredSteps found;
-    for (const StepAsked &asked : finder.steps)
-        found.runs.push_back(evaluate(*reference, *response, current, asked,
-            std::chrono::nanoseconds(plan->plan.hold).count()));
+    const Nanos hold = std::chrono::nanoseconds(plan->plan.hold).count();
+    for (const StepAsked &asked : finder.steps) {
+        const auto cut = cutShort(asked, *response, hold);
+        found.runs.push_back(cut ? *cut : evaluate(*reference, *response, current, asked, hold));
+    }
     if (!finder.reason.empty())
         found.notes.push_back("the series ended early: " + finder.reason);
     else if (!finder.over)

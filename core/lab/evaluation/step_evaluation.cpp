@@ -271,6 +271,21 @@ void measureByAngle(
 
 } // namespace
 
+std::optional<StepRun> cutShort(
+    const StepAsked &asked, const capture::Channel &response, Nanos hold)
+{
+    constexpr double kWhole = 0.9;
+    const Nanos recorded = response.empty() ? 0 : response.timeOf(response.end() - 1);
+    const Nanos held = std::min(asked.until, recorded) - asked.asked;
+    if (static_cast<double>(held) >= kWhole * static_cast<double>(hold))
+        return std::nullopt;
+    StepRun run;
+    run.up = asked.to > asked.from;
+    run.at = asked.asked;
+    run.cut = true;
+    return run;
+}
+
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts)
 {
     StepRun run;

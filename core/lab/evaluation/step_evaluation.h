@@ -43,6 +43,7 @@ struct StepRun {
     Nanos at = 0; ///< the instant of the step
     bool found = false; ///< by the jump; else only when it was asked for is known
     double instantError_s = 0.0; ///< to either side
+    bool cut = false; ///< it was not held to its end, or not recorded: nothing of it can be told
     std::optional<scope::WhyNot> unusable; ///< nothing of the speed can be told
     std::optional<double> rise_s, overshoot_pct,
         settling_s; ///< empty: it does not have it, e.g. not settled
@@ -59,6 +60,11 @@ struct StepInstant {
 };
 std::optional<StepInstant> stepInstant(
     const capture::Channel &reference, const StepAsked &asked, double jumpPerUnit);
+
+/// A run of which nothing is told, because the step was held, or recorded, for less than nine tenths of `hold`: what overshoots
+/// or settles comes later. Empty: it was held.
+std::optional<StepRun> cutShort(
+    const StepAsked &asked, const capture::Channel &response, Nanos hold);
 
 /// What the response of a step is over [from, until), into its run.
 void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nanos until);

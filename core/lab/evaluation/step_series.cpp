@@ -155,7 +155,10 @@ void noteRuns(MeasuredSteps &series, const std::string &signal)
             + " is held");
     for (std::size_t i = 0; i < series.runs.size(); ++i) {
         const StepRun &run = series.runs[i];
-        if (run.unusable == scope::WhyNot::GapInside)
+        if (run.cut)
+            series.notes.push_back(
+                runName(series, i) + " was cut short: nothing is told of its " + signal);
+        else if (run.unusable == scope::WhyNot::GapInside)
             series.notes.push_back("samples are missing in " + runName(series, i)
                 + ": nothing is told of its " + signal);
         else if (run.unusable)
@@ -194,8 +197,11 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     StepSeries series;
     series.plan = plan->plan;
     const StepFacts facts{plan->polePairs, plan->speedStepRpm, plan->jumpPerRpm};
-    for (const StepAsked &asked : finder.steps)
-        series.runs.push_back(evaluateStep(channels, asked, facts));
+    const Nanos hold = std::chrono::nanoseconds(plan->plan.hold).count();
+    for (const StepAsked &asked : finder.steps) {
+        const auto cut = cutShort(asked, *channels.speed, hold);
+        series.runs.push_back(cut ? *cut : evaluateStep(channels, asked, facts));
+    }
     if (!finder.reason.empty())
         series.notes.push_back("the series ended early: " + finder.reason);
     else if (!finder.over)

@@ -208,8 +208,11 @@ LoopForecast forecastOf(
     const Margins margins = marginsOf(motor.band, regulator);
     LoopForecast forecast{proportional, integral, margins.crossover_hz, margins.phaseMargin_deg,
         margins.ms, 0.0, 0.0};
-    if (margins.crossover_hz > 0.0)
-        predictStep(forecast, fitted(motor.points, margins.crossover_hz), regulator);
+    if (!(margins.crossover_hz > 0.0))
+        return forecast;
+    predictStep(forecast, fitted(motor.points, margins.crossover_hz), regulator);
+    constexpr double kMostOvershoot_pct = 100.0; // a swing that does not grow stays below
+    forecast.stable = margins.phaseMargin_deg > 0.0 && forecast.overshoot_pct < kMostOvershoot_pct;
     return forecast;
 }
 

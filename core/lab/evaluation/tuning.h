@@ -34,6 +34,7 @@ struct LoopForecast {
     int proportional = 0, integral = 0; ///< digits
     double crossover_hz = 0.0, phaseMargin_deg = 0.0, ms = 0.0; ///< as measured points tell them
     double rise_s = 0.0, overshoot_pct = 0.0; ///< of a small step
+    bool stable = true; ///< else Ms and step are those of no loop that anybody could run
 };
 struct GainCandidate : LoopForecast {
     Goal goal = Goal::Medium;

@@ -281,7 +281,8 @@ void Session::arm(TimePoint madeAt, TimePoint now)
 
 void Session::disarm()
 {
-    interruptExperiment("the drive was disarmed");
+    if (m_experiment)
+        m_experiment->disarm();
     // The user's own choice. Where the drive is not armed any more, this follows from something else.
     if (m_drive->armed())
         m_deadMan.disarmed();

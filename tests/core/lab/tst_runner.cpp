@@ -43,6 +43,8 @@ private Q_SLOTS:
     void aRotorThatTurnsOnIsWaitedFor_data();
     void aRotorThatTurnsOnIsWaitedFor();
     void somebodyElsesActEndsItWithoutAnother();
+    void aStepThatIsCutShortTellsNothing();
+    void whoDisarmsIsToldWhatDrivesOn();
     void boardsThatRecordNothingSayWhy();
 };
 
@@ -575,10 +577,11 @@ void TestRunner::aRotorThatTurnsOnIsWaitedFor()
     LabBench bench(options);
     bench.pair.submit(SpeedRamp{1, 1500, 500ms});
     bench.pair.submit(Command{MotorAction::Start, 1});
-    QVERIFY(bench.runUntil([&] { return bench.pair.board->truth(1).rpm > 1400.0; }));
+    QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).rpm > 1400.0; }, 20s));
     bench.pair.submit(Command{MotorAction::StopMotor, 1});
-    QVERIFY(bench.runUntil(
-        [&] { return bench.pair.board->truth(1).idle && bench.pair.board->truth(1).rpm > 500.0; }));
+    QVERIFY(bench.pair.runUntil(
+        [&] { return bench.pair.board->truth(1).idle && bench.pair.board->truth(1).rpm > 500.0; },
+        20s));
     bench.wishes.clear();
     std::optional<double> atStart;
     bench.eachTurn = [&] {
@@ -603,6 +606,42 @@ void TestRunner::somebodyElsesActEndsItWithoutAnother()
     QVERIFY(bench.runner->takeWishes().empty());
     QVERIFY(!bench.runner->takeStop());
     QVERIFY(!bench.runner->nextTimeout());
+}
+
+/// What overshoots or settles comes later: its numbers looked better than those of the whole ones.
+void TestRunner::aStepThatIsCutShortTellsNothing()
+{
+    LabBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 4; }, 20s));
+    bench.pair.runFor(60ms);
+    bench.runner->interrupt("the drive was disarmed");
+    bench.happenings.emplace_back(bench.pair.now.time_since_epoch().count(),
+        lab::entryOfEnd(false, "the drive was disarmed"));
+    const auto series = bench.series();
+    QVERIFY2(series, series ? "" : series.error().c_str());
+    QVERIFY(series->runs.size() >= 2);
+    const lab::StepRun &whole = series->runs.front(), &cut = series->runs.back();
+    QVERIFY(!whole.cut && whole.rise_s && whole.overshoot_pct);
+    QVERIFY(cut.cut && !cut.rise_s && !cut.overshoot_pct && !cut.settling_s && !cut.peakIq_a);
+    QVERIFY(std::any_of(series->notes.begin(), series->notes.end(), [](const std::string &note) {
+        return note.find("was cut short: nothing is told of its speed") != std::string::npos;
+    }));
+}
+
+void TestRunner::whoDisarmsIsToldWhatDrivesOn()
+{
+    LabBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.runner->disarm();
+    VERIFY_END(bench.runner->outcome(), End::Interrupted);
+    const std::string &reason = bench.runner->outcome().reason;
+    QVERIFY2(reason.find("is driven on") != std::string::npos, reason.c_str());
+    LabBench early;
+    early.begin();
+    early.runner->disarm(); // nothing was started yet
+    QCOMPARE(early.runner->outcome().reason, std::string("the drive was disarmed"));
 }
 
 void TestRunner::boardsThatRecordNothingSayWhy()

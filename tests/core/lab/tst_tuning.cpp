@@ -159,6 +159,20 @@ private Q_SLOTS:
         QVERIFY2(outcome.reason.find("stop it first") != std::string::npos, outcome.reason.c_str());
     }
 
+    /// An integral gain alone turns the phase by two quarters: no number of such a loop means anything.
+    void aLoopThatWouldSwingEverMoreIsCalledSo()
+    {
+        LabBench bench(boardOf(QStringLiteral("servo24")));
+        const Gains told = gainsOf(bench);
+        const GainDigits digits = digitsOf(bench);
+        const auto measured = respond(bench);
+        QVERIFY2(measured, measured ? "" : measured.error().c_str());
+        const auto forecaster = forecasterOf(*measured, digits);
+        QVERIFY(forecaster);
+        QVERIFY((*forecaster)(told.proportional, told.integral).stable);
+        QVERIFY(!(*forecaster)(0, 7000).stable);
+    }
+
     void gainsGetOnlySoSmall()
     {
         SpeedLoop loop;

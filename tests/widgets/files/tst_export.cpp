@@ -3,7 +3,7 @@
 #include "capture/csv_import.h"
 #include "support/scope_window.h"
 #include "widgets/base/banner.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
 #include "widgets/scope/scope_view.h"

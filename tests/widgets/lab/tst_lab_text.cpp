@@ -101,27 +101,23 @@ void TestLabText::theyAreGerman_data()
                "eine Drehzahl von 654 rpm liegt unter den erlaubten 660 rpm; jeder Motor "
                "wird gestoppt; der Sollwert ist jetzt 880 rpm, er war 840 rpm");
     QTest::newRow("what came after what")
-        << "the speed did not come to rest at 900 rpm; then the way back: the board refused it; "
-           "every "
+        << "the speed did not come to rest at 900 rpm; then the way back: it was refused; every "
            "motor is being stopped; the set-point is 900 rpm now, it was 840 rpm"
-        << QStringLiteral(
-               "die Drehzahl kam bei 900 rpm nicht zur Ruhe; danach: der Weg zurück: das "
-               "Board hat es abgelehnt; jeder Motor wird gestoppt; der Sollwert ist "
-               "jetzt 900 rpm, er war 840 rpm");
+        << QStringLiteral("die Drehzahl kam bei 900 rpm nicht zur Ruhe; danach: der Weg zurück: es "
+                          "wurde abgelehnt; jeder Motor wird gestoppt; der Sollwert ist "
+                          "jetzt 900 rpm, er war 840 rpm");
     QTest::newRow("the same twice")
-        << "a step of it: the board refused it (BAD_RAW); what was there before: the board refused "
-           "it"
+        << "a step of it: it was refused (BAD_RAW); what was there before: it was refused"
         << QStringLiteral(
-               "ein Schritt davon: das Board hat es abgelehnt (BAD_RAW); was vorher war: "
-               "das Board hat es abgelehnt");
+               "ein Schritt davon: es wurde abgelehnt (BAD_RAW); was vorher war: es wurde "
+               "abgelehnt");
     QTest::newRow("of a session") << "every motor was stopped"
                                   << "jeder Motor wurde gestoppt";
     QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"
                                       << QStringLiteral("2 von 5 Läufen regeln nicht aus, solange "
                                                         "ihre Drehzahl gehalten wird");
     QTest::newRow("words that are not known")
-        << "the board refused it (BAD_RAW)"
-        << QStringLiteral("das Board hat es abgelehnt (BAD_RAW)");
+        << "it was refused (BAD_RAW)" << QStringLiteral("es wurde abgelehnt (BAD_RAW)");
 }
 
 void TestLabText::theyAreGerman()

@@ -1,10 +1,12 @@
 // The frequency response through the real window: what is measured, what other gains would do, what is proposed, written, proved
 // and taken back. The judge of the wire watches all of it.
+#include "widgets/base/stepped_edit.h"
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/loop/bode_plot.h"
 #include "widgets/lab/loop/loop_rows.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSpinBox>
 #include <QUndoStack>
 
@@ -75,6 +77,43 @@ private:
         QTRY_VERIFY(rowOf(bench, "what-if").crossover_hz->value > 1.3 * before);
         QCOMPARE(bench.held("SPEED_KP"), kp);
         QCOMPARE(bench.rig.workbench.edits().steps().count(), 0);
+        whatIsNoWholeNumberIsRed(bench);
+        whatWouldSwingIsNotWritten(bench);
+        bench.find<QSpinBox>("whatIfKp")->setValue(int(kp));
+    }
+
+    void whatIsNoWholeNumberIsRed(LabWindow &bench)
+    {
+        auto *spin = bench.find<QSpinBox>("whatIfKp");
+        auto *text = spin->findChild<QLineEdit *>();
+        const int before = spin->value();
+        for (const char *typed : {"12.5", "1e3", "-1", "99999999"}) {
+            text->setFocus();
+            text->selectAll();
+            QTest::keyClicks(text, QLatin1String(typed));
+            QCOMPARE(text->text(), QLatin1String(typed));
+            QCOMPARE(text->palette().color(QPalette::Base), widgets::kRefusedColor);
+            QTest::keyClick(text, Qt::Key_Tab);
+            QTRY_VERIFY(!text->hasFocus());
+            QCOMPARE(spin->value(), before);
+            QCOMPARE(text->text(), QString::number(before));
+        }
+    }
+
+    void whatWouldSwingIsNotWritten(LabWindow &bench)
+    {
+        auto *kp = bench.find<QSpinBox>("whatIfKp"), *ki = bench.find<QSpinBox>("whatIfKi");
+        const int before = ki->value();
+        kp->setValue(0);
+        ki->setValue(7000);
+        QTRY_VERIFY(rowOf(bench, "what-if").name.contains(QLatin1String("unstable")));
+        const widgets::LoopRow row = rowOf(bench, "what-if");
+        QVERIFY(!row.ms && !row.rise_s && !row.overshoot_pct);
+        QVERIFY(!bench.find<QPushButton>("responseApply")->isEnabled());
+        QVERIFY(bench.find<QPushButton>("responseApply")
+                    ->toolTip()
+                    .contains(QLatin1String("swing ever more")));
+        ki->setValue(before);
     }
 
     void proposedGainsAreWrittenAndProved(LabWindow &bench, std::int64_t kp, std::int64_t ki)

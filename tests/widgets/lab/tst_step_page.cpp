@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QToolTip>
 #include <QUndoStack>
 #include <QWheelEvent>
 
@@ -301,7 +302,14 @@ private Q_SLOTS:
         QCOMPARE(bench.kp()->text(), QString::number(wanted));
 
         bench.kp()->selectAll(); // typed, it is written with Enter alone
+        QToolTip::showText({}, QStringLiteral("of something else"), &bench.rig.window);
+        const QSignalSpy read(&bench.device(), &widgets::Device::readingsArrived);
+        QTRY_VERIFY(read.size()
+            > 5); // what is read meanwhile takes neither the selection nor a tool tip away
+        QCOMPARE(QToolTip::text(), QStringLiteral("of something else"));
+        QToolTip::hideText();
         QTest::keyClicks(bench.kp(), QStringLiteral("4000"));
+        QCOMPARE(bench.kp()->text(), QStringLiteral("4000"));
         QTest::keyClick(bench.kp(), Qt::Key_Tab);
         QTRY_COMPARE(bench.kp()->text(), QString::number(wanted));
         bench.kp()->setFocus();
@@ -359,6 +367,10 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.running());
         QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
         QVERIFY2(bench.said().contains(QLatin1String("Interrupted: ")), qPrintable(bench.said()));
+        const auto &events = bench.rig.workbench.events().events();
+        QVERIFY(std::any_of(events.begin(), events.end(), [](const widgets::ScopeEvent &event) {
+            return event.text.contains(QLatin1String("Experiment: Interrupted: "));
+        }));
         const int setPoints = bench.world.counts().setPoints;
         const auto since = bench.rig.workbench.now();
         QTRY_VERIFY(bench.rig.workbench.now() > since + 500ms);

@@ -302,6 +302,18 @@ private Q_SLOTS:
                      .toUInt(),
             quint32(id));
         QTRY_VERIFY_WITH_TIMEOUT(model.known(id).has_value(), 10000);
+        // Keys that go through rows are the tree's, too, though the scope has them elsewhere.
+        auto *tree = panel.findChild<QTreeView *>();
+        const QModelIndex here = tree->currentIndex();
+        panel.findChild<QLineEdit *>()->clear();
+        QTRY_VERIFY(tree->model()->rowCount() > 5);
+        const QModelIndex top = tree->model()->index(0, 0);
+        for (const Qt::Key key : {Qt::Key_PageDown, Qt::Key_End}) {
+            tree->setCurrentIndex(top);
+            QTest::keyClick(tree, key);
+            QVERIFY2(tree->currentIndex() != top, qPrintable(QKeySequence(key).toString()));
+        }
+        tree->setCurrentIndex(here);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
         auto *flags = qobject_cast<QListWidget *>(QApplication::focusWidget());
         QVERIFY(flags != nullptr);

@@ -1,5 +1,5 @@
 #include "support/window_rig.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"

@@ -1,7 +1,7 @@
 // The family of icons: each drawing is there and to be seen in both themes, and each name that the window uses has one.
 #include "support/places.h"
 #include "widgets/base/look/line_icon.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 
 #include <QApplication>
 #include <QDir>

@@ -370,14 +370,19 @@ void SetpointBox::forget()
     m_position->clear(); // zero would be a place to go to
 }
 
-void SetpointBox::expectReference() { m_takeReference = true; }
+void SetpointBox::expectReference()
+{
+    m_takeReference = true;
+    m_taken = m_speed->text();
+}
 
 void SetpointBox::takeReference(std::optional<double> rpm)
 {
-    if (!m_takeReference || m_speed->isModified() || !rpm)
+    m_takeReference = m_takeReference && !m_speed->isModified() && m_speed->text() == m_taken;
+    if (!m_takeReference || !rpm)
         return;
     m_speed->setValue(*rpm);
-    m_takeReference = false;
+    m_taken = m_speed->text();
 }
 
 } // namespace widgets

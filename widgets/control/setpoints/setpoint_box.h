@@ -81,6 +81,7 @@ private:
     MotorButton *m_stopRamp;
     QCheckBox *m_cyclic;
     bool m_takeReference = false;
+    QString m_taken; ///< of the board: any other text is a person's
 };
 
 } // namespace widgets

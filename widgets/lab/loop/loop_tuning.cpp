@@ -265,7 +265,8 @@ void LoopTuning::apply(const Gains &gains)
         Q_EMIT changed();
         return;
     }
-    if (!applyHint(gains).isEmpty())
+    const auto loop = forecast(gains);
+    if (!applyHint(gains).isEmpty() || (loop && !loop->stable))
         return;
     m_applied.reset();
     if (!m_old)

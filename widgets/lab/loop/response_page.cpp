@@ -5,6 +5,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/base/whole_spin.h"
 #include "widgets/lab/lab_text.h"
 
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
-#include <QSpinBox>
 #include <QSplitter>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -55,6 +55,8 @@ void setForecast(LoopRow &row, const lab::LoopForecast &forecast)
         return;
     row.crossover_hz = predictedValue(forecast.crossover_hz);
     row.phaseMargin_deg = predictedValue(forecast.phaseMargin_deg);
+    if (!forecast.stable)
+        return;
     row.ms = predictedValue(forecast.ms);
     row.rise_s = predictedValue(forecast.rise_s);
     row.overshoot_pct = predictedValue(forecast.overshoot_pct);
@@ -114,7 +116,7 @@ QWidget *ResponsePage::labelled(const QString &text, QWidget *field)
 
 QSpinBox *ResponsePage::makeSpin(const char *name, const QString &help)
 {
-    auto *spin = new QSpinBox(this);
+    auto *spin = new WholeSpin(this);
     spin->setObjectName(QLatin1String(name));
     spin->setToolTip(help);
     new WheelGuard(spin);
@@ -213,7 +215,11 @@ void ResponsePage::connectParts()
             if (!m_setting)
                 m_soon.start();
         });
-    connect(&m_soon, &QTimer::timeout, this, &ResponsePage::whatIf);
+    connect(&m_soon, &QTimer::timeout, this, [this] {
+        whatIf();
+        const QScopedValueRollback setting(m_setting, true); // what is written is no candidate's
+        m_table->setCurrentIndex(m_rows.index(m_rows.rowOf("what-if"), 0));
+    });
     connect(m_propose, &QPushButton::clicked, this, &ResponsePage::propose);
     connect(m_apply, &QPushButton::clicked, this, [this] { m_parts.tuning.apply(gains()); });
     connect(m_back, &QPushButton::clicked, this, [this] { m_parts.tuning.back(); });
@@ -349,6 +355,8 @@ void ResponsePage::showRows()
                "one"),
             kWhatIfSlot, true};
         setForecast(row, *m_forecast);
+        if (!m_forecast->stable)
+            row.name = tr("what if: unstable");
         rows.push_back(std::move(row));
     }
     for (const lab::Goal goal : lab::kGoals)
@@ -419,7 +427,10 @@ void ResponsePage::enableButtons()
     m_ki->setEnabled(measured);
     enable(*m_propose, measured ? QString() : tr("Measure the response of the speed first."),
         tr("Three candidates from the measured motor: stiff, medium, quick"));
-    enable(*m_apply, tuning.applyHint(gains()),
+    enable(*m_apply,
+        m_forecast && !m_forecast->stable
+            ? tr("With these gains the loop would be unstable: its speed would swing ever more.")
+            : tuning.applyHint(gains()),
         tr("Writes the gains in the fields as one step, which can be undone, and reads them back"));
     enable(*m_back, tuning.backHint(),
         tr("Writes the gains from before the first Apply, as one step"));

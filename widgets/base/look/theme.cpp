@@ -1,4 +1,4 @@
-#include "widgets/base/theme.h"
+#include "widgets/base/look/theme.h"
 
 #include <QApplication>
 #include <QPointer>
