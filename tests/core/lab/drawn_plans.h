@@ -42,6 +42,10 @@ inline lab::Plan drawnPlan(Random &random, const lab::Subject &subject)
         lab::ResponsePlan plan = random.chance(0.5) ? lab::currentResponsePlanFor(subject, {})
                                                     : lab::responsePlanFor(subject, {});
         plan.length = 4s;
+        if (random.chance(0.3)) { // with gains that are lent
+            plan.kp = static_cast<int>(100 + random.below(4000));
+            plan.ki = static_cast<int>(random.below(400));
+        }
         drawn = plan;
     }
     }

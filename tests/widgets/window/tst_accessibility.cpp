@@ -26,6 +26,9 @@
 #include <QTabBar>
 #include <QTranslator>
 
+#include <algorithm>
+#include <cmath>
+
 class TestAccessibility : public QObject {
     Q_OBJECT
 
@@ -277,6 +280,40 @@ private Q_SLOTS:
         }
         QVERIFY(m_rig->find<QWidget>("registerTree")->width() >= 220);
         QVERIFY(m_rig->window.scope()->width() >= 400);
+    }
+
+    /// WCAG 2.1, 1.4.11: three to one against what is beside it.
+    void anEmptyBoxIsSeenInBothThemes_data()
+    {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("light") << int(widgets::Theme::Light);
+        QTest::newRow("dark") << int(widgets::Theme::Dark);
+    }
+    void anEmptyBoxIsSeenInBothThemes()
+    {
+        QFETCH(int, theme);
+        widgets::applyTheme(static_cast<widgets::Theme>(theme));
+        QCoreApplication::processEvents();
+        auto *arm = m_rig->find<QCheckBox>("arm");
+        QVERIFY(!arm->isChecked());
+        const QImage image = arm->grab().toImage();
+        const auto bright = [](const QColor &color) {
+            const auto linear = [](double part) {
+                return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+            };
+            return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF())
+                + 0.0722 * linear(color.blueF());
+        };
+        const double around = bright(arm->palette().color(QPalette::Window));
+        double best = 1.0; // of the box alone, left of the words
+        for (int x = 0; x < 16; ++x)
+            for (int y = 0; y < image.height(); ++y) {
+                const double edge = bright(image.pixelColor(x, y));
+                best = std::max(
+                    best, (std::max(edge, around) + 0.05) / (std::min(edge, around) + 0.05));
+            }
+        widgets::applyTheme(widgets::Theme::Light);
+        QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
     }
 
     void theStopButtonCannotBeHidden()

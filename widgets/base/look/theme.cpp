@@ -1,9 +1,11 @@
 #include "widgets/base/look/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPointer>
-#include <QStyle>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QToolTip>
 
 namespace widgets {
@@ -57,6 +59,28 @@ QPalette menuPalette(const QPalette &whole, bool dark)
     return palette;
 }
 
+/// The style draws the edges of boxes a little darker than their window: an empty one cannot be told from it.
+class EdgeStyle : public QProxyStyle {
+public:
+    EdgeStyle()
+        : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion")))
+    {
+    }
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+        const QWidget *widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box =
+            element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
+        if (!box)
+            return;
+        painter->save();
+        painter->setPen(option->palette.color(QPalette::PlaceholderText));
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
+
 bool desktopIsDark()
 {
     // Asked once, before the first theme replaces the palette.
@@ -89,7 +113,7 @@ void applyTheme(Theme theme)
     // Kept, not asked for: with a style sheet the application's style is Qt's own, with ours behind it.
     static QPointer<QStyle> style;
     if (!style)
-        QApplication::setStyle(style = QStyleFactory::create(QStringLiteral("Fusion")));
+        QApplication::setStyle(style = new EdgeStyle);
     const bool wantDark = theme == Theme::Dark || (theme == Theme::System && dark);
     const QPalette palette = wantDark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);
