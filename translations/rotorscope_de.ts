@@ -2595,10 +2595,6 @@
         <translation>Er läuft: von %1, und nach jedem von diesen dorthin zurück.</translation>
     </message>
     <message>
-        <source>It rests: it is started for each of these, and stopped behind it.</source>
-        <translation>Er steht: für jedes von diesen wird er gestartet und danach gestoppt.</translation>
-    </message>
-    <message>
         <source>%1. %2 Stopped below %3, above %4, beyond %5.</source>
         <comment>number, what is done, caps</comment>
         <translation>%1. %2 Gestoppt unter %3, über %4, jenseits von %5.</translation>
@@ -2654,6 +2650,10 @@
     <message>
         <source>Its gains are Kp %1 and Ki %2 meanwhile.</source>
         <translation>Seine Verstärkungen sind dabei Kp %1 und Ki %2.</translation>
+    </message>
+    <message>
+        <source>It rests: it is started for each of these, and stopped afterwards.</source>
+        <translation>Er ruht: er wird für jedes davon gestartet und danach gestoppt.</translation>
     </message>
 </context>
 <context>
@@ -9776,10 +9776,6 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>Das Board beobachtet seinen Läufer ohne Sensor und ist freigegeben.</translation>
     </message>
     <message>
-        <source>It takes the response of the tour.</source>
-        <translation>Dazu braucht es den Frequenzgang des Rundgangs.</translation>
-    </message>
-    <message>
         <source>Crossover %1 Hz, Ms %2</source>
         <translation>Durchtritt %1 Hz, Ms %2</translation>
     </message>
@@ -9806,6 +9802,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Sta&amp;rt the tour</source>
         <translation>&amp;Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>Make the tour first: it proposes the gains.</source>
+        <translation>Zuerst die Tour machen: sie schlägt die Verstärkungen vor.</translation>
     </message>
 </context>
 <context>

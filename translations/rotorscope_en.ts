@@ -2595,10 +2595,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It rests: it is started for each of these, and stopped behind it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1. %2 Stopped below %3, above %4, beyond %5.</source>
         <comment>number, what is done, caps</comment>
         <translation type="unfinished"></translation>
@@ -2653,6 +2649,10 @@
     </message>
     <message>
         <source>Its gains are Kp %1 and Ki %2 meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rests: it is started for each of these, and stopped afterwards.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9768,10 +9768,6 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It takes the response of the tour.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Crossover %1 Hz, Ms %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9797,6 +9793,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Sta&amp;rt the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the tour first: it proposes the gains.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

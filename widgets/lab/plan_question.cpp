@@ -143,7 +143,7 @@ QStringList wordsOfAll(const std::vector<lab::Experiment> &experiments, const Mo
             ? PlanQuestion::tr("It runs: from %1, and back there after each of these.")
                   .arg(rpmText(before.rpm))
             : PlanQuestion::tr(
-                "It rests: it is started for each of these, and stopped behind it."));
+                "It rests: it is started for each of these, and stopped afterwards."));
     for (const lab::Experiment &experiment : experiments) {
         const lab::Caps caps = lab::capsOf(experiment, before.rpm);
         lines.append(PlanQuestion::tr(

@@ -143,7 +143,8 @@ QVariant StepRuns::headerData(int section, Qt::Orientation orientation, int role
     return {};
 }
 
-/// The mean of a series, with half of the interval where it is known, and the difference to the reference.
+/// The mean of a series, with half of the interval where it is known, and the difference to the reference where that is of the
+/// same step.
 QString StepRuns::number(const StepResult &result, int column) const
 {
     const Metric *shown = shownIn(column);
@@ -158,8 +159,12 @@ QString StepRuns::number(const StepResult &result, int column) const
     const int row = reference();
     if (row < 0 || result.number == m_reference)
         return text;
-    const auto &other = m_results[std::size_t(row)].series.*(shown->mean);
-    if (!other)
+    const lab::StepSeries &with = m_results[std::size_t(row)].series;
+    const auto &other = with.*(shown->mean);
+    // Another step is no other tuning of this one.
+    const bool same = with.plan.fromRpm == result.series.plan.fromRpm
+        && with.plan.toRpm == result.series.plan.toRpm;
+    if (!other || !same)
         return text;
     return text
         + QStringLiteral("  (%1)").arg(

@@ -228,7 +228,7 @@ Result<ExperimentBar::Run, QString> TourPage::proof()
     const auto gains = chosen();
     const auto &measured = m_parts.tuning.measured();
     if (!gains && !measured)
-        return fail(tr("It takes the response of the tour."));
+        return fail(tr("Make the tour first: it proposes the gains."));
     if (!gains)
         return fail(measured->whyNone.empty() ? tr("No gains keep the distance of this goal.")
                                               : labSentence(measured->whyNone));
