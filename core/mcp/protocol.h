@@ -101,7 +101,6 @@ constexpr RegisterId kAdcOffset = registerId(5, RegisterType::Raw, 0); ///< HSO 
 constexpr RegisterId kSpeedRamp = registerId(6, RegisterType::Raw, 0);
 constexpr RegisterId kTorqueRamp = registerId(7, RegisterType::Raw, 0);
 constexpr RegisterId kRevUpData = registerId(8, RegisterType::Raw, 0);
-constexpr RegisterId kRevupData = registerId(8, RegisterType::Raw, 0);
 constexpr RegisterId kCurrentRef = registerId(13, RegisterType::Raw, 0);
 constexpr RegisterId kPositionRamp = registerId(14, RegisterType::Raw, 0);
 constexpr RegisterId kAsyncUartA =

@@ -2,7 +2,10 @@
 
 #include "mcp/datalog.h"
 #include "mcp/structures.h"
+#include "motor/rev_up.h"
 
+#include <array>
+#include <string_view>
 #include <type_traits>
 
 namespace mcp {
@@ -20,13 +23,6 @@ public:
             m_fields.push_back({std::move(name), static_cast<double>(value)});
         else
             m_fields.push_back({std::move(name), std::move(value)});
-        return *this;
-    }
-    template <class Array>
-    Fields &addEach(const std::string &name, const Array &values)
-    {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            add(name + " " + std::to_string(i + 1), values[i]);
         return *this;
     }
     std::vector<Field> take() { return std::move(m_fields); }
@@ -100,49 +96,15 @@ std::vector<Field> fields(const ScaleConfig &c)
         .take();
 }
 
-std::vector<Field> fields(const SpeedRamp &r)
-{
-    return Fields().add("speed", r.rpm).add("duration", r.milliseconds).take();
-}
-
-std::vector<Field> fields(const TorqueRamp &r)
-{
-    return Fields().add("torque", r.digits).add("duration", r.milliseconds).take();
-}
-
-std::vector<Field> fields(const CurrentRef &r)
-{
-    return Fields().add("Iq", r.iq).add("Id", r.id).take();
-}
-
-std::vector<Field> fields(const PositionRamp &r)
-{
-    return Fields().add("target", r.targetRad).add("duration", r.seconds).take();
-}
-
-std::vector<Field> fields(const RevUpData &stages)
+std::vector<Field> fields(const motor::RevUp &stages)
 {
     Fields f;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const std::string stage = "stage " + std::to_string(i + 1) + " ";
-        f.add(stage + "speed", stages[i].rpm).add(stage + "torque", stages[i].digits);
-        f.add(stage + "duration", stages[i].milliseconds);
+        f.add(stage + "speed", stages[i].speed_rpm).add(stage + "torque", stages[i].current_digits);
+        f.add(stage + "duration", stages[i].duration_ms);
     }
     return f.take();
-}
-
-std::vector<Field> fields(const BemfAdcConf &c) { return Fields().addEach("word", c.words).take(); }
-
-std::vector<Field> fields(const HallPins &p) { return Fields().addEach("pin", p.codes).take(); }
-
-std::vector<Field> fields(const HallPhaseShift &s)
-{
-    return Fields().addEach("shift", s.shifts).take();
-}
-
-std::vector<Field> fields(const AdcOffset &o)
-{
-    return Fields().addEach("offset", o.offsets).take();
 }
 
 std::vector<Field> fields(const DatalogConfig &c)
@@ -155,6 +117,57 @@ std::vector<Field> fields(const DatalogConfig &c)
     for (std::size_t i = 0; i < c.slow.size(); ++i)
         f.add("MF " + std::to_string(i + 1), c.slow[i].bits);
     return f.add("mark", c.mark).take();
+}
+
+template <auto kRead>
+void addNext(Fields &fields, std::string name, ByteReader &reader)
+{
+    fields.add(std::move(name), (reader.*kRead)());
+}
+using AddNext = void (*)(Fields &, std::string, ByteReader &);
+constexpr AddNext kU8 = addNext<&ByteReader::u8>, kU16 = addNext<&ByteReader::u16>,
+                  kS16 = addNext<&ByteReader::s16>, kS32 = addNext<&ByteReader::s32>,
+                  kF32 = addNext<&ByteReader::f32>;
+
+/// Some numbers of a structure that is only ever shown: it is the rows of its register and size, in wire order.
+struct Part {
+    RegisterId id;
+    std::size_t bytes = 0; ///< of the whole structure
+    std::string_view name;
+    AddNext add = nullptr;
+    std::size_t count = 1; ///< several in a row have their place behind the name
+};
+constexpr std::array kParts{
+    Part{reg::kAdcOffset, 24, "offset", kS32, 6}, // HSO: currents R S T, voltages R S T
+    Part{reg::kSpeedRamp, 6, "speed", kS32},
+    Part{reg::kSpeedRamp, 6, "duration", kU16},
+    Part{reg::kTorqueRamp, 6, "torque", kS32}, // s16A; written as 6 bytes, read as 4
+    Part{reg::kTorqueRamp, 6, "duration", kU16},
+    Part{reg::kTorqueRamp, 4, "torque", kS16},
+    Part{reg::kTorqueRamp, 4, "duration", kU16},
+    Part{reg::kCurrentRef, 4, "Iq", kS16}, // s16A
+    Part{reg::kCurrentRef, 4, "Id", kS16},
+    Part{reg::kPositionRamp, 8, "target", kF32}, // rad and s; read back swapped by 6.1 and 6.2.1
+    Part{reg::kPositionRamp, 8, "duration", kF32},
+    Part{reg::kHallHewPins, 4, "pin", kU8, 3},
+    Part{reg::kHallConnectedPins, 4, "pin", kU8, 3},
+    Part{reg::kHallPhaseShift, 28, "shift", kS16, 14},
+    // Reading and writing it back changes it, see mcp-aspep.md section 8.
+    Part{reg::kBemfAdcConf, 26, "word", kU16, 13},
+};
+
+std::vector<Field> fieldsByTable(RegisterId id, ByteView raw)
+{
+    Fields fields;
+    ByteReader reader(raw);
+    for (const Part &part : kParts) {
+        if (part.id.element() != id.element() || part.bytes != raw.size())
+            continue;
+        const std::string name(part.name);
+        for (std::size_t i = 1; i <= part.count; ++i)
+            part.add(fields, part.count == 1 ? name : name + " " + std::to_string(i), reader);
+    }
+    return fields.take();
 }
 
 template <class Decoded>
@@ -180,31 +193,14 @@ std::vector<Field> fieldsOf(RegisterId id, ByteView raw)
         return fieldsIf(decodeFirmwareConfig(raw));
     case reg::kScaleConfig.element():
         return fieldsIf(decodeScaleConfig(raw));
-    case reg::kAdcOffset.element():
-        return fieldsIf(decodeAdcOffset(raw));
-    case reg::kSpeedRamp.element():
-        return fieldsIf(decodeSpeedRamp(raw));
-    case reg::kTorqueRamp.element():
-        return fieldsIf(decodeTorqueRamp(raw));
     case reg::kRevUpData.element():
-        return fieldsIf(decodeRevUpData(raw));
-    case reg::kCurrentRef.element():
-        return fieldsIf(decodeCurrentRef(raw));
-    case reg::kPositionRamp.element():
-        return fieldsIf(decodePositionRamp(raw));
+        return fieldsIf(motor::revUpOfBytes(raw));
     case reg::kAsyncUartA.element():
     case reg::kAsyncUartB.element():
     case reg::kAsyncStLink.element():
         return fieldsIf(decodeDatalog(raw));
-    case reg::kHallHewPins.element():
-    case reg::kHallConnectedPins.element():
-        return fieldsIf(decodeHallPins(raw));
-    case reg::kHallPhaseShift.element():
-        return fieldsIf(decodeHallPhaseShift(raw));
-    case reg::kBemfAdcConf.element():
-        return fieldsIf(decodeBemfAdcConf(raw));
     default:
-        return {};
+        return fieldsByTable(id, raw);
     }
 }
 

@@ -4,9 +4,7 @@
 
 #include "mcp/value.h"
 
-#include <array>
 #include <optional>
-#include <vector>
 
 namespace mcp {
 
@@ -56,85 +54,10 @@ struct ScaleConfig { // 12 bytes
     bool operator==(const ScaleConfig &) const = default;
 };
 
-struct SpeedRamp { // 6 bytes
-    std::int32_t rpm = 0;
-    std::uint16_t milliseconds = 0;
-    bool operator==(const SpeedRamp &) const = default;
-};
-
-struct TorqueRamp { // written as 6 bytes, read as 4
-    std::int32_t digits = 0; ///< s16A
-    std::uint16_t milliseconds = 0;
-    bool operator==(const TorqueRamp &) const = default;
-};
-
-struct CurrentRef { // 4 bytes, s16A
-    std::int16_t iq = 0, id = 0;
-    bool operator==(const CurrentRef &) const = default;
-};
-
-struct PositionRamp { // 8 bytes; read back swapped by 6.1 and 6.2.1
-    float targetRad = 0, seconds = 0;
-    bool operator==(const PositionRamp &) const = default;
-};
-
-struct RevUpStage {
-    std::int32_t rpm = 0;
-    std::int16_t digits = 0; ///< torque in s16A; six-step: pulse
-    std::uint16_t milliseconds = 0;
-    bool operator==(const RevUpStage &) const = default;
-};
-constexpr std::size_t kMaxRevUpStages = 5;
-using RevUpData = std::vector<RevUpStage>; // 8 bytes each
-
-struct BemfAdcConf { // 26 bytes; reading and writing it back changes it, see mcp-aspep.md section 8
-    std::array<std::uint16_t, 13> words{};
-    bool operator==(const BemfAdcConf &) const = default;
-};
-
-struct HallPins { // 4 bytes: HT_HEW_PINS, HT_CONNECTED_PINS
-    std::array<std::uint8_t, 3> codes{};
-    bool operator==(const HallPins &) const = default;
-};
-
-struct HallPhaseShift { // 28 bytes
-    std::array<std::int16_t, 14> shifts{};
-    bool operator==(const HallPhaseShift &) const = default;
-};
-
-struct AdcOffset { // 24 bytes, HSO: currents R S T, voltages R S T
-    std::array<std::int32_t, 6> offsets{};
-    bool operator==(const AdcOffset &) const = default;
-};
-
 Result<GlobalConfig, CodecError> decodeGlobalConfig(ByteView raw);
 Result<MotorConfig, CodecError> decodeMotorConfig(ByteView raw);
 Result<ApplicationConfig, CodecError> decodeApplicationConfig(ByteView raw);
 Result<FirmwareConfig, CodecError> decodeFirmwareConfig(ByteView raw);
 Result<ScaleConfig, CodecError> decodeScaleConfig(ByteView raw);
-Result<SpeedRamp, CodecError> decodeSpeedRamp(ByteView raw);
-Result<TorqueRamp, CodecError> decodeTorqueRamp(ByteView raw);
-Result<CurrentRef, CodecError> decodeCurrentRef(ByteView raw);
-Result<PositionRamp, CodecError> decodePositionRamp(ByteView raw);
-Result<RevUpData, CodecError> decodeRevUpData(ByteView raw);
-Result<BemfAdcConf, CodecError> decodeBemfAdcConf(ByteView raw);
-Result<HallPins, CodecError> decodeHallPins(ByteView raw);
-Result<HallPhaseShift, CodecError> decodeHallPhaseShift(ByteView raw);
-Result<AdcOffset, CodecError> decodeAdcOffset(ByteView raw);
-
-Bytes encode(const GlobalConfig &config);
-Bytes encode(const MotorConfig &config); ///< a longer name is cut
-Bytes encode(const ApplicationConfig &config); ///< the short form if nominalDigits is there
-Bytes encode(const FirmwareConfig &config);
-Bytes encode(const ScaleConfig &config);
-Bytes encode(const SpeedRamp &ramp);
-Bytes encode(const TorqueRamp &ramp); ///< 6 bytes, as it is written
-Bytes encode(const CurrentRef &reference);
-Bytes encode(const PositionRamp &ramp);
-Bytes encode(const RevUpData &stages); ///< at most 5 stages, the others are left out
-Bytes encode(const BemfAdcConf &config);
-Bytes encode(const HallPins &pins);
-Bytes encode(const HallPhaseShift &shift);
-Bytes encode(const AdcOffset &offset);
 
 } // namespace mcp

@@ -4,8 +4,8 @@
 #include "drive/values.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
-#include "mcp/structures.h"
 #include "motor/ramp.h"
+#include "motor/rev_up.h"
 
 #include <cmath>
 
@@ -59,7 +59,7 @@ std::string refuseRaw(const McpFacts &board, std::uint16_t bare, int motor, cons
     }
     if (bare == mcp::reg::kPositionRamp.bits)
         return refusePosition(board, motor, *positionIn(bytes));
-    if (bare == mcp::reg::kRevupData.bits)
+    if (bare == mcp::reg::kRevUpData.bits)
         return refuseStages(board, motor, bytes);
     return {};
 }
@@ -85,17 +85,17 @@ std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Rea
 
 std::string refuseStages(const McpFacts &board, int motor, ByteView raw)
 {
-    const auto stages = mcp::decodeRevUpData(raw);
+    const auto stages = motor::revUpOfBytes(raw);
     const double amps = board.ampsPerDigit(motor); // 0: six-step, whose stages hold no current
     if (!stages)
         return {};
-    for (const mcp::RevUpStage &stage : *stages) {
-        if (std::abs(static_cast<double>(stage.rpm)) > kGreatestWireRpm)
+    for (const motor::RevUpStage &stage : *stages) {
+        if (std::abs(static_cast<double>(stage.speed_rpm)) > kGreatestWireRpm)
             return "beyond the 32767 rpm that this protocol can hold";
-        if (auto why = refuseSpeed(board, motor, stage.rpm); !why.empty())
+        if (auto why = refuseSpeed(board, motor, stage.speed_rpm); !why.empty())
             return why;
         if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.digits * amps); !why.empty())
+            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
                 return why;
     }
     return {};

@@ -28,7 +28,7 @@ std::vector<RegisterId> StartCheck::wanted() const
     for (const catalog::RegisterInfo &info : catalog.registers())
         if (info.readable() && !info.stub
             && (info.setPoint != catalog::SetPoint::None || info.id == mcp::reg::kControlMode.bits
-                || info.id == mcp::reg::kRevupData.bits || isSource(info)))
+                || info.id == mcp::reg::kRevUpData.bits || isSource(info)))
             ids.push_back(catalog.withMotor(info, m_motor));
     return ids;
 }

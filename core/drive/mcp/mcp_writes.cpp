@@ -30,7 +30,7 @@ std::string refuseLength(const RegisterWrite &write, const Value &before)
     const auto *old = std::get_if<Bytes>(&before);
     const RegisterId bare = write.id & ~RegisterId{7};
     if (content == nullptr || old == nullptr || content->size() == old->size()
-        || bare == mcp::reg::kTorqueRamp.bits || bare == mcp::reg::kRevupData.bits)
+        || bare == mcp::reg::kTorqueRamp.bits || bare == mcp::reg::kRevUpData.bits)
         return {};
     return "takes " + std::to_string(old->size()) + " bytes";
 }
@@ -76,7 +76,7 @@ bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
         return read == Value(Bytes{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]});
     if (bare == mcp::reg::kSpeedRamp.bits && bytes->size() == kRampSize)
         return read == Value(keptSpeedRamp(*bytes));
-    if (bare == mcp::reg::kRevupData.bits)
+    if (bare == mcp::reg::kRevUpData.bits)
         if (const auto stages = motor::revUpOfBytes(*bytes))
             return read == Value(motor::bytesOf(motor::keptByFirmware(*stages)));
     return false;
