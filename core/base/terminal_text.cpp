@@ -1,5 +1,7 @@
 #include "base/terminal_text.h"
 
+#include "base/hex.h"
+
 #include <array>
 #include <cstdint>
 
@@ -54,13 +56,7 @@ bool formats(char32_t code)
         || (code >= 0xE0000 && code <= 0xE007F);
 }
 
-void appendUnit(std::string &text, char32_t unit)
-{
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    text += "\\u";
-    for (const unsigned shift : {12U, 8U, 4U, 0U})
-        text += kDigits[unit >> shift & 15U];
-}
+void appendUnit(std::string &text, char32_t unit) { text += "\\u" + hexDigits(unit, 4, kLowerHex); }
 
 void appendEscape(std::string &text, char32_t code)
 {

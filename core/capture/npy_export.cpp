@@ -1,5 +1,7 @@
 #include "capture/npy_export.h"
 
+#include "base/hex.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -16,12 +18,11 @@ constexpr std::size_t kBuffer = std::size_t{1} << 20; ///< bytes
 /// As Python writes it; NumPy reads the head as Python's literals.
 std::string quoted(std::string_view name)
 {
-    constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text = "'";
     for (const char c : name) {
         const auto code = static_cast<unsigned char>(c);
         if (code < 0x20 || code == 0x7F) {
-            text += {'\\', 'x', kDigits[code >> 4U], kDigits[code & 15U]};
+            text += "\\x" + hexDigits(code, 2, kLowerHex);
             continue;
         }
         if (c == '\'' || c == '\\')

@@ -1,5 +1,7 @@
 #include "catalog/catalog.h"
 
+#include "base/hex.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,23 +13,7 @@ namespace {
 // The motor is in the low bits of an identifier; protocols that have it elsewhere put it there.
 constexpr RegisterId kMotorBits = 7;
 
-std::string upper(std::string_view text)
-{
-    std::string result(text);
-    for (char &c : result)
-        if (c >= 'a' && c <= 'z')
-            c = static_cast<char>(c - 'a' + 'A');
-    return result;
-}
-
-std::string hexName(RegisterId id)
-{
-    static constexpr char kDigits[] = "0123456789ABCDEF";
-    std::string name = "0x";
-    for (int shift = id > 0xFFFF ? 28 : 12; shift >= 0; shift -= 4)
-        name.push_back(kDigits[id >> shift & 0xFU]);
-    return name;
-}
+std::string hexName(RegisterId id) { return "0x" + hexDigits(id, id > 0xFFFF ? 8 : 4); }
 
 Scale digits(double perDigit, std::string_view unit, const RegisterInfo &info, double fixedPoint)
 {
@@ -37,6 +23,15 @@ Scale digits(double perDigit, std::string_view unit, const RegisterInfo &info, d
 }
 
 } // namespace
+
+std::string upper(std::string_view text)
+{
+    std::string result(text);
+    for (char &c : result)
+        if (c >= 'a' && c <= 'z')
+            c = static_cast<char>(c - 'a' + 'A');
+    return result;
+}
 
 Catalog::Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales)
     : m_registers(std::move(registers))

@@ -71,6 +71,9 @@ private:
     std::unordered_map<std::string, std::size_t> m_byName; ///< upper case, aliases included
 };
 
+/// Names of registers are compared in this form: the letters of ASCII in capitals.
+std::string upper(std::string_view text);
+
 /// Reads a register table (resources/registers/README.md has the columns).
 /// @param family   rows of this family only
 /// @param version  firmware as 0xMMmmpp; rows that came later or went earlier are left out

@@ -113,6 +113,13 @@ enum class MotorState : std::uint8_t {
     FaultOver
 };
 
+/// Nothing drives the motor; it may turn on by itself. False if it is not known.
+constexpr bool rests(MotorState state)
+{
+    return state == MotorState::Idle || state == MotorState::FaultNow
+        || state == MotorState::FaultOver;
+}
+
 /// One step of what a motor goes through: the firmware's names of the states that it covers.
 struct StateStep {
     MotorState state = MotorState::Unknown;

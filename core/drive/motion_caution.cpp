@@ -6,12 +6,6 @@ namespace drive {
 
 namespace {
 
-bool driven(MotorState state)
-{
-    return state != MotorState::Idle && state != MotorState::FaultNow
-        && state != MotorState::FaultOver;
-}
-
 struct Judge {
     const MotionScene &scene;
     std::vector<MotionCaution> found;
@@ -40,7 +34,7 @@ struct Judge {
         const bool against = scene.speedRpm && std::abs(*scene.speedRpm) > kTurningRpm
             && std::signbit(*scene.speedRpm) != std::signbit(to);
         // The measured speed of a motor that is not driven may be an observer's noise; of one that is, it counts.
-        const bool unknown = !scene.speedRpm && driven(scene.state);
+        const bool unknown = !scene.speedRpm && !rests(scene.state);
         if (against || unknown)
             found.push_back(MotionCaution::Reversal);
     }
@@ -51,7 +45,7 @@ struct Judge {
     }
     void mode(bool torque)
     {
-        if (driven(scene.state) && scene.torqueMode != torque)
+        if (!rests(scene.state) && scene.torqueMode != torque)
             found.push_back(MotionCaution::OtherMode);
     }
 

@@ -1,5 +1,6 @@
 #include "drive/motion_of.h"
 
+#include "base/hex.h"
 #include "drive/values.h"
 
 namespace drive {
@@ -13,21 +14,10 @@ std::string inTime(std::chrono::milliseconds duration)
     return " in " + std::to_string(duration.count()) + " ms";
 }
 
-std::string hexOf(const Bytes &bytes)
-{
-    static constexpr char kDigits[] = "0123456789ABCDEF";
-    std::string text = "0x";
-    for (const std::uint8_t byte : bytes) {
-        text.push_back(kDigits[byte >> 4]);
-        text.push_back(kDigits[byte & 0xF]);
-    }
-    return text;
-}
-
 std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &write)
 {
     if (const auto *bytes = std::get_if<Bytes>(&write.value))
-        return hexOf(*bytes);
+        return "0x" + hexOf(*bytes);
     const auto value = asNumber(write.value);
     if (!value)
         return "?";

@@ -1,5 +1,6 @@
 #include "drive/motion_record.h"
 
+#include "base/hex.h"
 #include "drive/event.h"
 
 #include <charconv>
@@ -10,18 +11,9 @@ namespace {
 
 std::string hex(const std::vector<Bytes> &requests, std::size_t all)
 {
-    static constexpr char kDigits[] = "0123456789ABCDEF";
     std::string text;
-    for (const Bytes &request : requests) {
-        if (!text.empty())
-            text += " | ";
-        for (std::size_t i = 0; i < request.size(); ++i) {
-            if (i > 0)
-                text.push_back(' ');
-            text.push_back(kDigits[request[i] >> 4]);
-            text.push_back(kDigits[request[i] & 0xF]);
-        }
-    }
+    for (const Bytes &request : requests)
+        text += (text.empty() ? "" : " | ") + hexOf(request, " ");
     if (all > requests.size())
         text += " | and " + std::to_string(all - requests.size()) + " more";
     return text;

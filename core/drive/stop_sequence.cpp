@@ -5,11 +5,7 @@
 
 namespace drive {
 
-bool isDriveIdle(const MotorStatus &status)
-{
-    return status.state == MotorState::Idle || status.state == MotorState::FaultNow
-        || status.state == MotorState::FaultOver || status.waitsForBus;
-}
+bool isDriveIdle(const MotorStatus &status) { return rests(status.state) || status.waitsForBus; }
 
 MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecord record)
 {

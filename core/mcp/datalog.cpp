@@ -31,6 +31,12 @@ RegisterId datalogRegister(std::uint8_t linkId)
     return (linkId == 1 ? reg::kAsyncUartB : reg::kAsyncUartA).withMotor(1);
 }
 
+bool isDatalogRegister(RegisterId id)
+{
+    const RegisterId plain = id.withMotor(0);
+    return plain == reg::kAsyncUartA || plain == reg::kAsyncUartB || plain == reg::kAsyncStLink;
+}
+
 Result<Bytes, CodecError> encodeDatalog(const DatalogConfig &config)
 {
     constexpr std::size_t kMost = std::numeric_limits<std::uint8_t>::max();

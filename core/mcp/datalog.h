@@ -36,6 +36,8 @@ DatalogConfig datalogStop();
 
 /// Which register configures the datalog of the link that the Ping reply named; with motor 1, see DatalogConfig::fast.
 RegisterId datalogRegister(std::uint8_t linkId);
+/// Whether a register configures the datalog of some link; its motor bits do not count.
+bool isDatalogRegister(RegisterId id);
 
 /// Fails if an id has no motor or a list is longer than its count can say.
 Result<Bytes, CodecError> encodeDatalog(const DatalogConfig &config);

@@ -18,12 +18,6 @@ constexpr std::uint32_t kBeacon = 5, kPing = 6, kData = 9, kResponse = 10, kErro
 
 unsigned bits(std::uint32_t word, int at, int width) { return (word >> at) & ((1U << width) - 1); }
 
-bool isDatalogRegister(RegisterId id)
-{
-    const RegisterId plain = id.withMotor(0);
-    return plain == reg::kAsyncUartA || plain == reg::kAsyncUartB || plain == reg::kAsyncStLink;
-}
-
 bool is(std::optional<std::uint16_t> command, CommandId wanted)
 {
     return command == static_cast<std::uint16_t>(wanted);

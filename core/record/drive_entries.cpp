@@ -1,5 +1,7 @@
 #include "record/drive_entries.h"
 
+#include "base/hex.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,17 +18,6 @@ std::string text(double value)
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + 32, value).ptr};
 }
 
-std::string hex(const Bytes &bytes)
-{
-    std::string hex;
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    for (const std::uint8_t byte : bytes) {
-        hex += kDigits[byte >> 4];
-        hex += kDigits[byte & 0xF];
-    }
-    return hex;
-}
-
 std::string text(const catalog::Value &value)
 {
     if (const auto *number = std::get_if<std::int64_t>(&value))
@@ -35,7 +26,7 @@ std::string text(const catalog::Value &value)
         return text(*number);
     if (const auto *words = std::get_if<std::string>(&value))
         return *words;
-    return hex(std::get<Bytes>(value));
+    return hexOf(std::get<Bytes>(value), "", kLowerHex);
 }
 
 std::string text(const std::vector<std::string> &words)
@@ -94,7 +85,7 @@ Happening motionHappening(const drive::MotionRecord &motion)
     if (!motion.reason.empty())
         happening.fields.emplace_back("reason", motion.reason);
     for (const Bytes &request : motion.sent)
-        happening.fields.emplace_back("bytes", hex(request));
+        happening.fields.emplace_back("bytes", hexOf(request, "", kLowerHex));
     return happening;
 }
 

@@ -7,6 +7,7 @@
 #include "capture/tick_time.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -59,6 +60,14 @@ struct Happening {
     std::string name; ///< e.g. "motor state"
     std::vector<std::pair<std::string, std::string>> fields; ///< e.g. {"state", "RUN"}
     bool operator==(const Happening &) const = default;
+
+    std::string field(std::string_view key) const ///< empty: none
+    {
+        for (const auto &[fieldName, value] : fields)
+            if (fieldName == key)
+                return value;
+        return {};
+    }
 };
 
 /// The registers of the board at one time, as the snapshot file has them (docs/snapshot.md).

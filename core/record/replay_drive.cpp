@@ -31,23 +31,9 @@ constexpr Nanos kNever = std::numeric_limits<Nanos>::min();
 
 bool isPlausible(Nanos at) { return at > -kFarthest && at < kFarthest; }
 
-const std::string *fieldOf(const Happening &happening, std::string_view key)
-{
-    for (const auto &[name, value] : happening.fields)
-        if (name == key)
-            return &value;
-    return nullptr;
-}
-
-std::string textOf(const Happening &happening, std::string_view key)
-{
-    const std::string *field = fieldOf(happening, key);
-    return field ? *field : std::string();
-}
-
 std::int64_t numberOf(const Happening &happening, std::string_view key, std::int64_t otherwise)
 {
-    const std::string text = textOf(happening, key);
+    const std::string text = happening.field(key);
     std::int64_t number = otherwise;
     std::from_chars(text.data(), text.data() + text.size(), number);
     return number;
@@ -384,11 +370,11 @@ void ReplayDrive::play(Nanos at, const Happening &happening)
     if (happening.name == "motor state")
         return playStatus(at, happening);
     if (happening.name == "board") {
-        m_identity.protocol = textOf(happening, "protocol");
-        m_identity.firmware = textOf(happening, "firmware");
-        m_identity.version = textOf(happening, "version");
-        m_identity.controlBoard = textOf(happening, "control board");
-        m_identity.powerBoards = {textOf(happening, "power boards")};
+        m_identity.protocol = happening.field("protocol");
+        m_identity.firmware = happening.field("firmware");
+        m_identity.version = happening.field("version");
+        m_identity.controlBoard = happening.field("control board");
+        m_identity.powerBoards = {happening.field("power boards")};
         m_identifiable = true;
         identify();
         return;
@@ -402,11 +388,11 @@ void ReplayDrive::playStatus(Nanos at, const Happening &happening)
     drive::MotorStatus status;
     status.motor =
         static_cast<int>(std::clamp<std::int64_t>(numberOf(happening, "motor", 1), 1, 7));
-    status.state = stateOf(textOf(happening, "state"));
+    status.state = stateOf(happening.field("state"));
     status.rawState = numberOf(happening, "raw", 0);
-    status.stateName = textOf(happening, "name");
-    status.faultsNow = wordsOf(textOf(happening, "faults now"));
-    status.faultsPast = wordsOf(textOf(happening, "faults past"));
+    status.stateName = happening.field("name");
+    status.faultsNow = wordsOf(happening.field("faults now"));
+    status.faultsPast = wordsOf(happening.field("faults past"));
     status.at = axis(at);
     m_identifiable = m_identifiable || status.motor > m_identity.motors;
     m_identity.motors = std::max(m_identity.motors, status.motor);

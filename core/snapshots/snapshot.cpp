@@ -1,19 +1,11 @@
 #include "snapshots/snapshot.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace snapshots {
 
 namespace {
-
-std::string upper(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-        [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return text;
-}
 
 /// Looks for entries that come in about the order they stand in: begins where the last one was found.
 class Finder {
@@ -111,8 +103,8 @@ namespace {
 
 bool fits(const std::string &wanted, const Entry &entry)
 {
-    const std::string upperName = upper(wanted), name = upper(entry.name);
-    return upperName == upper(entry.group) || upperName == name
+    const std::string upperName = catalog::upper(wanted), name = catalog::upper(entry.name);
+    return upperName == catalog::upper(entry.group) || upperName == name
         || upperName == name + "@" + std::to_string(entry.motor);
 }
 

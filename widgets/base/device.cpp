@@ -12,13 +12,6 @@ struct Overloaded : Ts... {
 template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>; // clang 14 does not deduce it by itself
 
-bool atRest(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
 /// Expert mode is for one connection to one board that was not reset meanwhile.
 bool forgetsExperts(const drive::LinkChanged &link)
 {
@@ -69,7 +62,7 @@ bool Device::allIdle() const
     if (replaying(*this))
         return true; // what turned then does not turn now
     for (const auto &[motor, status] : m_status)
-        if (!atRest(status.state))
+        if (!drive::rests(status.state))
             return false;
     return true;
 }

@@ -3,7 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/control/readout_box.h"
-#include "widgets/control/state_box.h"
+#include "widgets/control/state_strip.h"
 
 #include <QPainter>
 

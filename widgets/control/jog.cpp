@@ -7,16 +7,6 @@
 #include <utility>
 
 namespace widgets {
-namespace {
-
-bool atRest(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
-} // namespace
 
 Jog::Jog(Device &device, MotionGate &motion, QObject *parent)
     : QObject(parent)
@@ -126,7 +116,7 @@ void Jog::refresh(Milliseconds now)
     m_now = now;
     if (m_state != State::LettingGo || now <= m_deadline)
         return;
-    if (atRest(m_device.status(m_motor).state))
+    if (drive::rests(m_device.status(m_motor).state))
         enter(State::Off);
     else
         abort(); // the stop that is repeated until there is evidence
@@ -136,7 +126,7 @@ void Jog::statusChanged()
 {
     if (m_state == State::Off)
         return;
-    const bool rest = atRest(m_device.status(m_motor).state);
+    const bool rest = drive::rests(m_device.status(m_motor).state);
     m_left = m_left || !rest;
     // Before the start has left, the motor is idle as well; afterwards idle means that it is over.
     if (rest && (m_left || m_device.status(m_motor).state != drive::MotorState::Idle))

@@ -34,19 +34,6 @@ QString joined(const std::vector<std::string> &names)
 
 } // namespace
 
-QColor stateColor(drive::MotorState state, const QPalette &palette)
-{
-    using drive::MotorState;
-    const auto light = state == MotorState::Running ? Lamp::Light::On
-        : state == MotorState::FaultNow             ? Lamp::Light::Bad
-        : state == MotorState::FaultOver || state == MotorState::Starting
-            || state == MotorState::Stopping
-        ? Lamp::Light::Waiting
-        : Lamp::Light::Off;
-    return light == Lamp::Light::Off ? palette.color(QPalette::WindowText)
-                                     : Lamp::colorOf(light, palette);
-}
-
 StateBox::StateBox(Device &device, QWidget *parent)
     : QWidget(parent)
     , m_device(device)

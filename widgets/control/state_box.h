@@ -38,7 +38,4 @@ private:
     QToolButton *m_causes;
 };
 
-/// Colour of a state's word, or Off: the text's own colour.
-QColor stateColor(drive::MotorState state, const QPalette &palette);
-
 } // namespace widgets

@@ -18,25 +18,6 @@ constexpr int kCellGap = 3;
 constexpr int kPadding = 4; // above and below the text, together
 constexpr double kSmaller = 0.86; // than the font around
 
-Lamp::Light lightOf(drive::MotorState state)
-{
-    using drive::MotorState;
-    switch (state) {
-    case MotorState::Running:
-        return Lamp::Light::On;
-    case MotorState::FaultNow:
-        return Lamp::Light::Bad;
-    case MotorState::Starting:
-    case MotorState::Stopping:
-    case MotorState::FaultOver:
-        return Lamp::Light::Waiting;
-    case MotorState::Idle:
-    case MotorState::Unknown:
-        break;
-    }
-    return Lamp::Light::Off;
-}
-
 QFont smallFont(const QFont &font, bool bold)
 {
     QFont small = font;
@@ -46,6 +27,19 @@ QFont smallFont(const QFont &font, bool bold)
 }
 
 } // namespace
+
+QColor stateColor(drive::MotorState state, const QPalette &palette)
+{
+    using drive::MotorState;
+    const auto light = state == MotorState::Running ? Lamp::Light::On
+        : state == MotorState::FaultNow             ? Lamp::Light::Bad
+        : state == MotorState::FaultOver || state == MotorState::Starting
+            || state == MotorState::Stopping
+        ? Lamp::Light::Waiting
+        : Lamp::Light::Off;
+    return light == Lamp::Light::Off ? palette.color(QPalette::WindowText)
+                                     : Lamp::colorOf(light, palette);
+}
 
 StateStrip::StateStrip(QWidget *parent)
     : QWidget(parent)
@@ -123,9 +117,7 @@ void StateStrip::paintEvent(QPaintEvent *)
     for (std::size_t i = 0; i < m_steps.size(); ++i) {
         const bool lit = static_cast<int>(i) == m_current;
         const QRectF cell = QRectF(cellRect(i)).adjusted(0.5, 0.5, -0.5, -0.5);
-        const QColor light = lightOf(m_steps[i].state) == Lamp::Light::Off
-            ? palette().color(QPalette::WindowText)
-            : Lamp::colorOf(lightOf(m_steps[i].state), palette());
+        const QColor light = stateColor(m_steps[i].state, palette());
         painter.setPen(QPen(lit ? light : palette().color(QPalette::Mid), lit ? 2.0 : 1.0));
         painter.setBrush(lit ? QBrush(light) : QBrush(Qt::NoBrush));
         painter.drawRoundedRect(cell, 4, 4);

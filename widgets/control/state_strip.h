@@ -38,4 +38,7 @@ private:
     QString m_lit;
 };
 
+/// What a state is painted in; the text's own colour where nothing moves and nothing is wrong.
+QColor stateColor(drive::MotorState state, const QPalette &palette);
+
 } // namespace widgets

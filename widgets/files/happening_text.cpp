@@ -22,18 +22,10 @@ struct Happenings {
 
 using record::Happening;
 
-std::string fieldOf(const Happening &happening, std::string_view key)
-{
-    for (const auto &[name, value] : happening.fields)
-        if (name == key)
-            return value;
-    return {};
-}
-
 template <class Number>
 std::optional<Number> numberOf(const Happening &happening, std::string_view key)
 {
-    const std::string text = fieldOf(happening, key);
+    const std::string text = happening.field(key);
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = error == std::errc{} && end == text.data() + text.size();
@@ -44,7 +36,7 @@ template <class Enum, std::size_t N>
 std::optional<Enum> wordOf(
     const Happening &happening, std::string_view key, const std::array<const char *, N> &words)
 {
-    const auto found = std::find(words.begin(), words.end(), fieldOf(happening, key));
+    const auto found = std::find(words.begin(), words.end(), happening.field(key));
     return found == words.end() ? std::nullopt
                                 : std::optional(static_cast<Enum>(found - words.begin()));
 }
@@ -98,10 +90,10 @@ QString writeText(const Happening &happening)
 QString stateText(const Happening &happening)
 {
     const auto state = wordOf<drive::MotorState>(happening, "state", record::kMotorStateWords);
-    QString text = deviceText(fieldOf(happening, "name"));
+    QString text = deviceText(happening.field("name"));
     if (text.isEmpty() && state)
         text = motorStateText(*state);
-    const QString faults = deviceText(fieldOf(happening, "faults now"));
+    const QString faults = deviceText(happening.field("faults now"));
     if (!text.isEmpty() && !faults.isEmpty())
         text += QStringLiteral(": ") + faults;
     return text.isEmpty() ? text : ofMotor(happening, text);

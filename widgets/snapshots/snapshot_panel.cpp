@@ -28,13 +28,6 @@ const QString kBoard = QStringLiteral("board");
 constexpr qsizetype kMostKept = 20;
 constexpr std::size_t kMostRecorded = 200; ///< the newest
 
-bool atRest(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
 } // namespace
 
 SnapshotPanel::SnapshotPanel(Device &device, RegisterEdits &edits, AutoSnapshots &automatic,
@@ -294,7 +287,7 @@ void SnapshotPanel::offer()
     std::vector<int> moving;
     const auto catalog = m_device.catalog();
     for (int motor = 1; catalog && motor <= catalog->motors(); ++motor)
-        if (!atRest(m_device.status(motor).state))
+        if (!drive::rests(m_device.status(motor).state))
             moving.push_back(motor);
     if (moving == m_moving)
         return;

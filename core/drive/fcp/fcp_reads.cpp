@@ -1,5 +1,7 @@
 #include "drive/fcp/fcp_reads.h"
 
+#include "base/hex.h"
+
 namespace drive {
 
 namespace {
@@ -23,8 +25,7 @@ std::string nackWord(const fcp::Reply &reply)
         return "refused without a reason";
     if (const auto name = fcp::errorName(*code); !name.empty())
         return std::string(name);
-    static constexpr char kDigits[] = "0123456789ABCDEF";
-    return std::string("unknown error 0x") + kDigits[*code >> 4] + kDigits[*code & 0xF];
+    return "unknown error 0x" + hexDigits(*code, 2);
 }
 
 std::optional<std::string> FcpProtocol::refusalIn(const fcp::Reply &reply)

@@ -1,5 +1,6 @@
 #include "drive/mcb/mcb_catalog.h"
 
+#include "base/hex.h"
 #include "drive/mcb/mcb_messages.h"
 #include "mcb/dictionary.h"
 #include "mcb/mapping.h"
@@ -91,7 +92,7 @@ std::string groupOf(std::uint16_t address)
 void name(RegisterInfo &info, std::uint16_t address)
 {
     const mcb::Entry *entry = mcb::findEntry(address);
-    info.name = entry != nullptr ? entry->name : "REGISTER_" + hexText(address, 3);
+    info.name = entry != nullptr ? entry->name : "REGISTER_0x" + hexDigits(address, 3);
     if (entry != nullptr) {
         info.help = entry->description;
         info.unit = entry->unit;

@@ -1,5 +1,6 @@
 #include "drive/mcb/mcb_identification.h"
 
+#include "base/hex.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_messages.h"
 #include "mcb/dictionary.h"
@@ -203,10 +204,10 @@ void McbIdentification::finish()
     }
 
     m_identity.protocol = "MCB over SPI";
-    m_identity.firmware = "product " + hexText(std::uint64_t(numberAt(mcbreg::kProduct)), 8)
-        + ", revision " + hexText(std::uint64_t(numberAt(mcbreg::kRevision)), 8);
+    m_identity.firmware = "product 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kProduct)), 8)
+        + ", revision 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kRevision)), 8);
     m_identity.version = textAt(mcbreg::kVersion);
-    m_identity.controlBoard = "vendor " + hexText(std::uint64_t(numberAt(mcbreg::kVendor)), 8)
+    m_identity.controlBoard = "vendor 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kVendor)), 8)
         + ", serial number " + std::to_string(std::uint64_t(numberAt(mcbreg::kSerial)));
     m_identity.motors = 1;
     m_identity.motorNames = {""};

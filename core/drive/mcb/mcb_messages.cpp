@@ -1,5 +1,7 @@
 #include "drive/mcb/mcb_messages.h"
 
+#include "base/hex.h"
+
 namespace drive {
 
 using mcb::ErrorCode;
@@ -58,15 +60,6 @@ Bytes mcbChanges(const McbRequest &request)
     return bytes;
 }
 
-std::string hexText(std::uint64_t number, int digits)
-{
-    static constexpr char kDigits[] = "0123456789ABCDEF";
-    std::string text = "0x";
-    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
-        text.push_back(kDigits[number >> shift & 0xFU]);
-    return text;
-}
-
 std::optional<std::string> McbProtocol::refusalIn(const McbAnswer &answer)
 {
     return answer.ok ? std::nullopt : std::optional(mcbWordOf(answer.code));
@@ -76,7 +69,7 @@ std::string mcbWordOf(std::uint32_t code)
 {
     if (code == kOtherValueRead)
         return "another value is read back";
-    return std::string(meaningOf(code)) + " (" + hexText(code, 8) + ")";
+    return std::string(meaningOf(code)) + " (0x" + hexDigits(code, 8) + ")";
 }
 
 } // namespace drive

@@ -80,6 +80,5 @@ constexpr std::uint32_t kOtherValueRead = 0xFFFFFFFF;
 
 /// What a code means, and the code: "no such register (0x06020000)".
 std::string mcbWordOf(std::uint32_t code);
-std::string hexText(std::uint64_t number, int digits);
 
 } // namespace drive

@@ -1,5 +1,6 @@
 #include "drive/mcb/mcb_vitals.h"
 
+#include "base/hex.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_messages.h"
@@ -60,7 +61,7 @@ std::optional<MotorStatus> McbVitals::statusOf(int) const
     if (isFault(state.state)) {
         const auto code = static_cast<std::int32_t>(numberAt(mcbreg::kLastError).value_or(0.0));
         const std::string fault =
-            "ERROR_" + hexText(static_cast<std::uint32_t>(code), kErrorDigits);
+            "ERROR_0x" + hexDigits(static_cast<std::uint32_t>(code), kErrorDigits);
         (state.state == MotorState::FaultNow ? status.faultsNow : status.faultsPast) = {fault};
     }
     return status;

@@ -1,5 +1,6 @@
 #include "drive/mcp/mcp_values.h"
 
+#include "base/hex.h"
 #include "mcp/protocol.h"
 
 namespace drive {
@@ -70,8 +71,7 @@ std::string statusWord(std::uint8_t status)
     const std::string_view name = mcp::statusName(status);
     if (!name.empty())
         return std::string(name);
-    static constexpr char kDigits[] = "0123456789ABCDEF";
-    return std::string("status 0x") + kDigits[status >> 4] + kDigits[status & 0xF];
+    return "status 0x" + hexDigits(status, 2);
 }
 
 McpEnd endIn(ByteView response)

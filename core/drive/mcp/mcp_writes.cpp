@@ -2,7 +2,7 @@
 
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_values.h"
-#include "mcp/protocol.h"
+#include "mcp/datalog.h"
 #include "motor/ramp.h"
 #include "motor/rev_up.h"
 
@@ -14,13 +14,6 @@ namespace drive {
 namespace {
 
 bool isPositionRamp(RegisterId id) { return (id & ~RegisterId{7}) == mcp::reg::kPositionRamp.bits; }
-
-bool isDatalogRegister(RegisterId id)
-{
-    const RegisterId bare = id & ~RegisterId{7};
-    return bare == mcp::reg::kAsyncUartA.bits || bare == mcp::reg::kAsyncUartB.bits
-        || bare == mcp::reg::kAsyncStLink.bits;
-}
 
 /// Why bytes of this length are not written over those that were read; empty if they may. The two that are written in
 /// lengths of their own are looked at elsewhere: TORQUE_RAMP with the limits, REVUP_DATA by the board.
@@ -94,7 +87,7 @@ std::string McpWriteTask::notShownYet(const RegisterWrite &write, const WriteRes
 /// Why it must not be written; empty if it may, like that.
 std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
 {
-    if (isDatalogRegister(item.write.id))
+    if (mcp::isDatalogRegister({static_cast<std::uint16_t>(item.write.id)}))
         return "is set by streaming";
     if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty())
         return why;

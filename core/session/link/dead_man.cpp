@@ -48,12 +48,8 @@ void DeadMan::takeStatus(const drive::MotorStatus &status)
 
 bool DeadMan::driven(int motor) const
 {
-    using drive::MotorState;
     const auto found = m_states.find(motor);
-    if (found == m_states.end())
-        return true; // not known: it may be
-    return found->second != MotorState::Idle && found->second != MotorState::FaultNow
-        && found->second != MotorState::FaultOver;
+    return found == m_states.end() || !drive::rests(found->second); // not known: it may be
 }
 
 bool DeadMan::driven() const
