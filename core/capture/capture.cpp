@@ -443,12 +443,6 @@ std::optional<double> Capture::lastValue(ChannelId id) const
     return found && !found->empty() ? std::optional(found->at(found->end() - 1)) : std::nullopt;
 }
 
-std::vector<Sample> Capture::samples(ChannelId id, double from, double to, std::size_t limit) const
-{
-    const Channel *found = channel(id);
-    return found ? found->samples(from, to, limit) : std::vector<Sample>();
-}
-
 Snapshot Capture::snapshot(std::span<const ChannelId> ids) const
 {
     auto copy = std::make_shared<std::vector<Channel>>();

@@ -112,7 +112,6 @@ public:
     MinMax extremes(ChannelId id, double from, double to) const;
     std::optional<double> valueAt(ChannelId id, double time) const;
     std::optional<double> lastValue(ChannelId id) const;
-    std::vector<Sample> samples(ChannelId id, double from, double to, std::size_t limit) const;
 
     /// For readers that take their time, such as an export; unknown ids are left out.
     Snapshot snapshot(std::span<const ChannelId> ids) const;

@@ -82,9 +82,8 @@ constexpr unsigned kMostMotors =
 constexpr std::size_t kRevUpStages = 5;
 constexpr std::size_t kStageBytes = 8;
 
-// Names as the documents have them; empty if there is none.
-std::string_view commandName(std::uint8_t id); ///< "START_MOTOR", ...
-std::string_view errorName(std::uint8_t code); ///< "BAD_CRC", ...
+/// Its name as the documents have it: "BAD_CRC", ...; empty if there is none.
+std::string_view errorName(std::uint8_t code);
 
 /// Whether the dialect's documents or firmware know the frame code or command.
 bool knowsFrame(Dialect dialect, std::uint8_t code);

@@ -140,16 +140,6 @@ void DatalogDecoder::expect(
     m_stopping = false;
 }
 
-void DatalogDecoder::restart()
-{
-    m_known.clear();
-    m_lastStream.reset();
-    m_clock.reset();
-    m_doubtful.reset();
-    m_stopping = false;
-    ++m_epoch;
-}
-
 DatalogDecoder::Known *DatalogDecoder::find(std::uint8_t mark)
 {
     const auto it = std::find_if(m_known.begin(), m_known.end(),

@@ -2,7 +2,7 @@
 // packet only with its own. What does not fit exactly is counted and skipped: no sample is ever guessed.
 //
 // Call order: expect() with each configuration when it is sent, stopping() when a stop is sent, decode() with each
-// payload; restart() when the board was reset.
+// payload; a new one when the board was reset.
 #pragma once
 
 #include "capture/sample_block.h"
@@ -46,8 +46,6 @@ public:
     void expect(capture::StreamId stream, const DatalogConfig &config, Signedness signedness = {});
     /// A stop was sent: the last packet may come cut short.
     void stopping() { m_stopping = true; }
-    /// The board was reset: time begins anew, nothing it had is expected any more.
-    void restart();
 
     std::optional<capture::SampleBlock> decode(ByteView payload);
     /// The same into a block that is used again, without an allocation once it has its size; what is in it where this

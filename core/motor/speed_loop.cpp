@@ -171,11 +171,6 @@ StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
     return step;
 }
 
-double phaseMargin_deg(double damping)
-{
-    return (std::atan(damping) - std::atan(1.0 / damping)) * 180.0 / std::numbers::pi;
-}
-
 double filteredStepOvershoot(double damping)
 {
     const double end = 12.0 * damping * damping; // the peak comes before

@@ -51,8 +51,6 @@ struct SpeedPath {
 StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
     const SpeedPath &path, double duration_s, int samples);
 
-double phaseMargin_deg(double damping); ///< atan d - atan 1/d
-
 /// Overshoot, as a fraction, of a step of the reference behind a prefilter 1 / (1 + s d^2 tau), which a ramp of the
 /// set-point resembles.
 double filteredStepOvershoot(double damping);

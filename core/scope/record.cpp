@@ -64,15 +64,6 @@ bool RecordHistory::setLabel(RecordId id, std::string_view label)
     return true;
 }
 
-bool RecordHistory::remove(RecordId id)
-{
-    const auto at = position(id);
-    if (at == m_records.end())
-        return false;
-    m_records.erase(at);
-    return true;
-}
-
 void RecordHistory::clear() { m_records.clear(); }
 
 bool RecordHistory::release(Nanos oldest)

@@ -61,7 +61,6 @@ public:
     bool setPinned(RecordId id, bool pinned);
     /// Cut to kLabelBytes, at the border of a character. False if the record is unknown.
     bool setLabel(RecordId id, std::string_view label);
-    bool remove(RecordId id);
     void clear(); ///< pinned ones too
 
     /// Samples before `oldest` are gone: drops the records that lie there, and marks the pinned ones.

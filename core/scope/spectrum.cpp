@@ -124,17 +124,6 @@ double Spectrum::amplitude(std::size_t bin) const
     return std::sqrt(single ? square : 2.0 * square);
 }
 
-double Spectrum::rms(double fromHz, double toHz) const
-{
-    double sum = 0.0;
-    for (std::size_t k = 0; k < meanSquares.size(); ++k) {
-        const double hertz = frequency(static_cast<double>(k));
-        if (hertz >= fromHz && hertz <= toHz)
-            sum += meanSquares[k];
-    }
-    return std::sqrt(sum);
-}
-
 Result<Spectrum, NoSpectrum> spectrumOf(const SampleRange &range, const SpectrumSettings &settings)
 {
     const Uniform piece = longestPiece(range);

@@ -2,7 +2,7 @@
 //
 // Scales. A bin holds a mean square in the channel's unit squared, so that the sum over all bins is the mean square of
 // the windowed samples exactly (Parseval). A sine of amplitude A at a bin reads amplitude() = A there, whatever the
-// window. rms() of a band counts noise and tones right: a window spreads a tone over several bins.
+// window. The root of a band's sum counts noise and tones right: a window spreads a tone over several bins.
 // Transform: kissfft (double), which keeps no global state, so that any thread may use it.
 #pragma once
 
@@ -52,8 +52,6 @@ struct Spectrum {
     double frequency(double bin) const { return bin * binHz; }
     /// Of a sine there: its peak value, not its rms.
     double amplitude(std::size_t bin) const;
-    /// Of everything from one frequency to another, both included.
-    double rms(double fromHz, double toHz) const;
 };
 
 enum class NoSpectrum : std::uint8_t {

@@ -366,11 +366,6 @@ TriggerSearch::TriggerSearch(TriggerSearch &&) noexcept = default;
 TriggerSearch &TriggerSearch::operator=(TriggerSearch &&) noexcept = default;
 TriggerSearch::~TriggerSearch() = default;
 
-Index TriggerSearch::position() const
-{
-    return m_state->work ? m_state->work->next : m_state->from;
-}
-
 std::optional<TriggerHit> TriggerSearch::next(const Channel &channel, Nanos notBefore, Index until)
 {
     if (!m_state->work)

@@ -38,8 +38,6 @@ public:
     std::optional<TriggerHit> next(const capture::Channel &channel, Nanos notBefore,
         Index until = std::numeric_limits<Index>::max());
 
-    Index position() const; ///< the first sample not looked at yet
-
 private:
     struct State;
     std::unique_ptr<State> m_state;

@@ -18,6 +18,16 @@ using simulation::PlantParameters;
 
 constexpr double kRpmPerRadps = 30.0 / std::numbers::pi;
 
+/// With the sensor that the motor has in the speed loop.
+inline simulation::DriveDesign usualDesign(const simulation::PlantParameters &plant, double hfHz)
+{
+    using simulation::SpeedSensor;
+    const SpeedSensor main = plant.sensors.encoderPulses > 0 ? SpeedSensor::Encoder
+        : plant.sensors.hall                                 ? SpeedSensor::Hall
+                                                             : SpeedSensor::ObserverPll;
+    return simulation::designFor(plant, hfHz, main);
+}
+
 struct AxisBench {
     static constexpr double kHf_hz = 16000.0;
     static constexpr int kHfPerMs = 16;

@@ -140,8 +140,8 @@ private:
             const auto should = whole.columns(id, a, b, 300);
             QVERIFY(std::equal(has.begin(), has.end(), should.begin(), should.end(), same));
             QCOMPARE(small.valueAt(id, a), whole.valueAt(id, a));
-            const auto few = small.samples(id, a, b, 100);
-            const auto theirs = whole.samples(id, a, b, 100);
+            const auto few = small.channel(id)->samples(a, b, 100);
+            const auto theirs = whole.channel(id)->samples(a, b, 100);
             QCOMPARE(few.size(), theirs.size());
             for (std::size_t i = 0; i < few.size(); ++i) {
                 QCOMPARE(few[i].time, theirs[i].time);

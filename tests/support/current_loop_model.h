@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/firmware/design.h"
+#include "support/axis_bench.h"
 
 #include <array>
 #include <cmath>
@@ -28,7 +29,7 @@ public:
             motor.rs_ohm * warm + plant.inverter.switchResistance_ohm, speed * motor.lq_h);
         m_pole = std::exp(-z / motor.lq_h * m_period_s);
         m_gain = (1.0 - m_pole) / z;
-        const simulation::DriveDesign design = simulation::designFor(plant, hz);
+        const simulation::DriveDesign design = usualDesign(plant, hz);
         const auto gain = [&](double numerator, int exponent) {
             return std::ldexp(numerator, -exponent) * design.stage.voltsPerDigit()
                 / design.stage.ampsPerDigit();

@@ -84,13 +84,6 @@ QString GainNumber::problem() const
         .arg(significantText(m_least), significantText(m_greatest), m_unit);
 }
 
-void GainNumber::setBounds(double least, double greatest)
-{
-    m_least = least;
-    m_greatest = greatest;
-    showProblem();
-}
-
 void GainNumber::stepBy(int steps)
 {
     const auto now = value();

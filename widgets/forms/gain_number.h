@@ -26,7 +26,6 @@ public:
     void setValue(std::optional<double> value);
     /// What is wrong with the text; empty if nothing is, or if there is none.
     QString problem() const override;
-    void setBounds(double least, double greatest);
 
 Q_SIGNALS:
     void valueEdited(); ///< by the user; value() may be empty

@@ -217,12 +217,4 @@ DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor mai
     return design;
 }
 
-DriveDesign designFor(const PlantParameters &plant, double hfHz)
-{
-    if (plant.sensors.encoderPulses > 0)
-        return designFor(plant, hfHz, SpeedSensor::Encoder);
-    return designFor(
-        plant, hfHz, plant.sensors.hall ? SpeedSensor::Hall : SpeedSensor::ObserverPll);
-}
-
 } // namespace simulation

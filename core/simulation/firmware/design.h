@@ -41,10 +41,8 @@ struct DriveDesign {
     Protection::Limits protection;
 };
 
-/// A sound project for this motor on this power stage at this control rate, with `main` in the speed loop; without it,
-/// with the sensor that the motor has.
+/// A sound project for this motor on this power stage at this control rate, with `main` in the speed loop.
 DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor main);
-DriveDesign designFor(const PlantParameters &plant, double hfHz);
 
 /// The sensing chain of the power stage, in the units of the gain formulas.
 CurrentSensing sensingOf(const PlantParameters &plant);

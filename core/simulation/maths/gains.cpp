@@ -34,8 +34,6 @@ Pi::Gains gainsOf(double kp, int kpShift, double ki, int kiShift)
 
 } // namespace
 
-double Fraction::value() const { return std::ldexp(numerator, -shift); }
-
 Fraction fractionOf(double gain, int shift)
 {
     int bits = std::clamp(shift, 0, kMaxShift);

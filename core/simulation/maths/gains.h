@@ -24,7 +24,6 @@ struct CurrentSensing {
 struct Fraction {
     std::int16_t numerator = 0;
     int shift = 0;
-    double value() const;
 };
 
 /// `gain` to nearest with 2^shift below the line, or with the largest smaller power with which the numerator fits 16

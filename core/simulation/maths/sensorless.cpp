@@ -52,12 +52,6 @@ void ObserverPll::clear()
     m_instant_dpp = 0;
 }
 
-void ObserverPll::lock(std::int16_t angle, std::int16_t speed_dpp)
-{
-    m_angle = angle;
-    m_pll.setIntegral(saturate32(std::int64_t{speed_dpp} << m_pll.kiShift()));
-}
-
 ObserverCordic::ObserverCordic(const Parameters &parameters)
     : m_observer(parameters.observer)
     , m_speed(parameters.speed)

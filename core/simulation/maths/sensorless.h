@@ -28,8 +28,6 @@ public:
     bool converged(std::int16_t forced_dHz) { return m_speed.converged(forced_dHz); }
     void forceConvergence() { m_speed.forceConvergence(); }
     void clear();
-    /// Starts from a known angle and speed: for a rotor that already turns.
-    void lock(std::int16_t angle, std::int16_t speed_dpp);
 
     std::int16_t angle() const { return m_angle; }
     std::int16_t speed_dHz() const { return m_speed.speed_dHz(); }

@@ -28,8 +28,6 @@ Qd circleLimit(Qd v, Circle circle)
     return {static_cast<std::int16_t>(q), static_cast<std::int16_t>(d)};
 }
 
-Qd circleLimit(Qd v, std::uint16_t max) { return circleLimit(v, circleOf(max)); }
-
 Compare modulate(AlphaBeta v, std::uint16_t period)
 {
     constexpr std::int64_t kRoot3 = 56756; // 32768 sqrt(3)

@@ -18,7 +18,6 @@ Circle circleOf(std::uint16_t max);
 /// `v` if it is not longer than circle.max; otherwise d goes first: it keeps its value up to circle.maxD, and q keeps
 /// its sign and gets the length that is left (square root, cut to a whole digit). The result is never longer than max.
 Qd circleLimit(Qd v, Circle circle);
-Qd circleLimit(Qd v, std::uint16_t max);
 
 /// Counts of the timer at the three outputs, 0..period: how long the upper switch is on.
 struct Compare {

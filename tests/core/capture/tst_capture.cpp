@@ -364,7 +364,7 @@ void TestCapture::aLossBecomesAGapAndNeverAZero()
     QCOMPARE(gaps.size(), std::size_t(1));
     QCOMPARE(gaps[0].from, 4 * tick);
     QCOMPARE(gaps[0].to, 8 * tick);
-    const auto samples = capture.samples(id, 0, 1, 100);
+    const auto samples = capture.channel(id)->samples(0, 1, 100);
     QCOMPARE(samples.size(), std::size_t(6));
     QVERIFY(samples[0].first && !samples[3].first && samples[4].first);
     QCOMPARE(samples[3].holdUntil, 4 * tick);
@@ -450,7 +450,7 @@ void TestCapture::timeNeverRunsBackwards()
     capture.append(block(2, 1600, {5, 6}));
     const ChannelId id = *capture.find(7);
     QCOMPARE(capture.size(id), std::uint64_t(6));
-    const auto samples = capture.samples(id, 0, 10, 100);
+    const auto samples = capture.channel(id)->samples(0, 10, 100);
     for (std::size_t i = 1; i < samples.size(); ++i)
         QVERIFY(samples[i].time > samples[i - 1].time);
     capture.append(block(2, 1500, {7}));

@@ -138,7 +138,7 @@ struct World {
             const auto id = capture.find(signal + 1);
             if (!id)
                 return false;
-            const auto samples = capture.samples(*id, span->from, span->to, 1'000'000);
+            const auto samples = capture.channel(*id)->samples(span->from, span->to, 1'000'000);
             for (std::size_t i = 0; i < samples.size(); i += 7) {
                 const auto tick = static_cast<Tick>(std::llround(samples[i].time * 16000.0));
                 if (std::abs(samples[i].value - 0.1 * codeAt(tick, signal)) > 1e-9)

@@ -32,6 +32,18 @@ private Q_SLOTS:
 
 namespace {
 
+/// Of everything from one frequency to another, both included.
+double rmsOf(const Spectrum &spectrum, double fromHz, double toHz)
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < spectrum.meanSquares.size(); ++k) {
+        const double hertz = spectrum.frequency(static_cast<double>(k));
+        if (hertz >= fromHz && hertz <= toHz)
+            sum += spectrum.meanSquares[k];
+    }
+    return std::sqrt(sum);
+}
+
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::array kWindows{
     Window::Rectangular, Window::Hann, Window::BlackmanHarris, Window::FlatTop};
@@ -140,9 +152,9 @@ void TestScopeSpectrum::bandsHaveTheRmsOfTheirTones()
     for (const Window window : {Window::Hann, Window::BlackmanHarris, Window::FlatTop}) {
         const Spectrum found = spectrum(channel, {window, 4096, true});
         QVERIFY(found.averaged > 5);
-        QVERIFY(near(found.rms(300, 500), 5.0 / std::sqrt(2.0), 0.01));
-        QVERIFY(near(found.rms(2900, 3100), 2.0 / std::sqrt(2.0), 0.01));
-        QVERIFY(near(found.rms(1000, 2000), 0.0, 0.01));
+        QVERIFY(near(rmsOf(found, 300, 500), 5.0 / std::sqrt(2.0), 0.01));
+        QVERIFY(near(rmsOf(found, 2900, 3100), 2.0 / std::sqrt(2.0), 0.01));
+        QVERIFY(near(rmsOf(found, 1000, 2000), 0.0, 0.01));
     }
 }
 
@@ -222,7 +234,7 @@ void TestScopeSpectrum::averagingCalmsTheNoise()
                                  2048, [](double) { return 0.0; }, 1.0, seed),
             {Window::Hann, 0, true}));
     QCOMPARE(average.count(), 64U);
-    QVERIFY(near(average.mean().rms(0, kRate), 1.0, 0.01));
+    QVERIFY(near(rmsOf(average.mean(), 0, kRate), 1.0, 0.01));
     QVERIFY(near(spread(average.mean()), 1.0 / 8.0, 0.02));
     const auto one = spectrum(fastChannel(
                                   2048, [](double) { return 0.0; }, 1.0, 7),

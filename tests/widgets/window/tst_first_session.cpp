@@ -242,8 +242,8 @@ private:
         const auto &capture = m_rig->workbench.capture();
         const auto channel = channelOf("I_A");
         const auto span = capture.timeSpan(channel);
-        const auto samples =
-            capture.samples(channel, span->from, span->to + 1.0, capture.size(channel) * 2);
+        const auto samples = capture.channel(channel)->samples(
+            span->from, span->to + 1.0, capture.size(channel) * 2);
         std::vector<double> recorded;
         for (const capture::Sample &sample : samples)
             if (std::isfinite(sample.value)) // gaps have no row

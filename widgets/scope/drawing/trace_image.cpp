@@ -68,13 +68,6 @@ void PixelColumns::set(int x, int from, int to)
     bottom[std::size_t(x)] = bounded(to);
 }
 
-void PixelColumns::extend(int x, int from, int to)
-{
-    const auto at = std::size_t(x);
-    top[at] = std::min(top[at], bounded(from));
-    bottom[at] = std::max(bottom[at], bounded(to));
-}
-
 void PixelColumns::joinNeighbours()
 {
     // Against the columns as they were, or one step would smear on to the right.

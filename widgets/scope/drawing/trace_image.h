@@ -18,7 +18,6 @@ struct PixelColumns {
     int width() const { return static_cast<int>(top.size()); }
     bool emptyAt(int x) const { return top[std::size_t(x)] > bottom[std::size_t(x)]; }
     void set(int x, int from, int to); ///< bounded to what an image can have; from <= to
-    void extend(int x, int from, int to); ///< as set(), but keeps what the column already covers
     void joinNeighbours(); ///< lets each filled column touch the filled one before it
     /// The same for a value that turns: together with `other`, which holds the far piece of columns in which it passed
     /// its end; what is further apart than `half` a turn is not joined.

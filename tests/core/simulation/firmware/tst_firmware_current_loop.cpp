@@ -7,6 +7,7 @@
 #include "simulation/firmware/design.h"
 #include "simulation/plant/plant.h"
 #include "simulation/plant/presets.h"
+#include "support/axis_bench.h"
 
 #include <QTest>
 
@@ -104,7 +105,7 @@ private slots:
 
 void TestFirmwareCurrentLoop::theDesignIsTheTestVector()
 {
-    const DriveDesign design = designFor(presets().front().parameters, kHf_hz);
+    const DriveDesign design = support::usualDesign(presets().front().parameters, kHf_hz);
     QCOMPARE(design.tuning.qKp, std::int16_t{4621});
     QCOMPARE(design.tuning.qKpDiv, std::int16_t{10});
     QCOMPARE(design.tuning.qKi, std::int16_t{2696});
@@ -133,7 +134,7 @@ void TestFirmwareCurrentLoop::theLoopRisesAsItsBandwidthSays()
     QFETCH(double, asked_radps);
     QFETCH(double, digits);
     const PlantParameters plant = held(true);
-    Tuning tuning = designFor(plant, kHf_hz).tuning;
+    Tuning tuning = support::usualDesign(plant, kHf_hz).tuning;
     const Pi::Gains gains =
         currentGains(plant.motor.lq_h, plant.motor.rs_ohm, asked_radps, sensingOf(plant), kHf_hz);
     tuning.qKp = tuning.dKp = gains.kp;
@@ -152,7 +153,8 @@ void TestFirmwareCurrentLoop::deadTimeAndNoiseDoNotSpoilIt()
 {
     // Near no current, dead time takes voltage as a resistance would: it is slower from there.
     const PlantParameters plant = held(false);
-    const StepResponse seen = step(plant, designFor(plant, kHf_hz).tuning, Axis::Q, 2000.0);
+    const StepResponse seen =
+        step(plant, support::usualDesign(plant, kHf_hz).tuning, Axis::Q, 2000.0);
     const double expected_s = 2.2 / (kBandwidth_radps * kVoltageGain);
     QVERIFY2(seen.rise_s > 0.9 * expected_s && seen.rise_s < 1.5 * expected_s,
         qPrintable(QString::number(seen.rise_s * 1e3)));
@@ -162,7 +164,7 @@ void TestFirmwareCurrentLoop::deadTimeAndNoiseDoNotSpoilIt()
 void TestFirmwareCurrentLoop::twentyTimesTheGainOscillates()
 {
     const PlantParameters plant = held(true);
-    Tuning tuning = designFor(plant, kHf_hz).tuning;
+    Tuning tuning = support::usualDesign(plant, kHf_hz).tuning;
     const double calm = step(plant, tuning, Axis::Q, 1000.0).ripple;
     tuning.qKpDiv = 5; // 32 times: far beyond what the delay allows
     const double wild = step(plant, tuning, Axis::Q, 1000.0).ripple;
@@ -174,7 +176,8 @@ void TestFirmwareCurrentLoop::twiceTheVoltageNeededIsCutNotWound()
 {
     // 40 A into 0.35 ohm are 14 V, the bridge has 13.86: the reference is never reached, and left without delay.
     const PlantParameters plant = held(true);
-    const StepResponse seen = step(plant, designFor(plant, kHf_hz).tuning, Axis::Q, 26000.0);
+    const StepResponse seen =
+        step(plant, support::usualDesign(plant, kHf_hz).tuning, Axis::Q, 26000.0);
     const double most_a = 24.0 / std::numbers::sqrt3 / 0.35;
     const double end_a = seen.end / plant.inverter.digitsPerAmp();
     QVERIFY2(std::abs(end_a - most_a) < 0.03 * most_a, qPrintable(QString::number(end_a)));

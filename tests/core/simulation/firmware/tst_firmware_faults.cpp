@@ -121,7 +121,7 @@ void TestFirmwareFaults::aShortenedCurrentLoopTripsOrShakes()
 
 void TestFirmwareFaults::overCurrentSwitchesOffWithinAPeriod()
 {
-    DriveDesign design = designFor(pm24(), AxisBench::kHf_hz);
+    DriveDesign design = support::usualDesign(pm24(), AxisBench::kHf_hz);
     design.currentLimit = 20000; // the project's own limit is no help
     AxisBench bench(pm24(), Build{}, design);
     QVERIFY(bench.runs());

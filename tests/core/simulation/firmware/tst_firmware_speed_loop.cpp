@@ -43,7 +43,7 @@ double mean_rpm(support::AxisBench &bench)
 double overshoot(double damping)
 {
     const PlantParameters plant = ideal();
-    DriveDesign design = designFor(plant, support::AxisBench::kHf_hz);
+    DriveDesign design = support::usualDesign(plant, support::AxisBench::kHf_hz);
     const Pi::Gains gains =
         speedGains({.inertia_kgm2 = plant.motor.inertia_kgm2,
                        .torqueConstant_nmPerA = 1.5 * plant.motor.polePairs * plant.motor.flux_wb,

@@ -63,7 +63,7 @@ public:
                 == AlphaBeta{v.s16(4), v.s16(5)};
         case 'L':
             return v.size == 5
-                && circleLimit({v.s16(0), v.s16(1)}, static_cast<std::uint16_t>(v.n[2]))
+                && circleLimit({v.s16(0), v.s16(1)}, circleOf(static_cast<std::uint16_t>(v.n[2])))
                 == Qd{v.s16(3), v.s16(4)};
         default:
             return controllerAgrees(v);

@@ -167,7 +167,6 @@ private slots:
     void withTheToleranceThatShipsAQuietStallGoesUnnoticed();
     void aSpeedPastItsRangeIsUnreliableUntilItConvergesAnew();
     void clearingForgetsAllButTheParameters();
-    void aLockedPllKnowsTheAngleAtOnce();
     void noGainsMakeItUndefined();
     void averagesAreCutTowardsZero();
 };
@@ -377,18 +376,6 @@ void TestMathsObserver::clearingForgetsAllButTheParameters()
         fresh.step();
         QCOMPARE(bench.observer.angle(), fresh.observer.angle());
     }
-}
-
-void TestMathsObserver::aLockedPllKnowsTheAngleAtOnce()
-{
-    Bench<ObserverPll> bench(pllParameters());
-    bench.motor.speed_radps = 0.5 * kMaxSpeed_radps;
-    bench.run(0.2);
-    const std::int16_t speed = bench.observer.speed_dpp();
-    Pi::Gains off{0, 1, 14, 15};
-    bench.observer.setPllGains(off); // hardly corrects
-    bench.observer.lock(bench.observer.angle(), speed);
-    QVERIFY(bench.worstAngleError_degrees(1e-3) < 5.0);
 }
 
 void TestMathsObserver::noGainsMakeItUndefined()

@@ -100,7 +100,7 @@ public:
         const Qd i = park(current, t);
         if (m_tick++ % 16 == 0)
             mediumTask();
-        const Qd v = circleLimit({m_q.step(m_reference - i.q), m_d.step(-i.d)}, 31128);
+        const Qd v = circleLimit({m_q.step(m_reference - i.q), m_d.step(-i.d)}, circleOf(31128));
         const AlphaBeta voltage = reversePark(v, t);
         const Duties duties = dutiesOf(modulate(voltage, kTimerPeriod), kTimerPeriod);
         plant.setBridge({.on = true, .a = duties.a, .b = duties.b, .c = duties.c});

@@ -184,22 +184,22 @@ void TestMathsTransforms::theCircleLeavesWhatIsInside()
     Digits digits;
     for (int i = 0; i < 10000; ++i) {
         const Qd v{digits.within(23169), digits.within(23169)};
-        QCOMPARE(circleLimit(v, 32767), v);
+        QCOMPARE(circleLimit(v, circleOf(32767)), v);
     }
-    QCOMPARE(circleLimit({32767, 0}, 32767), (Qd{32767, 0}));
+    QCOMPARE(circleLimit({32767, 0}, circleOf(32767)), (Qd{32767, 0}));
 }
 
 void TestMathsTransforms::theCircleGivesDItsShareFirst()
 {
     // room for q: sqrt(20000^2 - 12000^2) = 16000; a d beyond 19000: sqrt(20000^2 - 19000^2) = 6244.99
-    QCOMPARE(circleLimit({-30000, 12000}, 20000), (Qd{-16000, 12000}));
-    QCOMPARE(circleLimit({30000, -25000}, 20000), (Qd{6244, -19000}));
-    QCOMPARE(circleLimit({-32768, -32768}, 0), (Qd{0, 0}));
+    QCOMPARE(circleLimit({-30000, 12000}, circleOf(20000)), (Qd{-16000, 12000}));
+    QCOMPARE(circleLimit({30000, -25000}, circleOf(20000)), (Qd{6244, -19000}));
+    QCOMPARE(circleLimit({-32768, -32768}, circleOf(0)), (Qd{0, 0}));
     Digits digits;
     for (int i = 0; i < 10000; ++i) {
         const Qd v{digits.next(), digits.next()};
         const auto max = static_cast<std::uint16_t>(std::abs(digits.within(32767)));
-        const Qd cut = circleLimit(v, max);
+        const Qd cut = circleLimit(v, circleOf(max));
         QVERIFY(cut.q * cut.q + cut.d * cut.d <= max * max);
         QVERIFY(cut.q == 0 || (cut.q < 0) == (v.q < 0));
         QVERIFY(cut.d == 0 || (cut.d < 0) == (v.d < 0));
