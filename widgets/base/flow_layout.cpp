@@ -37,6 +37,8 @@ void FlowLayout::setGeometry(const QRect &rect)
 {
     QLayout::setGeometry(rect);
     arrange(rect, true);
+    if (parentWidget() != nullptr && !parentWidget()->isVisible())
+        return; // as wide as it was made, which is no width that anybody sees
     if (rect.width() != std::exchange(m_width, rect.width()))
         update(); // the least height may be another now
 }

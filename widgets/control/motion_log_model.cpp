@@ -33,9 +33,11 @@ void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &no
         return;
     }
     const int row = static_cast<int>(m_log.size());
+    session::LoggedMotion one = session::loggedNow(record, now);
+    if (m_clock.take(one) && row > 0)
+        Q_EMIT dataChanged(index(0, TimeColumn), index(row - 1, TimeColumn));
     beginInsertRows({}, row, row);
-    m_log.push_back(session::loggedNow(record, now));
-    m_clock.take(m_log.back());
+    m_log.push_back(std::move(one));
     endInsertRows();
 }
 

@@ -30,7 +30,12 @@ LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now)
     return {std::move(record), now.toUTC().addMSecs(-took.count())};
 }
 
-void WallClock::take(const LoggedMotion &one) { m_aparts.insert(apart(one)); }
+bool WallClock::take(const LoggedMotion &one)
+{
+    const qint64 own = apart(one);
+    const auto at = m_aparts.insert(own);
+    return at == m_aparts.upper_bound(own - kJitter_ms);
+}
 
 QDateTime WallClock::at(const LoggedMotion &one, TimePoint time) const
 {

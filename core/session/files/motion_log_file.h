@@ -25,7 +25,8 @@ LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now);
 /// was noted soonest tells best how the two go together. More than a second apart are two settings, as after a sleep.
 class WallClock {
 public:
-    void take(const LoggedMotion &one);
+    /// @return  whether those before may have another time now: none was noted as soon
+    bool take(const LoggedMotion &one);
     /// @param time  of a record that was taken: when it was asked, or ended. @return  UTC
     QDateTime at(const LoggedMotion &one, TimePoint time) const;
 

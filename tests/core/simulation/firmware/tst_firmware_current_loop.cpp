@@ -41,10 +41,11 @@ struct StepResponse {
     double rise_s = 0.0, overshoot = 0.0, end = 0.0, ripple = 0.0;
 };
 
-enum class Axis { Q, D };
+enum class Along { Q, D };
 
 /// A step of `digits` at rest, measured as the firmware sees it; 10 % to 90 % between samples.
-StepResponse step(const PlantParameters &parameters, const Tuning &tuning, Axis axis, double digits)
+StepResponse step(
+    const PlantParameters &parameters, const Tuning &tuning, Along axis, double digits)
 {
     Plant plant(parameters, 1);
     CurrentControl control(5312);
@@ -56,10 +57,10 @@ StepResponse step(const PlantParameters &parameters, const Tuning &tuning, Axis 
         plant.advance(1.0 / kHf_hz);
         const Ab currents{saturateSymmetric(32768 - plant.currentA()),
             saturateSymmetric(32768 - plant.currentB())};
-        const Qd wanted = axis == Axis::Q ? Qd{reference, 0} : Qd{0, reference};
+        const Qd wanted = axis == Along::Q ? Qd{reference, 0} : Qd{0, reference};
         const Duties d = control.step(currents, {angle, 0}, wanted, {}, tuning, seenBy);
         plant.setBridge({true, d.a, d.b, d.c});
-        seen.push_back(axis == Axis::Q ? seenBy.iQ : seenBy.iD);
+        seen.push_back(axis == Along::Q ? seenBy.iQ : seenBy.iD);
     };
     for (int i = 0; i < 200; ++i)
         period(0);
@@ -141,7 +142,7 @@ void TestFirmwareCurrentLoop::theLoopRisesAsItsBandwidthSays()
     tuning.qKi = tuning.dKi = gains.ki;
     QCOMPARE(gains.kpShift, 10);
     QCOMPARE(gains.kiShift, 14);
-    const StepResponse seen = step(plant, tuning, q ? Axis::Q : Axis::D, digits);
+    const StepResponse seen = step(plant, tuning, q ? Along::Q : Along::D, digits);
     const double expected_s = 2.2 / (asked_radps * kVoltageGain);
     QVERIFY2(std::abs(seen.rise_s - expected_s) < 0.1 * expected_s,
         qPrintable(QString::number(seen.rise_s * 1e3)));
@@ -154,7 +155,7 @@ void TestFirmwareCurrentLoop::deadTimeAndNoiseDoNotSpoilIt()
     // Near no current, dead time takes voltage as a resistance would: it is slower from there.
     const PlantParameters plant = held(false);
     const StepResponse seen =
-        step(plant, support::usualDesign(plant, kHf_hz).tuning, Axis::Q, 2000.0);
+        step(plant, support::usualDesign(plant, kHf_hz).tuning, Along::Q, 2000.0);
     const double expected_s = 2.2 / (kBandwidth_radps * kVoltageGain);
     QVERIFY2(seen.rise_s > 0.9 * expected_s && seen.rise_s < 1.5 * expected_s,
         qPrintable(QString::number(seen.rise_s * 1e3)));
@@ -165,9 +166,9 @@ void TestFirmwareCurrentLoop::twentyTimesTheGainOscillates()
 {
     const PlantParameters plant = held(true);
     Tuning tuning = support::usualDesign(plant, kHf_hz).tuning;
-    const double calm = step(plant, tuning, Axis::Q, 1000.0).ripple;
+    const double calm = step(plant, tuning, Along::Q, 1000.0).ripple;
     tuning.qKpDiv = 5; // 32 times: far beyond what the delay allows
-    const double wild = step(plant, tuning, Axis::Q, 1000.0).ripple;
+    const double wild = step(plant, tuning, Along::Q, 1000.0).ripple;
     QVERIFY2(calm < 0.02 && wild > 0.3,
         qPrintable(QString::number(calm) + QStringLiteral(" ") + QString::number(wild)));
 }
@@ -177,7 +178,7 @@ void TestFirmwareCurrentLoop::twiceTheVoltageNeededIsCutNotWound()
     // 40 A into 0.35 ohm are 14 V, the bridge has 13.86: the reference is never reached, and left without delay.
     const PlantParameters plant = held(true);
     const StepResponse seen =
-        step(plant, support::usualDesign(plant, kHf_hz).tuning, Axis::Q, 26000.0);
+        step(plant, support::usualDesign(plant, kHf_hz).tuning, Along::Q, 26000.0);
     const double most_a = 24.0 / std::numbers::sqrt3 / 0.35;
     const double end_a = seen.end / plant.inverter.digitsPerAmp();
     QVERIFY2(std::abs(end_a - most_a) < 0.03 * most_a, qPrintable(QString::number(end_a)));
