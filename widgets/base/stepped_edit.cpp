@@ -77,15 +77,20 @@ void SteppedEdit::setFollowed(const QString &now)
         selectAll();
 }
 
-void SteppedEdit::showProblem()
+QPalette problemPalette(const QString &problem)
 {
-    const QString sentence = problem();
     QPalette colors;
-    if (!sentence.isEmpty()) {
+    if (!problem.isEmpty()) {
         colors.setColor(QPalette::Base, kRefusedColor);
         colors.setColor(QPalette::Text, Qt::black);
     }
-    setPalette(colors);
+    return colors;
+}
+
+void SteppedEdit::showProblem()
+{
+    const QString sentence = problem();
+    setPalette(problemPalette(sentence));
     setAccessibleDescription(sentence);
     if (sentence.isEmpty()) {
         if (const QString told = std::exchange(m_told, {}); !told.isEmpty())

@@ -5,11 +5,15 @@
 
 #include <QColor>
 #include <QLineEdit>
+#include <QPalette>
 
 namespace widgets {
 
 /// Behind a text that cannot be taken. Black text stays readable on it in both themes.
 inline constexpr QColor kRefusedColor{0xff, 0x8f, 0x85};
+
+/// For a field, by what is wrong with its text; that of its parents if nothing is.
+QPalette problemPalette(const QString &problem);
 
 class SteppedEdit : public QLineEdit {
     Q_OBJECT

@@ -24,12 +24,7 @@ WholeSpin::WholeSpin(QWidget *parent)
 void WholeSpin::textChanged()
 {
     const QString sentence = problem();
-    QPalette colors;
-    if (!sentence.isEmpty()) {
-        colors.setColor(QPalette::Base, kRefusedColor);
-        colors.setColor(QPalette::Text, Qt::black);
-    }
-    lineEdit()->setPalette(colors);
+    lineEdit()->setPalette(problemPalette(sentence));
     lineEdit()->setToolTip(plainToolTip(sentence));
     setAccessibleDescription(sentence);
     if (!std::exchange(m_typing, false) || sentence.isEmpty() || value() == m_before)

@@ -29,17 +29,17 @@ Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
     return **loop;
 }
 
-/// A loop that swings by itself is calmed for it.
+/// @param calmed  if it swings by itself, its gains are lent smaller ones; empty: it is to be measured as it is
 Outcome<lab::SpeedResponse> respond(
-    Desk &desk, const lab::Subject &subject, const lab::SpeedLoop &loop)
+    Desk &desk, const lab::Subject &subject, const std::optional<lab::SpeedLoop> &calmed)
 {
     lab::ResponsePlan plan = lab::responsePlanFor(subject, desk.arguments.limits);
     if (desk.arguments.autotune.seconds > 0)
         plan.length = std::chrono::seconds(desk.arguments.autotune.seconds);
     std::optional<ExperimentRun> run;
     auto path = run.emplace(desk).record(subject, {plan});
-    while (!path && run->swings()) {
-        const auto calmer = lab::calmer(plan, loop);
+    while (!path && run->swings() && calmed) {
+        const auto calmer = lab::calmer(plan, *calmed);
         if (!calmer)
             break;
         plan = *calmer;
@@ -97,13 +97,11 @@ struct Proof {
 };
 
 /// The gains are written, and what became of them is measured.
-Outcome<Proof> prove(Desk &desk, const lab::Subject &subject, const lab::SpeedLoop &loop,
-    const lab::GainCandidate &gains)
+Outcome<Proof> prove(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)
 {
     if (const auto written = writeGains(desk, subject, gains); !written)
         return tl::make_unexpected(written.error());
-    auto response =
-        respond(desk, subject, lab::withGains(loop, gains.proportional, gains.integral));
+    auto response = respond(desk, subject, std::nullopt);
     if (!response)
         return tl::make_unexpected(response.error());
     auto series = step(desk, subject);
@@ -245,13 +243,6 @@ Outcome<Tuned> propose(Desk &desk, const lab::Subject &subject, const lab::Speed
     return Tuned{loop, *proposed, *chosen, std::nullopt};
 }
 
-bool missed(const Tuned &tuned)
-{
-    const lab::Kept kept =
-        lab::keptBy(tuned.proof->response, lab::promiseOf(tuned.chosen, tuned.chosen.goal));
-    return kept == lab::Kept::TooLively || kept == lab::Kept::TooSlow;
-}
-
 Outcome<int> runAutotune(Desk &desk)
 {
     const auto subject = ExperimentRun(desk).subject();
@@ -266,13 +257,13 @@ Outcome<int> runAutotune(Desk &desk)
     auto tuned = propose(desk, *subject, *loop, *measured);
     if (!tuned)
         return tl::make_unexpected(tuned.error());
-    // What gains that miss their promise are measured by is nearer to them than what they were proposed from.
     for (int pass = 0; desk.arguments.autotune.apply && pass < kPasses; ++pass) {
-        auto proof = prove(desk, *subject, *loop, tuned->chosen);
+        auto proof = prove(desk, *subject, tuned->chosen);
         if (!proof)
             return tl::make_unexpected(proof.error());
         tuned->proof = std::move(*proof);
-        if (!missed(*tuned) || pass + 1 == kPasses)
+        const lab::Promise promised = lab::promiseOf(tuned->chosen, tuned->chosen.goal);
+        if (!lab::missed(lab::keptBy(tuned->proof->response, promised)) || pass + 1 == kPasses)
             break;
         auto nearer = propose(desk, *subject, *loop, tuned->proof->response);
         if (!nearer)

@@ -70,5 +70,7 @@ enum class Kept : std::uint8_t {
     Unclear, ///< one of the two is not known
 };
 Kept keptBy(const FrequencyResponse &proof, const Promise &promise);
+/// It is known not to do what was promised: gains from its own response are nearer to that.
+constexpr bool missed(Kept kept) { return kept == Kept::TooLively || kept == Kept::TooSlow; }
 
 } // namespace lab

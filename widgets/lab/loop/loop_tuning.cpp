@@ -22,8 +22,6 @@ LoopTuning::Measured measuredBy(
     return measured;
 }
 
-bool missed(lab::Kept kept) { return kept == lab::Kept::TooLively || kept == lab::Kept::TooSlow; }
-
 QString gainsText(const LoopTuning::Gains &gains)
 {
     return LoopTuning::tr("Kp %1, Ki %2", "digits")
@@ -186,8 +184,7 @@ ExperimentBar::Run LoopTuning::responseRun(
                 m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
             else
                 m_proof.reset();
-            // What misses its promise is nearer to what keeps it than what it was proposed from.
-            if (!toProve || missed(m_proof->kept)) {
+            if (!toProve || lab::missed(m_proof->kept)) {
                 m_measured = measured;
                 ++m_measurements;
             }
