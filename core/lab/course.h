@@ -36,6 +36,8 @@ struct Conditions {
     std::vector<drive::RegisterWrite> lent = {};
     /// References of a motor that turns which are 0 before, because they are afterwards.
     std::vector<drive::RegisterId> zeroBefore = {};
+    /// The speed has to rest there first. A course of torques begins as well where the speed loop makes it swing.
+    bool steady = true;
     /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
     milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
 };

@@ -260,7 +260,7 @@ void Runner::advance(TimePoint now)
             return;
         break;
     case Phase::Approaching:
-        if (m_answered && steadyAt(m_conditions.firstRpm, now)) {
+        if (m_answered && (steadyAt(m_conditions.firstRpm, now) || swingsThrough(now))) {
             m_phase = Phase::Working;
             m_envelope.set(courseCaps(), now);
             return work(now);
@@ -672,6 +672,14 @@ bool Runner::steadyAt(double rpm, TimePoint now)
         m_settledAt = now;
     m_settled = true;
     return now - m_settledAt >= kSteadyFor;
+}
+
+/// It had time to come to rest and did not, and this course does not need it.
+bool Runner::swingsThrough(TimePoint now) const
+{
+    const double rpm = m_envelope.rpm().value_or(0.0);
+    return !m_conditions.steady && now >= m_until - kReachesWithin / 2
+        && rpm >= m_conditions.leastRpm && rpm <= m_conditions.mostRpm;
 }
 
 std::optional<TimePoint> Runner::nextTimeout() const

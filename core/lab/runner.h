@@ -92,6 +92,7 @@ private:
     void abort(const std::string &reason, const char *stopping = "every motor is being stopped");
     void finish();
     bool steadyAt(double rpm, TimePoint now);
+    bool swingsThrough(TimePoint now) const;
     bool near(std::optional<double> speed, double rpm) const;
     drive::StartTarget startTarget() const;
     bool isAsBefore(const drive::RegisterWrite &old) const;

@@ -24,7 +24,10 @@ constexpr double kSpinMargin = 0.6, kFluxMargin = 1.3;
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
-constexpr double kWay_s = 0.25; ///< from one speed to the other
+/// From one speed to the other. Slow ways, and more of them, tell frictions apart; but Hall sensors lag in them all the time, by
+/// more than is seen, and where currents flow along the magnets what matters is how they change.
+constexpr double kWay_s = 0.25, kSlowWay_s = 0.4;
+constexpr milliseconds kLength = 8s, kSlowLength = 16s;
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
 constexpr double kJump =
@@ -34,6 +37,11 @@ constexpr double kAway = 0.2; ///< of the way, beyond the upper speed
 constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
 
+bool byHall(const Subject &subject)
+{
+    return subject.nameOf(subject.registers.angle).starts_with("HALL");
+}
+
 class SpinCourse : public Course {
 public:
     SpinCourse(const SpinPlan &plan, const Subject &subject)
@@ -42,6 +50,7 @@ public:
         , m_sign(plan.highRpm < 0 ? -1.0 : 1.0)
         , m_nominal(subject.limits.nominalCurrentAmps)
         , m_draw(plan.seed)
+        , m_way_s(plan.fluxAmps > 0.0 || byHall(subject) ? kWay_s : kSlowWay_s)
     {
         if (plan.caps.maxCurrentAmps > 0.0)
             m_nominal = std::min(m_nominal, plan.caps.maxCurrentAmps);
@@ -71,7 +80,7 @@ public:
             return m_plan.fluxAmps > 0.0 && moment.now - m_shaken >= kShake
                 ? std::optional(shake(moment.now))
                 : std::nullopt;
-        const double change = there ? std::min(kMostGrowth, took_s / kWay_s) : kMostGrowth;
+        const double change = there ? std::min(kMostGrowth, took_s / m_way_s) : kMostGrowth;
         if (m_pushing)
             m_push = std::min(m_used * change, kMostPush * m_nominal);
         else
@@ -110,6 +119,7 @@ private:
     double m_sign;
     double m_nominal; ///< A
     Draw m_draw;
+    double m_way_s;
     double m_hold = 0.0; ///< A that hold the first speed
     double m_push = 0.0; ///< A above it
     double m_used = 0.0; ///< of one of the two, last
@@ -131,6 +141,7 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
     const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
     return {.lowRpm = static_cast<int>(std::lround(low)),
         .highRpm = static_cast<int>(std::lround(high)),
+        .length = byHall(subject) ? kLength : kSlowLength,
         .caps = caps};
 }
 
@@ -182,7 +193,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
             * std::abs(plan.highRpm - plan.lowRpm),
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
-        .length = plan.length};
+        .length = plan.length,
+        .steady = false};
     if (plan.fluxAmps
         > 0.0) { // at the full rate of the control loop, which leaves room for no more
         conditions.recorded = {

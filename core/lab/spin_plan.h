@@ -1,8 +1,8 @@
 // The course by which inertia and friction are measured: in torque control the motor is accelerated and left to coast between
 // two speeds, with torques that differ from time to time. It is never braked: what a motor returns lifts the bus of a supply
 // that takes nothing back. How hard it accelerates, and how much of the torque that held its speed is taken away, follow from how
-// it went before: a way from one speed to the other takes about a quarter of a second, so that the link is fast enough to
-// end it. With currents along the magnets beside them, inductances follow from the same course.
+// it went before: a way from one speed to the other takes some tenths of a second, so that the link is fast enough
+// to end it. With currents along the magnets beside them, inductances follow from the same course.
 #pragma once
 
 #include "lab/course.h"

@@ -266,6 +266,21 @@ private Q_SLOTS:
         QVERIFY(found->notes[0].find("all but stood") != std::string::npos);
     }
 
+    /// Its speed does not come to rest with the gains of a lighter rotor, and it is measured by torques all the same. What
+    /// waits for a speed at rest is not measured there (tst_tuning, aLoopThatSwingsIsCalmedToBeMeasured).
+    void aLoopThatSwingsIsNotWaitedFor()
+    {
+        simulation::BoardOptions options;
+        options.plant = *simulation::findPreset("ipm48");
+        options.plant->motor.inertia_kgm2 *= 4.0;
+        options.plant->inverter.supplyAbsorbs = true;
+        const Measured measured = measure(options, 1);
+        QVERIFY2(measured.outcome.end == End::Complete && measured.outcome.reason.empty(),
+            qPrintable(support::outcomeText(measured.outcome)));
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        VERIFY_WITHIN(measured.found->inertia_kgm2, options.plant->motor.inertia_kgm2, 1.5);
+    }
+
     void whatIsMissingIsSaid()
     {
         const PlantParameters &truth = *simulation::findPreset("pm24");
