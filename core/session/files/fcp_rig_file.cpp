@@ -1,14 +1,15 @@
 #include "session/files/fcp_rig_file.h"
 
+#include "session/files/json_text.h"
+#include "session/files/json_values.h"
 #include "session/files/whole_file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace session {
 namespace {
@@ -18,44 +19,48 @@ using simulation::FcpRig;
 
 constexpr double kMostFrameTimer_ms = 60'000;
 
-/// Reads members of objects; the first thing that is wrong stays in `problem`.
+constexpr std::pair<const char *, FcpMotor::Sensing> kSensings[] = {{"pll", FcpMotor::Sensing::Pll},
+    {"cordic", FcpMotor::Sensing::Cordic}, {"encoder", FcpMotor::Sensing::Encoder},
+    {"hall", FcpMotor::Sensing::Hall}};
+constexpr std::pair<const char *, bool FcpRig::*> kFeatures[] = {
+    {"flux_weakening", &FcpRig::fluxWeakening}, {"feed_forward", &FcpRig::feedForward},
+    {"pfc", &FcpRig::pfc}, {"profiler", &FcpRig::profiler}, {"dac", &FcpRig::dac}};
+
+/// Reads members of objects; what an object does not have stays as it is. The first thing that is wrong stays in `problem`.
 class Reader {
 public:
     std::string problem;
 
-    /// A whole number between the bounds; `usual` if there is none.
-    std::int64_t whole(
-        const QJsonObject &from, const char *key, double least, double most, std::int64_t usual = 0)
+    FcpRig rig(const QJsonObject &from);
+
+private:
+    /// A whole number within the range.
+    template <class Number>
+    void take(const QJsonValue &value, const std::string &place, Number &into,
+        double least = std::numeric_limits<Number>::min(),
+        double most = std::numeric_limits<Number>::max())
     {
-        const QJsonValue value = from[QLatin1String(key)];
-        return value.isUndefined() ? usual : whole(value, key, least, most);
+        if (const auto whole = wholeIn<Number>(value.toDouble(NAN), least, most))
+            into = *whole;
+        else if (!value.isUndefined())
+            wrong(place,
+                "must be a whole number from " + std::to_string(static_cast<std::int64_t>(least))
+                    + " to " + std::to_string(static_cast<std::int64_t>(most)));
     }
 
-    std::int64_t whole(const QJsonValue &value, const std::string &place, double least, double most)
+    void take(const QJsonValue &value, const std::string &place, bool &into)
     {
-        const double number = value.toDouble(NAN);
-        if (number >= least && number <= most && number == std::trunc(number))
-            return static_cast<std::int64_t>(number);
-        wrong(place,
-            "must be a whole number from " + std::to_string(static_cast<std::int64_t>(least))
-                + " to " + std::to_string(static_cast<std::int64_t>(most)));
-        return 0;
-    }
-
-    bool flag(const QJsonObject &from, const char *key)
-    {
-        const QJsonValue value = from[QLatin1String(key)];
         if (!value.isUndefined() && !value.isBool())
-            wrong(key, "must be true or false");
-        return value.toBool();
+            wrong(place, "must be true or false");
+        into = value.toBool(into);
     }
 
-    std::string text(const QJsonObject &from, const char *key, const std::string &usual)
+    void take(const QJsonValue &value, const std::string &place, std::string &into)
     {
-        const QJsonValue value = from[QLatin1String(key)];
-        if (!value.isUndefined() && !value.isString())
-            wrong(key, "must be a text");
-        return value.isString() ? value.toString().toStdString() : usual;
+        if (value.isString())
+            into = value.toString().toStdString();
+        else if (!value.isUndefined())
+            wrong(place, "must be a text");
     }
 
     void wrong(const std::string &place, const std::string &what)
@@ -65,12 +70,8 @@ public:
     }
 
     FcpMotor motor(const QJsonObject &from);
-    FcpRig rig(const QJsonObject &from);
-
-private:
     void readRegisters(const QJsonObject &from, FcpMotor &motor);
     void readRevUp(const QJsonArray &from, FcpMotor &motor);
-    void readTimer(const QJsonValue &from, FcpRig &rig);
 };
 
 void Reader::readRegisters(const QJsonObject &from, FcpMotor &motor)
@@ -80,8 +81,8 @@ void Reader::readRegisters(const QJsonObject &from, FcpMotor &motor)
         const uint id = at.key().toUInt(&isNumber, 0);
         if (!isNumber || id > 0xFF)
             return wrong(at.key().toStdString(), "is no number of a register such as \"0x04\"");
-        motor.registers[static_cast<std::uint8_t>(id)] =
-            whole(at.value(), at.key().toStdString(), INT32_MIN, UINT32_MAX);
+        take(at.value(), at.key().toStdString(), motor.registers[static_cast<std::uint8_t>(id)],
+            INT32_MIN, UINT32_MAX);
     }
 }
 
@@ -93,64 +94,52 @@ void Reader::readRevUp(const QJsonArray &from, FcpMotor &motor)
         const QJsonArray stage = value.toArray();
         if (stage.size() != 3)
             return wrong("revup", "each stage is [rpm, torque, ms]");
-        motor.revUp.push_back(
-            {static_cast<std::int32_t>(whole(stage[0], "revup rpm", INT32_MIN, INT32_MAX)),
-                static_cast<std::int16_t>(whole(stage[1], "revup torque", INT16_MIN, INT16_MAX)),
-                static_cast<std::uint16_t>(whole(stage[2], "revup ms", 0, UINT16_MAX))});
+        fcp::RevUpStage &read = motor.revUp.emplace_back();
+        take(stage[0], "revup rpm", read.speed_rpm);
+        take(stage[1], "revup torque", read.torque);
+        take(stage[2], "revup ms", read.duration_ms);
     }
 }
 
 FcpMotor Reader::motor(const QJsonObject &from)
 {
-    using Sensing = FcpMotor::Sensing;
-    constexpr std::array kSensings{std::pair{"pll", Sensing::Pll},
-        std::pair{"cordic", Sensing::Cordic}, std::pair{"encoder", Sensing::Encoder},
-        std::pair{"hall", Sensing::Hall}};
     FcpMotor motor;
-    motor.state = static_cast<std::uint8_t>(whole(from, "state", 0, 0xFF));
-    motor.controlMode = static_cast<std::uint8_t>(whole(from, "control_mode", 0, 0xFF, 1));
-    motor.faults = static_cast<std::uint32_t>(whole(from, "faults", 0, UINT32_MAX));
-    const std::string sensing = text(from, "sensing", "pll");
-    bool known = false;
-    for (const auto &[word, meaning] : kSensings) {
-        if (sensing == word) {
-            motor.sensing = meaning;
-            known = true;
-        }
-    }
-    if (!known)
+    take(from[keyOf("state")], "state", motor.state);
+    take(from[keyOf("control_mode")], "control_mode", motor.controlMode);
+    take(from[keyOf("faults")], "faults", motor.faults);
+    std::string sensing = "pll";
+    take(from[keyOf("sensing")], "sensing", sensing);
+    if (const auto known = meaningIn(kSensings, QString::fromStdString(sensing)))
+        motor.sensing = *known;
+    else
         wrong("sensing", "must be pll, cordic, encoder or hall");
-    readRegisters(from[QLatin1String("registers")].toObject(), motor);
-    readRevUp(from[QLatin1String("revup")].toArray(), motor);
+    readRegisters(from[keyOf("registers")].toObject(), motor);
+    readRevUp(from[keyOf("revup")].toArray(), motor);
     return motor;
-}
-
-void Reader::readTimer(const QJsonValue &from, FcpRig &rig)
-{
-    if (from.isUndefined() || from.toString() == QLatin1String("dead"))
-        return;
-    rig.frameTimer = std::chrono::milliseconds(whole(from, "frame_timer", 1, kMostFrameTimer_ms));
 }
 
 FcpRig Reader::rig(const QJsonObject &from)
 {
     FcpRig rig;
-    const std::string dialect = text(from, "dialect", "");
+    std::string dialect;
+    take(from[keyOf("dialect")], "dialect", dialect);
     if (dialect == "powerpc")
         rig.dialect = fcp::Dialect::PowerPc;
     else if (dialect != "stm32")
         wrong("dialect", "must be stm32 or powerpc");
-    rig.name = text(from, "rig", "");
-    rig.firmware = text(from, "firmware_string", rig.firmware);
-    rig.speedStep_rpm = static_cast<std::int32_t>(whole(from, "speed_step", 1, INT16_MAX, 6));
-    const QJsonObject features = from[QLatin1String("features")].toObject();
-    rig.fluxWeakening = flag(features, "flux_weakening");
-    rig.feedForward = flag(features, "feed_forward");
-    rig.pfc = flag(features, "pfc");
-    rig.profiler = flag(features, "profiler");
-    rig.dac = flag(features, "dac");
-    readTimer(from[QLatin1String("frame_timer")], rig);
-    const QJsonArray motors = from[QLatin1String("motors")].toArray();
+    take(from[keyOf("rig")], "rig", rig.name);
+    take(from[keyOf("firmware_string")], "firmware_string", rig.firmware);
+    take(from[keyOf("speed_step")], "speed_step", rig.speedStep_rpm, 1, INT16_MAX);
+    const QJsonObject features = from[keyOf("features")].toObject();
+    for (const auto &[name, feature] : kFeatures)
+        take(features[keyOf(name)], name, rig.*feature);
+    const QJsonValue timer = from[keyOf("frame_timer")];
+    if (!timer.isUndefined() && timer.toString() != keyOf("dead")) {
+        std::int64_t time_ms = 0;
+        take(timer, "frame_timer", time_ms, 1, kMostFrameTimer_ms);
+        rig.frameTimer = std::chrono::milliseconds(time_ms);
+    }
+    const QJsonArray motors = from[keyOf("motors")].toArray();
     if (motors.isEmpty() || motors.size() > static_cast<qsizetype>(fcp::kMostMotors))
         wrong("motors", "must be a list of 1 to 7 motors");
     rig.motors.clear();
@@ -168,7 +157,7 @@ Result<FcpRig, std::string> readFcpRig(const QByteArray &json)
     if (error.error != QJsonParseError::NoError)
         return fail("is no JSON: " + error.errorString().toStdString());
     const QJsonObject object = document.object();
-    if (object[QLatin1String("protocol")].toString() != QLatin1String("legacy"))
+    if (object[keyOf("protocol")].toString() != keyOf("legacy"))
         return fail(std::string("protocol: must be legacy"));
     Reader reader;
     FcpRig rig = reader.rig(object);

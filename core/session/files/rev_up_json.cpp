@@ -1,9 +1,10 @@
 #include "session/files/rev_up_json.h"
 
+#include "session/files/json_values.h"
+
 #include <QJsonDocument>
 
 #include <cmath>
-#include <optional>
 
 namespace session {
 
@@ -12,24 +13,15 @@ namespace {
 const QLatin1String kStages("stages"), kStageSpeed("speed_rpm"), kAmps("current_a"),
     kDigits("current_digits"), kDuration("duration_ms");
 
-/// A whole number within the range; a member that is missing is none.
-template <class T>
-std::optional<T> whole(double value, double least, double most)
-{
-    if (!(value >= least && value <= most) || value != std::nearbyint(value))
-        return {};
-    return static_cast<T>(value);
-}
-
 std::optional<motor::RevUpStage> stageOf(const QJsonObject &object, double ampsPerDigit)
 {
     const double nan = std::nan("");
     const double amps = object[kAmps].toDouble(nan);
     const double digits =
         object[kDigits].toDouble(ampsPerDigit > 0.0 ? std::round(amps / ampsPerDigit) : nan);
-    const auto speed = whole<std::int32_t>(object[kStageSpeed].toDouble(nan), -32767, 32767);
-    const auto current = whole<std::int16_t>(digits, -32768, 32767);
-    const auto duration = whole<std::uint16_t>(object[kDuration].toDouble(nan), 0, 65535);
+    const auto speed = wholeIn<std::int32_t>(object[kStageSpeed].toDouble(nan), -32767, 32767);
+    const auto current = wholeIn<std::int16_t>(digits, -32768, 32767);
+    const auto duration = wholeIn<std::uint16_t>(object[kDuration].toDouble(nan), 0, 65535);
     if (!speed || !current || !duration)
         return {};
     return motor::RevUpStage{*speed, *current, *duration};
