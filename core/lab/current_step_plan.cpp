@@ -1,7 +1,6 @@
 #include "lab/current_step_plan.h"
 
 #include "drive/motion_limits.h"
-#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kCurrentStepEntry = "current step plan";
 constexpr double kSpeedUsed = 0.35, kSpeedUsedObserved = 0.45; ///< of the allowed speed
 /// Of it, around the speed: where the speed leaves that, the next current comes at once. A torque may push the motor further
 /// than it slows down while nothing pushes.
@@ -236,23 +234,9 @@ std::unique_ptr<Course> courseOf(const CurrentStepPlan &plan, const Subject &sub
     return std::make_unique<CurrentStepCourse>(plan, subject);
 }
 
-record::Happening entryOf(const CurrentStepPlan &plan, const Subject &subject)
+bool usable(const Recorded<CurrentStepPlan> &found)
 {
-    record::Happening entry{kCurrentStepEntry, {}};
-    putMotor(entry, subject);
-    putFields(entry, plan);
-    return entry;
-}
-
-std::optional<RecordedCurrentSteps> recordedCurrentSteps(const record::Happening &happening)
-{
-    if (happening.name != kCurrentStepEntry)
-        return std::nullopt;
-    RecordedCurrentSteps found{recordedMotor(happening), {}};
-    eachField(found.plan, TakeFields(happening));
-    if (found.motor < 1 || found.plan.fromAmps == found.plan.toAmps || found.plan.hold < 1ms)
-        return std::nullopt;
-    return found;
+    return found.plan.fromAmps != found.plan.toAmps && found.plan.hold >= 1ms;
 }
 
 } // namespace lab

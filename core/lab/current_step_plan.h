@@ -4,14 +4,14 @@
 #pragma once
 
 #include "lab/course.h"
-#include "lab/recorded_motor.h"
+#include "lab/recorded_plan.h"
 
-#include <optional>
 #include <string>
 
 namespace lab {
 
 struct CurrentStepPlan {
+    static constexpr const char *kEntry = "current step plan"; ///< of its recording
     int flux = 0; ///< 1: along the magnets, beside the Iq that holds the speed; 0: torque
     double fromAmps = 0.0, toAmps = 0.0; ///< peak, signed
     int repeat = 5; ///< steps there, and as many back
@@ -45,11 +45,7 @@ std::string objectionTo(const CurrentStepPlan &plan, const Subject &subject);
 Conditions conditionsOf(const CurrentStepPlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const CurrentStepPlan &plan, const Subject &subject);
 
-/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
-record::Happening entryOf(const CurrentStepPlan &plan, const Subject &subject);
-struct RecordedCurrentSteps : RecordedMotor {
-    CurrentStepPlan plan;
-};
-std::optional<RecordedCurrentSteps> recordedCurrentSteps(const record::Happening &happening);
+/// Whether the entry was one.
+bool usable(const Recorded<CurrentStepPlan> &found);
 
 } // namespace lab

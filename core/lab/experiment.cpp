@@ -1,6 +1,5 @@
 #include "lab/experiment.h"
 
-#include "base/overloaded.h"
 #include "drive/motion_limits.h"
 
 #include <algorithm>
@@ -72,12 +71,8 @@ std::unique_ptr<Course> courseOf(const Experiment &experiment)
 
 record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator)
 {
-    const Subject &subject = experiment.subject;
     return std::visit(
-        Overloaded{
-            [&](const StepPlan &plan) { return entryOf(plan, subject, regulator.proportional); },
-            [&](const ResponsePlan &plan) { return entryOf(plan, subject, regulator); },
-            [&](const auto &plan) { return entryOf(plan, subject); }},
+        [&](const auto &plan) { return entryOf(plan, experiment.subject, regulator); },
         experiment.plan);
 }
 

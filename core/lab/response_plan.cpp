@@ -2,7 +2,6 @@
 
 #include "drive/motion_limits.h"
 #include "lab/maths/draw.h"
-#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +13,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kResponseEntry = "response plan";
 constexpr double kMostSpeed = 0.4; ///< of the allowed speed
 constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
 constexpr double kMarginAmplitudes = 3.0; ///< amplitudes beyond both
 constexpr int kMostGain = 32767; ///< of a register of 16 bits
-
-template <class Regulator, class Field>
-void eachGain(Regulator &regulator, Field &&field)
-{
-    field("proportional A per rpm", regulator.proportional);
-    field("integral A per rpm", regulator.integral);
-    field("period s", regulator.period_s);
-}
 
 class ResponseCourse : public Course {
 public:
@@ -125,26 +115,9 @@ std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subjec
     return std::make_unique<ResponseCourse>(plan, subject.motor);
 }
 
-record::Happening entryOf(
-    const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator)
+bool usable(const Recorded<ResponsePlan> &found)
 {
-    record::Happening entry{kResponseEntry, {}};
-    putMotor(entry, subject);
-    putFields(entry, plan);
-    eachGain(regulator, PutFields(entry));
-    return entry;
-}
-
-std::optional<RecordedResponse> recordedResponse(const record::Happening &happening)
-{
-    if (happening.name != kResponseEntry)
-        return std::nullopt;
-    RecordedResponse found{recordedMotor(happening), {}, {}};
-    eachField(found.plan, TakeFields(happening));
-    eachGain(found.regulator, TakeFields(happening));
-    if (found.motor < 1 || !(found.polePairs > 0.0) || found.plan.amplitudeRpm < 1)
-        return std::nullopt;
-    return found;
+    return found.polePairs > 0.0 && found.plan.amplitudeRpm >= 1;
 }
 
 } // namespace lab

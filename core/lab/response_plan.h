@@ -4,14 +4,14 @@
 #pragma once
 
 #include "lab/course.h"
-#include "lab/recorded_motor.h"
+#include "lab/recorded_plan.h"
 
-#include <optional>
 #include <string>
 
 namespace lab {
 
 struct ResponsePlan {
+    static constexpr const char *kEntry = "response plan"; ///< of its recording
     int current = 0; ///< 1: the current loop is what is asked about; 0: motor and speed loop
     int rpm = 0; ///< around which it goes, signed
     int amplitudeRpm = 60;
@@ -43,25 +43,19 @@ void eachField(ResponsePlan &plan, Field &&field)
     field("max rpm", plan.caps.maxSpeedRpm);
     field("max A", plan.caps.maxCurrentAmps);
 }
+template <class Field>
+void eachGain(const ResponsePlan &, SpeedRegulator &regulator, Field &&field)
+{
+    field("proportional A per rpm", regulator.proportional);
+    field("integral A per rpm", regulator.integral);
+    field("period s", regulator.period_s);
+}
 
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject);
 Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject);
 
-/// What the speed regulator does: reference of Iq = proportional x error + integral x sum of errors, once a period.
-struct SpeedRegulator {
-    double proportional = 0.0, integral = 0.0; ///< A/rpm
-    double period_s = 1e-3;
-    bool operator==(const SpeedRegulator &) const = default;
-};
-
-/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
-record::Happening entryOf(
-    const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator);
-struct RecordedResponse : RecordedMotor {
-    ResponsePlan plan;
-    SpeedRegulator regulator;
-};
-std::optional<RecordedResponse> recordedResponse(const record::Happening &happening);
+/// Whether the entry was one.
+bool usable(const Recorded<ResponsePlan> &found);
 
 } // namespace lab

@@ -1,7 +1,6 @@
 #include "lab/rest_plan.h"
 
 #include "drive/motion_limits.h"
-#include "lab/plan_fields.h"
 #include "motor/rev_up.h"
 
 #include <algorithm>
@@ -14,7 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kRestEntry = "rest plan";
 constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal current
 constexpr int kLevels = 4; ///< along the magnets
 constexpr milliseconds kSpare =
@@ -154,23 +152,9 @@ std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject)
     return std::make_unique<StartUpCourse>(plan);
 }
 
-record::Happening entryOf(const RestPlan &plan, const Subject &subject)
+bool usable(const Recorded<RestPlan> &found)
 {
-    record::Happening entry{kRestEntry, {}};
-    putMotor(entry, subject);
-    putFields(entry, plan);
-    return entry;
-}
-
-std::optional<RecordedRest> recordedRest(const record::Happening &happening)
-{
-    if (happening.name != kRestEntry)
-        return std::nullopt;
-    RecordedRest found{recordedMotor(happening), {}};
-    eachField(found.plan, TakeFields(happening));
-    if (found.motor < 1 || !(found.plan.lowAmps > 0.0) || !(found.nominalAmps > 0.0))
-        return std::nullopt;
-    return found;
+    return found.plan.lowAmps > 0.0 && found.nominalAmps > 0.0;
 }
 
 } // namespace lab

@@ -7,14 +7,14 @@
 #pragma once
 
 #include "lab/course.h"
-#include "lab/recorded_motor.h"
+#include "lab/recorded_plan.h"
 
-#include <optional>
 #include <string>
 
 namespace lab {
 
 struct RestPlan {
+    static constexpr const char *kEntry = "rest plan"; ///< of its recording
     double lowAmps = 0.0, highAmps = 0.0; ///< the weakest and the strongest, peak
     milliseconds rise{200}; ///< from one to the next
     milliseconds hold{400};
@@ -41,11 +41,7 @@ std::string objectionTo(const RestPlan &plan, const Subject &subject);
 Conditions conditionsOf(const RestPlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject);
 
-/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
-record::Happening entryOf(const RestPlan &plan, const Subject &subject);
-struct RecordedRest : RecordedMotor {
-    RestPlan plan;
-};
-std::optional<RecordedRest> recordedRest(const record::Happening &happening);
+/// Whether the entry was one.
+bool usable(const Recorded<RestPlan> &found);
 
 } // namespace lab

@@ -2,7 +2,6 @@
 
 #include "drive/motion_limits.h"
 #include "lab/maths/draw.h"
-#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kSpinEntry = "spin plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
 constexpr double kFluxLowShare = 0.45, kFluxHighShare = 0.65; ///< inductances take fast turns
 constexpr double kAboveObserved =
@@ -216,29 +214,15 @@ std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
     return std::make_unique<SpinCourse>(plan, subject);
 }
 
-record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
-{
-    record::Happening entry{kSpinEntry, {}};
-    putMotor(entry, subject);
-    putFields(entry, plan);
-    return entry;
-}
-
-double leastTurning_degPerS(const RecordedSpin &spin)
+double leastTurning_degPerS(const Recorded<SpinPlan> &spin)
 {
     constexpr double kShare = 0.2, kRpm_degPerS = 6.0;
     return kShare * std::abs(spin.plan.lowRpm) * spin.polePairs * kRpm_degPerS;
 }
 
-std::optional<RecordedSpin> recordedSpin(const record::Happening &happening)
+bool usable(const Recorded<SpinPlan> &found)
 {
-    if (happening.name != kSpinEntry)
-        return std::nullopt;
-    RecordedSpin found{recordedMotor(happening), {}};
-    eachField(found.plan, TakeFields(happening));
-    if (found.motor < 1 || !(found.polePairs > 0.0) || !(found.torquePerAmp > 0.0))
-        return std::nullopt;
-    return found;
+    return found.polePairs > 0.0 && found.torquePerAmp > 0.0;
 }
 
 } // namespace lab

@@ -6,14 +6,14 @@
 #pragma once
 
 #include "lab/course.h"
-#include "lab/recorded_motor.h"
+#include "lab/recorded_plan.h"
 
-#include <optional>
 #include <string>
 
 namespace lab {
 
 struct SpinPlan {
+    static constexpr const char *kEntry = "spin plan"; ///< of its recording
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000};
     milliseconds approach{500};
@@ -48,13 +48,9 @@ std::string objectionTo(const SpinPlan &plan, const Subject &subject);
 Conditions conditionsOf(const SpinPlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject);
 
-/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
-record::Happening entryOf(const SpinPlan &plan, const Subject &subject);
-struct RecordedSpin : RecordedMotor {
-    SpinPlan plan;
-};
+/// Whether the entry was one.
+bool usable(const Recorded<SpinPlan> &found);
 /// Slower than this its rotor is as good as standing: a host that stalls while it coasts lets it stop. Electrical.
-double leastTurning_degPerS(const RecordedSpin &spin);
-std::optional<RecordedSpin> recordedSpin(const record::Happening &happening);
+double leastTurning_degPerS(const Recorded<SpinPlan> &spin);
 
 } // namespace lab

@@ -1,7 +1,5 @@
 #include "lab/step_plan.h"
 
-#include "lab/plan_fields.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +10,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kStepEntry = "step plan", *kJumpField = "jump A per rpm";
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
 
 class StepCourse : public Course {
@@ -92,27 +89,11 @@ double jumpPerRpm(const Subject &subject, double gain, double exponent)
     return gain / std::exp2(exponent) / step * amps;
 }
 
-record::Happening entryOf(const StepPlan &plan, const Subject &subject, double jump)
+bool usable(Recorded<StepPlan> &found)
 {
-    record::Happening entry{kStepEntry, {}};
-    putMotor(entry, subject);
-    putFields(entry, plan);
-    entry.fields.emplace_back(kJumpField, textOf(jump));
-    return entry;
-}
-
-std::optional<RecordedSteps> recordedSteps(const record::Happening &happening)
-{
-    if (happening.name != kStepEntry)
-        return std::nullopt;
-    RecordedSteps found{recordedMotor(happening), {}, 0.0};
     StepPlan &plan = found.plan;
-    eachField(plan, TakeFields(happening));
     plan.repeat = std::min(plan.repeat, kMostRepeats);
-    found.jumpPerRpm = numberOf(happening, kJumpField).value_or(0.0);
-    if (found.motor < 1 || plan.fromRpm == plan.toRpm || plan.repeat < 1 || plan.hold < 1ms)
-        return std::nullopt;
-    return found;
+    return plan.fromRpm != plan.toRpm && plan.repeat >= 1 && plan.hold >= 1ms;
 }
 
 } // namespace lab

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "lab/course.h"
-#include "lab/recorded_motor.h"
+#include "lab/recorded_plan.h"
 
-#include <optional>
 #include <string>
 
 namespace lab {
 
 struct StepPlan {
+    static constexpr const char *kEntry = "step plan"; ///< of its recording
     int fromRpm = 0, toRpm = 0; ///< mechanical, signed
     int repeat = 1; ///< steps up and as many down
     milliseconds hold{500}; ///< of each speed
@@ -31,6 +31,11 @@ void eachField(StepPlan &plan, Field &&field)
     field("max rpm", plan.caps.maxSpeedRpm);
     field("max A", plan.caps.maxCurrentAmps);
 }
+template <class Field>
+void eachGain(const StepPlan &, SpeedRegulator &regulator, Field &&field)
+{
+    field("jump A per rpm", regulator.proportional);
+}
 
 std::string objectionTo(const StepPlan &plan, const Subject &subject);
 Conditions conditionsOf(const StepPlan &plan, const Subject &subject);
@@ -40,12 +45,7 @@ std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject);
 /// @param gain, exponent  numbers of the subject's registers, as read
 double jumpPerRpm(const Subject &subject, double gain, double exponent);
 
-/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
-record::Happening entryOf(const StepPlan &plan, const Subject &subject, double jumpPerRpm);
-struct RecordedSteps : RecordedMotor {
-    StepPlan plan;
-    double jumpPerRpm = 0.0; ///< A/rpm; 0: not known
-};
-std::optional<RecordedSteps> recordedSteps(const record::Happening &happening);
+/// Whether the entry was one. More repetitions than there can be are as many.
+bool usable(Recorded<StepPlan> &found);
 
 } // namespace lab

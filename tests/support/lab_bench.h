@@ -86,16 +86,11 @@ struct LabBench {
                         1e-3}
                     : lab::SpeedRegulator{gainOf(registers.gain, registers.gainExponent),
                         gainOf(registers.integral, registers.integralExponent), 1e-3}));
-        else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
-            keep(lab::entryOf(*spin, experiment.subject));
-        else if (const auto *current = std::get_if<lab::CurrentStepPlan>(&experiment.plan))
-            keep(lab::entryOf(*current, experiment.subject));
-        else if (const auto *rest = std::get_if<lab::RestPlan>(&experiment.plan))
-            keep(lab::entryOf(*rest, experiment.subject));
+        else if (std::holds_alternative<lab::StepPlan>(experiment.plan))
+            keep(lab::entryOf(
+                experiment, {.proportional = gainOf(registers.gain, registers.gainExponent)}));
         else
-            keep(lab::entryOf(std::get<lab::StepPlan>(experiment.plan), experiment.subject,
-                lab::jumpPerRpm(
-                    experiment.subject, number(registers.gain), number(registers.gainExponent))));
+            keep(lab::entryOf(experiment, {}));
         runner.emplace(experiment);
 
         runner->begin(pair.now, ranAt);

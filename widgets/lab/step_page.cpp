@@ -33,7 +33,7 @@ int stepsIn(const lab::Happenings &happenings)
 
 ExperimentBar::Progress progress(const lab::Happenings &happenings)
 {
-    const auto plan = lab::recordedSteps(happenings.front().second);
+    const auto plan = lab::recordedPlan<lab::StepPlan>(happenings.front().second);
     const int all = plan ? 2 * plan->plan.repeat : 1;
     const int steps = std::min(stepsIn(happenings), all);
     return {steps, all,

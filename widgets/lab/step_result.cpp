@@ -26,7 +26,7 @@ void fill(StepCurve &curve, const capture::Channel &speed, Nanos at, Nanos until
     });
 }
 
-StepCurve curveOf(const capture::Capture &capture, const lab::RecordedSteps &plan,
+StepCurve curveOf(const capture::Capture &capture, const lab::Recorded<lab::StepPlan> &plan,
     const lab::StepRun &run, Nanos until)
 {
     StepCurve curve;
@@ -75,7 +75,7 @@ Result<StepResult, std::string> stepResult(
         return fail(series.error());
     StepResult result;
     result.series = std::move(*series);
-    const auto plan = lab::recordedSteps(record.happenings.front().second);
+    const auto plan = lab::recordedPlan<lab::StepPlan>(record.happenings.front().second);
     const auto &runs = result.series.runs;
     if (!plan || runs.empty())
         return result;

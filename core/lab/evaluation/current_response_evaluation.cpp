@@ -108,11 +108,7 @@ std::size_t addPoint(
 Result<FrequencyResponse, std::string> evaluateCurrentResponse(
     const capture::Capture &capture, const Happenings &all)
 {
-    const Happenings happenings = carriedOut(all);
-    std::optional<RecordedResponse> plan;
-    auto at = happenings.begin();
-    for (; at != happenings.end() && !plan; ++at)
-        plan = recordedResponse(at->second);
+    const auto [plan, after] = planIn<ResponsePlan>(all);
     if (!plan || plan->plan.current == 0)
         return fail(std::string("it is no recording of a current loop's frequency response"));
     const std::array others{
@@ -121,7 +117,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
     if (angle == nullptr || others[0] == nullptr || others[1] == nullptr)
         return fail(std::string("it holds no samples of the signals that it needs"));
     Span span;
-    for (; at != happenings.end() && !span.over; ++at)
+    for (auto at = after.begin(); at != after.end() && !span.over; ++at)
         span.take(at->first, at->second, plan->motor);
     if (!span.any)
         return fail(std::string("the set-point was never moved in it"));

@@ -13,7 +13,7 @@ namespace {
 /// The two steps of each repetition: behind them the motor coasts, and its speed is controlled again.
 class CurrentStepFinder {
 public:
-    explicit CurrentStepFinder(const RecordedCurrentSteps &plan)
+    explicit CurrentStepFinder(const Recorded<CurrentStepPlan> &plan)
         : m_plan(plan)
     {
     }
@@ -82,7 +82,7 @@ private:
         m_open = false;
     }
 
-    const RecordedCurrentSteps &m_plan;
+    const Recorded<CurrentStepPlan> &m_plan;
     std::optional<double> m_last; ///< that was asked for
     int m_group = 0; ///< steps since the speed was controlled
     bool m_open = false; ///< the last step is still held
@@ -111,7 +111,7 @@ StepRun evaluate(const capture::Channel &reference, const capture::Channel &resp
 
 /// Against that of the samples before a step.
 void noteNoise(
-    MeasuredSteps &found, const RecordedCurrentSteps &plan, const capture::Channel &response)
+    MeasuredSteps &found, const Recorded<CurrentStepPlan> &plan, const capture::Channel &response)
 {
     constexpr double kNoticeable = 0.01, kPercent = 100.0;
     double squares = 0.0;
@@ -143,15 +143,11 @@ void noteNoise(
 Result<MeasuredSteps, std::string> currentSteps(
     const capture::Capture &capture, const Happenings &all)
 {
-    const Happenings happenings = carriedOut(all);
-    std::optional<RecordedCurrentSteps> plan;
-    auto at = happenings.begin();
-    for (; at != happenings.end() && !plan; ++at)
-        plan = recordedCurrentSteps(at->second);
+    const auto [plan, after] = planIn<CurrentStepPlan>(all);
     if (!plan)
         return fail(std::string("it is no recording of a series of current steps"));
     CurrentStepFinder finder(*plan);
-    for (; at != happenings.end() && !finder.over; ++at)
+    for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
         finder.take(at->first, at->second);
     const bool flux = plan->plan.flux != 0;
     const capture::Channel *reference =

@@ -144,8 +144,8 @@ struct Parts {
 };
 
 /// @return  why nothing follows, empty if it does
-std::string addResting(Parts &parts, const RecordedRest &rest, const capture::Capture &capture,
-    Happenings::const_iterator at, Happenings::const_iterator end)
+std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
+    const capture::Capture &capture, Happenings::const_iterator at, Happenings::const_iterator end)
 {
     // What was recorded before may go on until the board records what this needs, ahead of the first command.
     const auto commands = [](const auto &happening) {
@@ -177,8 +177,8 @@ std::string addResting(Parts &parts, const RecordedRest &rest, const capture::Ca
     return {};
 }
 
-std::string addTurning(Parts &parts, const RecordedSpin &spin, const capture::Capture &capture,
-    Happenings::const_iterator at, Happenings::const_iterator end)
+std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
+    const capture::Capture &capture, Happenings::const_iterator at, Happenings::const_iterator end)
 {
     const auto span = drivenSpan(spin.motor, at, end, std::numeric_limits<Nanos>::max());
     if (!span)
@@ -264,9 +264,9 @@ Result<Electrics, std::string> evaluateElectrics(
     bool any = false;
     for (auto at = happenings.begin(); at != happenings.end(); ++at) {
         std::string failed;
-        if (const auto rest = recordedRest(at->second); rest && !found.rs_ohm)
+        if (const auto rest = recordedPlan<RestPlan>(at->second); rest && !found.rs_ohm)
             failed = addResting(parts, *rest, capture, at, happenings.end());
-        else if (const auto spin = recordedSpin(at->second); spin && !found.ld_h)
+        else if (const auto spin = recordedPlan<SpinPlan>(at->second); spin && !found.ld_h)
             failed = addTurning(parts, *spin, capture, at, happenings.end());
         else
             continue;

@@ -21,20 +21,20 @@ Found found(Result<T, std::string> result)
 Result<Finding, std::string> findingIn(const capture::Capture &capture, const Happenings &all)
 {
     for (const auto &[at, what] : all) {
-        if (recordedSteps(what)) {
+        if (recordedPlan<StepPlan>(what)) {
             auto series = stepSeries(capture, all);
             if (!series)
                 return fail(series.error());
             return Finding(std::in_place_type<MeasuredSteps>, std::move(*series));
         }
-        if (recordedCurrentSteps(what))
+        if (recordedPlan<CurrentStepPlan>(what))
             return found(currentSteps(capture, all));
-        const auto spin = recordedSpin(what);
-        if (recordedRest(what) || (spin && spin->plan.fluxAmps > 0.0))
+        const auto spin = recordedPlan<SpinPlan>(what);
+        if (recordedPlan<RestPlan>(what) || (spin && spin->plan.fluxAmps > 0.0))
             return found(evaluateElectrics(capture, all));
         if (spin)
             return found(evaluateMechanics(capture, all));
-        if (const auto response = recordedResponse(what))
+        if (const auto response = recordedPlan<ResponsePlan>(what))
             return response->plan.current != 0 ? found(evaluateCurrentResponse(capture, all))
                                                : found(evaluateResponse(capture, all));
     }

@@ -29,7 +29,7 @@ constexpr double kByLag = 0.5, kMostUnsure = 0.1;
 
 /// To either side of an instant. Steps of the angle by Hall sensors are in no window shorter than an electrical turn; whole halves
 /// of a row's distance, so that windows meet.
-double edgeOf(const RecordedSpin &spin)
+double edgeOf(const Recorded<SpinPlan> &spin)
 {
     constexpr double kHalf = 30.0; // of a minute, in s
     const double turns = std::max(1, std::abs(spin.plan.lowRpm)) * spin.polePairs;
@@ -39,7 +39,7 @@ double edgeOf(const RecordedSpin &spin)
 /// How far Hall sensors are behind, as a share of the speed: root mean square. Between two of their edges the angle runs on by a
 /// speed that was, the mean over six edges, as firmware has it of itself; so it lags by half of an electrical turn.
 double hallLag(
-    const RecordedSpin &spin, std::span<const MechanicalInstant> instants, const Fit &fit)
+    const Recorded<SpinPlan> &spin, std::span<const MechanicalInstant> instants, const Fit &fit)
 {
     if (!spin.angle.starts_with("HALL") || instants.empty())
         return 0.0;
@@ -64,7 +64,7 @@ void grow(Estimate &one, double by)
 }
 
 /// What is unsure of all torques, by a share, is so of what it follows from, too; most of all of what tells two frictions apart.
-void widen(Mechanics &found, const RecordedSpin &spin, double share)
+void widen(Mechanics &found, const Recorded<SpinPlan> &spin, double share)
 {
     const double toRad = 2.0 * std::numbers::pi / 60.0;
     const double low = std::abs(spin.plan.lowRpm) * toRad,
@@ -113,7 +113,7 @@ struct Fits {
 };
 
 /// The numbers of the model that explains the run.
-Mechanics mechanicsOf(const RecordedSpin &spin, const Fits &fits)
+Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
 {
     Mechanics found;
     const Fit &plain = fits.plain, &fan = fits.fan;
@@ -201,7 +201,7 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 
 /// As FluxValue has them, as far as they were recorded.
 std::vector<const capture::Channel *> signalsOf(
-    const capture::Capture &capture, const RecordedSpin &plan)
+    const capture::Capture &capture, const Recorded<SpinPlan> &plan)
 {
     std::vector<const capture::Channel *> signals;
     for (const std::string *name : {&plan.current, &plan.voltage, &plan.voltageD, &plan.currentD}) {
@@ -218,11 +218,7 @@ std::vector<const capture::Channel *> signalsOf(
 Result<Mechanics, std::string> evaluateMechanics(
     const capture::Capture &capture, const Happenings &asked)
 {
-    const Happenings happenings = carriedOut(asked);
-    std::optional<RecordedSpin> plan;
-    auto at = happenings.begin();
-    for (; at != happenings.end() && !plan; ++at)
-        plan = recordedSpin(at->second);
+    const auto [plan, after] = planIn<SpinPlan>(asked);
     if (!plan)
         return fail(std::string("it is no recording of a mechanical identification"));
     const capture::Channel *angle = fastChannel(capture, plan->angle);
@@ -230,7 +226,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     if (angle == nullptr || current == nullptr || angle->empty())
         return fail(std::string("it holds no samples of the signals that it needs"));
     const auto span =
-        drivenSpan(plan->motor, at, happenings.end(), angle->timeOf(angle->end() - 1));
+        drivenSpan(plan->motor, after.begin(), after.end(), angle->timeOf(angle->end() - 1));
     if (!span)
         return fail(std::string("the motor was never driven by a torque in it"));
     const std::vector<Segment> all =

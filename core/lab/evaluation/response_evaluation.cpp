@@ -35,7 +35,7 @@ struct Edge {
 /// When each set-point took effect: by the jump that it makes, or as late as the others where that is not found.
 class Edges {
 public:
-    Edges(const RecordedResponse &plan, const capture::Channel &reference)
+    Edges(const Recorded<ResponsePlan> &plan, const capture::Channel &reference)
         : m_plan(plan)
         , m_reference(reference)
     {
@@ -94,7 +94,7 @@ private:
         edges.push_back({instant ? instant->at : asked.asked, asked.to});
     }
 
-    const RecordedResponse &m_plan;
+    const Recorded<ResponsePlan> &m_plan;
     const capture::Channel &m_reference;
     std::optional<StepAsked> m_open;
     double m_last = 0.0;
@@ -232,11 +232,7 @@ Complex regulatorAt(const SpeedRegulator &regulator, double hz)
 Result<SpeedResponse, std::string> evaluateResponse(
     const capture::Capture &capture, const Happenings &all)
 {
-    const Happenings happenings = carriedOut(all);
-    std::optional<RecordedResponse> plan;
-    auto at = happenings.begin();
-    for (; at != happenings.end() && !plan; ++at)
-        plan = recordedResponse(at->second);
+    const auto [plan, after] = planIn<ResponsePlan>(all);
     if (!plan || plan->plan.current != 0)
         return fail(std::string("it is no recording of a speed's frequency response"));
     const std::array others{fastChannel(capture, plan->reference),
@@ -245,7 +241,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
     if (angle == nullptr || std::find(others.begin(), others.end(), nullptr) != others.end())
         return fail(std::string("it holds no samples of the signals that it needs"));
     Edges edges(*plan, *others[0]);
-    for (; at != happenings.end() && !edges.over; ++at)
+    for (auto at = after.begin(); at != after.end() && !edges.over; ++at)
         edges.take(at->first, at->second);
     edges.settle();
     if (edges.edges.empty())

@@ -14,7 +14,7 @@ namespace {
 /// The steps between the plan and the end of the series: set-points without a ramp, each until the next one.
 class StepFinder {
 public:
-    explicit StepFinder(const RecordedSteps &plan)
+    explicit StepFinder(const Recorded<StepPlan> &plan)
         : m_plan(plan)
     {
     }
@@ -86,7 +86,7 @@ private:
         m_left = m_left || !steps.empty();
     }
 
-    const RecordedSteps &m_plan;
+    const Recorded<StepPlan> &m_plan;
     bool m_open = false; ///< the last step is still held
     bool m_left = false; ///< there will be no other one
 };
@@ -122,7 +122,7 @@ std::optional<Estimate> meanOver(MeasuredSteps &series, std::optional<double> St
 }
 
 /// A step of few digits of the speed says little, also by the angle.
-void noteResolution(StepSeries &series, const RecordedSteps &plan)
+void noteResolution(StepSeries &series, const Recorded<StepPlan> &plan)
 {
     constexpr double kLeastDigits = 20.0;
     const double step = std::abs(plan.plan.toRpm - plan.plan.fromRpm);
@@ -179,15 +179,11 @@ void noteRuns(MeasuredSteps &series, const std::string &signal)
 
 Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, const Happenings &all)
 {
-    const Happenings happenings = carriedOut(all);
-    std::optional<RecordedSteps> plan;
-    auto at = happenings.begin();
-    for (; at != happenings.end() && !plan; ++at)
-        plan = recordedSteps(at->second);
+    const auto [plan, after] = planIn<StepPlan>(all);
     if (!plan)
         return fail(std::string("it is no recording of a series of steps"));
     StepFinder finder(*plan);
-    for (; at != happenings.end() && !finder.over; ++at)
+    for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
         finder.take(at->first, at->second);
     const StepChannels channels{fastChannel(capture, plan->reference),
         fastChannel(capture, plan->current), fastChannel(capture, plan->speed),
@@ -196,7 +192,7 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     StepSeries series;
     series.plan = plan->plan;
-    const StepFacts facts{plan->polePairs, plan->speedStepRpm, plan->jumpPerRpm};
+    const StepFacts facts{plan->polePairs, plan->speedStepRpm, plan->regulator.proportional};
     const Nanos hold = std::chrono::nanoseconds(plan->plan.hold).count();
     for (const StepAsked &asked : finder.steps) {
         const auto cut = cutShort(asked, *channels.speed, hold);

@@ -200,8 +200,8 @@ private Q_SLOTS:
         const record::Happening speed = entryOf(plan, bench.experiment.subject, {});
         plan.current = 1;
         const record::Happening current = entryOf(plan, bench.experiment.subject, {});
-        QVERIFY(recordedResponse(current)->plan == plan);
-        QCOMPARE(recordedResponse(current)->current, std::string("I_Q_MEAS"));
+        QVERIFY(recordedPlan<ResponsePlan>(current)->plan == plan);
+        QCOMPARE(recordedPlan<ResponsePlan>(current)->current, std::string("I_Q_MEAS"));
         const auto why = [&](const auto &found) { return QString::fromStdString(found.error()); };
         QVERIFY(why(evaluateCurrentResponse(bench.capture, {{0, speed}})).contains("no recording"));
         QVERIFY(why(evaluateResponse(bench.capture, {{0, current}})).contains("no recording"));

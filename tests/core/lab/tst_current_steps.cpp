@@ -353,9 +353,9 @@ private Q_SLOTS:
         const LabBench bench;
         const CurrentStepPlan plan = planFor(bench, true, 0.05, -0.2);
         const record::Happening entry = entryOf(plan, bench.experiment.subject);
-        const auto read = recordedCurrentSteps(entry);
+        const auto read = recordedPlan<CurrentStepPlan>(entry);
         QVERIFY(read && read->plan == plan && read->referenceD == "I_D_REF");
-        QVERIFY(!recordedCurrentSteps({"step plan", entry.fields}));
+        QVERIFY(!recordedPlan<CurrentStepPlan>({"step plan", entry.fields}));
         const auto none = currentSteps(bench.capture, {{0, entry}});
         QVERIFY(!none && none.error().find("no samples") != std::string::npos);
     }

@@ -311,7 +311,7 @@ private Q_SLOTS:
         const LabBench bench;
         const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
         const record::Happening entry = entryOf(plan, bench.experiment.subject);
-        const RecordedSpin names = *recordedSpin(entry);
+        const Recorded<SpinPlan> names = *recordedPlan<SpinPlan>(entry);
         capture::Capture capture;
         capture::StreamLayout layout;
         layout.id = 1;
@@ -349,7 +349,7 @@ private Q_SLOTS:
         QVERIFY(!objectionTo(plan, subject).empty());
         const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxSpeedRpm = 1000.0});
         QVERIFY(slow.highRpm < 1000);
-        QVERIFY(recordedSpin(entryOf(plan, bench.experiment.subject))->plan == plan);
+        QVERIFY(recordedPlan<SpinPlan>(entryOf(plan, bench.experiment.subject))->plan == plan);
     }
 };
 

@@ -177,7 +177,7 @@ private Q_SLOTS:
         other = plan;
         other.length = std::chrono::minutes(1);
         QVERIFY(!objectionTo(other, subject).empty());
-        const auto read = recordedResponse(entryOf(plan, subject, {0.1, 0.02, 1e-3}));
+        const auto read = recordedPlan<ResponsePlan>(entryOf(plan, subject, {0.1, 0.02, 1e-3}));
         QVERIFY(read && read->plan == plan && (read->regulator == SpeedRegulator{0.1, 0.02, 1e-3}));
     }
 
