@@ -15,13 +15,6 @@ namespace {
 
 constexpr auto kCoastsFor = 10s; ///< a motor may coast
 
-bool stands(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
 /// Carries out a wish for the motor that is meant and prints the state that follows.
 /// @param atRest  what else is to be known where the motor stands, for people
 Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, const QString &what,
@@ -36,7 +29,7 @@ Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, c
     if (!status)
         return tl::make_unexpected(status.error());
     printStatus(desk.out, *status);
-    if (stands(status->state) && !atRest.isEmpty() && !desk.out.json())
+    if (drive::rests(status->state) && !atRest.isEmpty() && !desk.out.json())
         desk.out.line(atRest);
     return kDone;
 }

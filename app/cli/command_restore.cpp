@@ -46,9 +46,7 @@ Outcome<std::vector<int>> movingMotors(Desk &desk)
         const auto status = desk.talk.status(motor);
         if (!status)
             return tl::make_unexpected(status.error());
-        using drive::MotorState;
-        if (status->state != MotorState::Idle && status->state != MotorState::FaultNow
-            && status->state != MotorState::FaultOver)
+        if (!drive::rests(status->state))
             moving.push_back(motor);
     }
     return moving;

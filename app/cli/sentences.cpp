@@ -8,8 +8,7 @@ using session::PortProblem;
 QString plainText(const std::string &text)
 {
     constexpr qsizetype kLongest = 200;
-    QString plain =
-        QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).left(kLongest);
+    QString plain = QString::fromUtf8(text).left(kLongest);
     for (QChar &c : plain) {
         if (c.isSpace() || c.category() == QChar::Other_Control)
             c = QLatin1Char(' ');

@@ -10,10 +10,7 @@ using session::JsonText;
 
 namespace {
 
-QString text(std::string_view utf8)
-{
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
+QString text(std::string_view utf8) { return QString::fromUtf8(utf8); }
 
 QString hexOf(ByteView bytes)
 {

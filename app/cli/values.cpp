@@ -225,9 +225,6 @@ QString hexOf(const Bytes &bytes)
                                    .toHex(' '));
 }
 
-QString utf8Text(std::string_view utf8)
-{
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
+QString utf8Text(std::string_view utf8) { return QString::fromUtf8(utf8); }
 
 } // namespace cli

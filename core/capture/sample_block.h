@@ -57,4 +57,13 @@ struct SampleBlock {
     Tick lostTicks = 0; ///< ticks missing before firstTick since the block before it of this stream
 };
 
+/// Numbers in a block, fast and slow.
+inline std::uint64_t samplesOf(const SampleBlock &block)
+{
+    std::uint64_t count = block.fast.size();
+    for (const SlowGroup &group : block.slow)
+        count += group.values.size();
+    return count;
+}
+
 } // namespace capture

@@ -1,8 +1,8 @@
 #include "capture/wav_export.h"
 
+#include "base/decimal_text.h"
+
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace capture {
@@ -29,12 +29,6 @@ std::string chunk(const char *name, std::string content)
     if (content.size() % 2 != 0)
         content += '\0';
     return name + size + content;
-}
-
-std::string text(double value)
-{
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
 } // namespace
@@ -220,7 +214,8 @@ std::string WavWriter::cues() const
         points += number(0, 4);
         points += number(0, 4);
         points += frame;
-        labels += chunk("labl", id + "gap of " + text(toSeconds(m_gaps[i].length)) + " s" + '\0');
+        labels +=
+            chunk("labl", id + "gap of " + decimalText(toSeconds(m_gaps[i].length)) + " s" + '\0');
     }
     return chunk("cue ", points) + chunk("LIST", labels);
 }
@@ -233,7 +228,7 @@ std::string WavWriter::comment() const
         if (!words.empty())
             words += "; ";
         words.append(info.name).append(" [").append(info.unit).append("] = (code + ");
-        words.append(text(info.offset)).append(") x ").append(text(info.factor));
+        words.append(decimalText(info.offset)).append(") x ").append(decimalText(info.factor));
     }
     return chunk("LIST",
         "INFO" + chunk("ISFT", std::string("Rotorscope") + '\0') + chunk("ICMT", words + '\0'));

@@ -1,9 +1,9 @@
 #include "catalog/limits.h"
 
+#include "base/decimal_text.h"
 #include "catalog/names.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -13,22 +13,6 @@ namespace {
 
 constexpr double kGreatestFloat = std::numeric_limits<float>::max();
 constexpr double kGreatestGainStep = 2.0;
-
-std::optional<double> numberOf(const Value &value)
-{
-    if (const auto *whole = std::get_if<std::int64_t>(&value))
-        return static_cast<double>(*whole);
-    if (const auto *real = std::get_if<double>(&value))
-        return *real;
-    return std::nullopt;
-}
-
-std::string text(double number)
-{
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
-    return {buffer, end};
-}
 
 /// Why a whole number within the range has no meaning; empty if it has.
 std::string refuseMeaning(const RegisterInfo &info, std::int64_t number)
@@ -92,7 +76,7 @@ std::string refuseValue(const RegisterInfo &info, const Value &value)
         return "texts cannot be written";
     if (info.type == ValueType::Raw)
         return std::holds_alternative<Bytes>(value) ? "" : "needs its bytes";
-    const auto number = numberOf(value);
+    const auto number = asNumber(value);
     if (!number)
         return "not a number";
     if (!std::isfinite(*number))
@@ -102,8 +86,8 @@ std::string refuseValue(const RegisterInfo &info, const Value &value)
     const Limits limits = writeLimits(info);
     if (!limits.holds(*number))
         return limits.greatest >= kGreatestFloat && limits.least > -kGreatestFloat
-            ? "is less than " + text(limits.least)
-            : "out of range " + text(limits.least) + " to " + text(limits.greatest);
+            ? "is less than " + decimalText(limits.least)
+            : "out of range " + decimalText(limits.least) + " to " + decimalText(limits.greatest);
     return isInteger(info.type) ? refuseMeaning(info, static_cast<std::int64_t>(*number)) : "";
 }
 
@@ -114,8 +98,8 @@ Caution cautionOf(
         return Caution::Dangerous;
     if (info.gain == Gain::None || !running)
         return Caution::None;
-    const auto to = numberOf(wanted);
-    const auto from = old ? numberOf(*old) : std::nullopt;
+    const auto to = asNumber(wanted);
+    const auto from = old ? asNumber(*old) : std::nullopt;
     if (!from || !to)
         return Caution::GainJump;
     if (*from == *to)

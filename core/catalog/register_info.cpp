@@ -17,6 +17,15 @@ std::optional<Effect> effectOf(std::string_view word)
     return at == kWords.end() ? std::nullopt : std::optional(at->second);
 }
 
+std::optional<double> asNumber(const Value &value)
+{
+    if (const auto *whole = std::get_if<std::int64_t>(&value))
+        return static_cast<double>(*whole);
+    if (const auto *real = std::get_if<double>(&value))
+        return *real;
+    return std::nullopt;
+}
+
 Value onWire(const RegisterInfo &info, const Value &value)
 {
     const auto *number = std::get_if<std::int64_t>(&value);

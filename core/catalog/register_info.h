@@ -109,6 +109,8 @@ struct Scale {
     bool operator==(const Scale &) const = default;
 };
 
+/// The number in a value, if it is one.
+std::optional<double> asNumber(const Value &value);
 /// The value in the digits of the wire, for those who want to see or write these.
 Value onWire(const RegisterInfo &info, const Value &value);
 /// The other way round; empty if the register has no such digits.

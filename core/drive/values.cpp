@@ -1,8 +1,8 @@
 #include "drive/values.h"
 
+#include "base/decimal_text.h"
 #include "catalog/limits.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace drive {
@@ -25,15 +25,6 @@ std::optional<std::int64_t> wholeNumber(const Value &value)
 
 } // namespace
 
-std::optional<double> asNumber(const Value &value)
-{
-    if (const auto *whole = std::get_if<std::int64_t>(&value))
-        return static_cast<double>(*whole);
-    if (const auto *real = std::get_if<double>(&value))
-        return *real;
-    return std::nullopt;
-}
-
 bool sameValue(const Value &written, const Value &read)
 {
     const auto a = asNumber(written), b = asNumber(read);
@@ -54,12 +45,6 @@ Result<std::int64_t, std::string> wholeNumberFor(ValueType type, const Value &va
     return *number;
 }
 
-std::string shortNumber(double value)
-{
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-    return {text, end};
-}
+std::string shortNumber(double value) { return decimalText(value, 6); }
 
 } // namespace drive

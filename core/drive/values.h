@@ -10,10 +10,8 @@
 
 namespace drive {
 
+using catalog::asNumber;
 using catalog::Value;
-
-/// The number in a value, if it is one.
-std::optional<double> asNumber(const Value &value);
 
 /// What was read is what was written; a board may hold a number in 32 bits only.
 bool sameValue(const Value &written, const Value &read);

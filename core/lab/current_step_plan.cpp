@@ -198,7 +198,7 @@ std::string objectionTo(const CurrentStepPlan &plan, const Subject &subject)
             (subject.seesRotor() ? kMostFlux : kMostFluxObserved)
                 * subject.limits.nominalCurrentAmps);
     if (!(most <= allowed))
-        return textOf(most, 3) + " A are more than the " + textOf(allowed, 3)
+        return decimalText(most, 3) + " A are more than the " + decimalText(allowed, 3)
             + " A that are allowed";
     const double way = plan.rpm < 0 ? -1.0 : 1.0;
     if (!flux && std::min(plan.fromAmps * way, plan.toAmps * way) < 0.0)

@@ -1,6 +1,5 @@
 #include "lab/fields.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -23,21 +22,6 @@ std::optional<double> numberOf(const record::Happening &happening, std::string_v
     const bool whole = error == std::errc() && end == text.data() + text.size();
     return whole && std::isfinite(value) && std::abs(value) < kMost ? std::optional(value)
                                                                     : std::nullopt;
-}
-
-std::string textOf(double value)
-{
-    std::array<char, 32> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
-std::string textOf(double value, int digits)
-{
-    std::array<char, 32> buffer{};
-    return {buffer.data(),
-        std::to_chars(
-            buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
-            .ptr};
 }
 
 } // namespace lab

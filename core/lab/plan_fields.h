@@ -21,7 +21,7 @@ public:
         : m_into(into)
     {
     }
-    void operator()(const char *name, double value) { put(name, textOf(value)); }
+    void operator()(const char *name, double value) { put(name, decimalText(value)); }
     void operator()(const char *name, int value) { put(name, std::to_string(value)); }
     void operator()(const char *name, std::uint32_t value) { put(name, std::to_string(value)); }
     void operator()(const char *name, std::chrono::milliseconds value)

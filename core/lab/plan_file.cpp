@@ -32,7 +32,7 @@ Result<Plan, std::string> withNumbers(Which plan, const PlanNumbers &numbers)
             [&](const auto &field) { return keyOf(field.first) == key; });
         if (name == names.fields.end())
             return fail("its plan has no \"" + key + "\"");
-        wanted.fields.emplace_back(name->first, textOf(number.second));
+        wanted.fields.emplace_back(name->first, decimalText(number.second));
     }
     TakeFields take(wanted);
     eachField(plan, take);

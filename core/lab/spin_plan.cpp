@@ -168,7 +168,7 @@ std::string objectionTo(const SpinPlan &plan, const Subject &subject)
     if (!(subject.limits.nominalCurrentAmps > 0.0))
         return "the board does not tell the nominal current of its motor";
     if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > kMostPush * subject.limits.nominalCurrentAmps)
-        return "at most " + textOf(kMostPush * subject.limits.nominalCurrentAmps, 3)
+        return "at most " + decimalText(kMostPush * subject.limits.nominalCurrentAmps, 3)
             + " A flow along the magnets";
     if (plan.fluxAmps > 0.0 && (subject.registers.voltage == 0 || subject.registers.currentD == 0))
         return "this board does not record its voltage and both of its currents";

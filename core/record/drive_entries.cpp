@@ -1,10 +1,10 @@
 #include "record/drive_entries.h"
 
+#include "base/decimal_text.h"
 #include "base/hex.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace record {
 
@@ -12,11 +12,7 @@ namespace {
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
-std::string text(double value)
-{
-    std::array<char, 32> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + 32, value).ptr};
-}
+std::string text(double value) { return decimalText(value); }
 
 std::string text(const catalog::Value &value)
 {

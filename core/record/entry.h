@@ -110,13 +110,4 @@ struct End {
 using Entry = std::variant<Begin, LinkBytes, capture::StreamLayout, capture::SampleBlock,
     PolledRegister, PolledValues, Happening, RegisterSnapshot, Note, Lost, End>;
 
-/// Numbers in a block, fast and slow.
-inline std::uint64_t samplesOf(const capture::SampleBlock &block)
-{
-    std::uint64_t count = block.fast.size();
-    for (const capture::SlowGroup &group : block.slow)
-        count += group.values.size();
-    return count;
-}
-
 } // namespace record

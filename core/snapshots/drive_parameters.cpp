@@ -1,9 +1,9 @@
 #include "snapshots/drive_parameters.h"
 
+#include "drive/values.h"
 #include "motor/rev_up.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace snapshots {
@@ -94,7 +94,8 @@ public:
             define(phase + "_FINAL_SPEED_UNIT",
                 "(" + std::to_string(stage.speed_rpm) + "*SPEED_UNIT/U_RPM)");
             if (ampsPerDigit > 0.0)
-                define(phase + "_FINAL_CURRENT_A", decimal(stage.current_digits * ampsPerDigit));
+                define(phase + "_FINAL_CURRENT_A",
+                    drive::shortNumber(stage.current_digits * ampsPerDigit));
             else
                 define(phase + "_FINAL_CURRENT", std::to_string(stage.current_digits));
         }
@@ -103,14 +104,6 @@ public:
     std::string take() { return std::move(m_text); }
 
 private:
-    static std::string decimal(double value)
-    {
-        char text[32];
-        const auto end =
-            std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
-        return {text, end.ptr};
-    }
-
     /// The flux regulator over the divisor that it shares with torque.
     void flux(const std::string &gain)
     {

@@ -35,7 +35,7 @@ struct RecordingFacts {
     {
         std::uint64_t count = 0;
         for (const auto &block : all<capture::SampleBlock>())
-            count += record::samplesOf(block);
+            count += capture::samplesOf(block);
         return count;
     }
 };

@@ -33,7 +33,7 @@ std::optional<std::int64_t> valueNamed(
     std::span<const catalog::NamedValue> values, const QString &word)
 {
     for (const catalog::NamedValue &value : values) {
-        const QString english = QString::fromUtf8(value.name.data(), qsizetype(value.name.size()));
+        const QString english = QString::fromUtf8(value.name);
         if (word.compare(valueNameText(value.name), Qt::CaseInsensitive) == 0
             || word.compare(english, Qt::CaseInsensitive) == 0)
             return value.value;

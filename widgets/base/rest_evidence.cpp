@@ -14,14 +14,6 @@ bool acts(const drive::Wish &wish)
         || std::holds_alternative<PositionRamp>(wish.what);
 }
 
-/// Nothing drives a motor in this state.
-bool isAtRest(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
 } // namespace
 
 void RestEvidence::opened() { *this = {}; }
@@ -47,7 +39,7 @@ void RestEvidence::ended(const drive::Ended &ended)
 void RestEvidence::take(const drive::MotorStatus &status)
 {
     m_heard.insert(status.motor);
-    if (isAtRest(status.state)) {
+    if (drive::rests(status.state)) {
         m_atRest.try_emplace(status.motor, Rest{status.at, status.at}).first->second.last =
             status.at;
     } else {

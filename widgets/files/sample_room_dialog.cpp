@@ -41,22 +41,13 @@ double freeOn(const QString &folder)
     return bytes < 0 ? -1.0 : static_cast<double>(bytes) / 1e9;
 }
 
-QLabel *lineOf(QWidget *parent, const char *name)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 } // namespace
 
 SampleRoomDialog::SampleRoomDialog(const SampleRoom &room, QWidget *parent)
     : QDialog(parent)
     , m_room(room)
     , m_size(new QLineEdit(this))
-    , m_meaning(lineOf(this, "roomMeaning"))
+    , m_meaning(wrappedLabel("roomMeaning", this))
     , m_free(freeOn(room.folder()))
 {
     setObjectName(QStringLiteral("sampleRoomDialog"));
@@ -70,13 +61,13 @@ SampleRoomDialog::SampleRoomDialog(const SampleRoom &room, QWidget *parent)
             numberText(room.wanted(), room.wanted() == std::floor(room.wanted()) ? 0 : 3));
     connect(m_size, &QLineEdit::textChanged, this, &SampleRoomDialog::follow);
 
-    auto *explain = lineOf(this, "roomExplain");
+    auto *explain = wrappedLabel("roomExplain", this);
     explain->setText(
         tr("When the memory for samples is full, the oldest ones are moved to the disk and stay on "
            "the scope. When the room there is used up too, the oldest are let go. They are gone "
            "when Rotorscope ends: what is to be kept has to be recorded (Ctrl+R) or exported. 0 "
            "keeps samples in memory only; an empty field lets Rotorscope choose."));
-    auto *held = lineOf(this, "roomHeld");
+    auto *held = wrappedLabel("roomHeld", this);
     held->setText(room.heldText()
         + (m_free < 0.0 ? QString()
                         : QLatin1Char('\n')

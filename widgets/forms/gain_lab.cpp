@@ -61,14 +61,6 @@ QSlider *makeSlider(const char *name, const QString &label, QWidget *parent)
     return slider;
 }
 
-std::optional<std::int64_t> wholeOf(const RegisterModel &model, const QString &name)
-{
-    const auto id = model.idOf(name.toStdString());
-    const auto value = id ? model.known(*id) : std::nullopt;
-    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
-    return whole ? std::optional(*whole) : std::nullopt;
-}
-
 QString divisorOf(GainId id) { return QLatin1String(gainRegister(id)) + QStringLiteral("_DIV"); }
 
 } // namespace
@@ -305,8 +297,8 @@ void GainLab::refreshPresent()
     motor::PerGain<HeldGain> held;
     for (std::size_t i = 0; i < held.size(); ++i) {
         const auto id = static_cast<GainId>(i);
-        held[i].numerator = wholeOf(m_model, QLatin1String(gainRegister(id)));
-        if (const auto exponent = wholeOf(m_model, divisorOf(id));
+        held[i].numerator = knownWhole(m_model, gainRegister(id));
+        if (const auto exponent = knownWhole(m_model, divisorOf(id).toStdString());
             exponent && *exponent >= 0 && *exponent <= motor::kMaxExponent)
             held[i].exponent = static_cast<int>(*exponent);
     }

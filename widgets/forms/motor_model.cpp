@@ -47,7 +47,7 @@ QString figureText(motor::MotorQuantity quantity, const std::optional<double> &v
     if (quantity == motor::MotorQuantity::Inertia)
         return siText(*value * kGcm2PerKgm2, QStringLiteral("g cm\u00b2"));
     const auto unit = motor::motorQuantities()[static_cast<std::size_t>(quantity)].unit;
-    return siText(*value, QString::fromUtf8(unit.data(), qsizetype(unit.size())));
+    return siText(*value, QString::fromUtf8(unit));
 }
 
 /// A value that follows from others: what it is, how, and of which unit.
@@ -212,8 +212,7 @@ MotorModel::Group MotorModel::comparisonGroup() const
             (row.differs ? QStringLiteral("\u2260 ") : QString())
                 + figureText(row.quantity, row.there),
             row.differs ? tr("The file has another value; in %1: %2", "unit, number")
-                              .arg(QString::fromUtf8(info.unit.data(), qsizetype(info.unit.size())),
-                                  baseText(row.there.value_or(0.0)))
+                              .arg(QString::fromUtf8(info.unit), baseText(row.there.value_or(0.0)))
                         : QString(),
             row.differs});
     }

@@ -14,14 +14,6 @@ namespace {
 
 constexpr double kNotch = 1.05;
 
-std::optional<std::int64_t> wholeOf(
-    const RegisterModel &model, std::optional<catalog::RegisterId> id)
-{
-    const auto value = id ? model.known(*id) : std::nullopt;
-    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
-    return whole ? std::optional(*whole) : std::nullopt;
-}
-
 } // namespace
 
 LiveGain::LiveGain(RegisterModel &model, RegisterEdits &edits, const char *name, QWidget *parent)
@@ -60,9 +52,12 @@ std::optional<catalog::RegisterId> LiveGain::divisor() const
     return m_model.idOf(m_name + "_DIV");
 }
 
-std::optional<std::int64_t> LiveGain::digits() const { return wholeOf(m_model, id()); }
+std::optional<std::int64_t> LiveGain::digits() const { return knownWhole(m_model, m_name); }
 
-std::optional<std::int64_t> LiveGain::exponent() const { return wholeOf(m_model, divisor()); }
+std::optional<std::int64_t> LiveGain::exponent() const
+{
+    return knownWhole(m_model, m_name + "_DIV");
+}
 
 std::optional<double> LiveGain::value() const
 {

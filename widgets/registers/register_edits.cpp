@@ -36,13 +36,6 @@ const EditStep *stepAt(const QUndoStack &stack, int index)
     return static_cast<const EditStep *>(stack.command(index));
 }
 
-bool atRest(drive::MotorState state)
-{
-    using drive::MotorState;
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
-}
-
 bool took(const drive::Ended &ended, catalog::RegisterId id)
 {
     return std::any_of(ended.writes.begin(), ended.writes.end(), [id](const auto &result) {
@@ -159,7 +152,7 @@ drive::HeldValues RegisterEdits::facts() const
 {
     return {[this](catalog::RegisterId id) { return m_model.known(id); },
         [this](int motor) {
-            return motor > 0 ? !atRest(m_device.status(motor).state) : !m_device.allIdle();
+            return motor > 0 ? !drive::rests(m_device.status(motor).state) : !m_device.allIdle();
         }};
 }
 

@@ -17,10 +17,7 @@ constexpr Milliseconds kPollPeriod{100}; ///< of what is on screen
 constexpr Milliseconds kLongestInterval{
     800}; ///< a longer one is no period: it was not asked for meanwhile
 
-QString fromCore(const std::string &text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
+QString fromCore(const std::string &text) { return QString::fromUtf8(text); }
 
 bool shown(const catalog::RegisterInfo &info)
 {

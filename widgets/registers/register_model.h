@@ -182,4 +182,7 @@ private:
     bool m_believed = true;
 };
 
+/// The whole number that a register is known to hold, of the motor that is shown.
+std::optional<std::int64_t> knownWhole(const RegisterModel &model, std::string_view name);
+
 } // namespace widgets

@@ -49,10 +49,7 @@ private:
     std::function<void()> m_aboutToOpen;
 };
 
-QString fromCore(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
+QString fromCore(std::string_view text) { return QString::fromUtf8(text); }
 
 void fillProtocols(QComboBox &box)
 {

@@ -102,7 +102,7 @@ void Workbench::connectSession()
     connect(session, &Session::interrupted, &m_device, &Device::interrupted);
     connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
     connect(&m_device, &Device::samplesArrived, this, [this](const capture::SampleBlock &block) {
-        m_replay->take(record::samplesOf(block));
+        m_replay->take(capture::samplesOf(block));
         m_capture.append(block);
         Q_EMIT samplesStored(block);
     });

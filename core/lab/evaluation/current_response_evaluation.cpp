@@ -148,7 +148,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         bin = addPoint(found, fine, bin, mask);
     if (found.points.empty())
         return fail(std::string("the current does not follow its reference in it"));
-    found.notes.push_back("it is the loop at " + textOf(std::abs(amps) / samples, 3)
+    found.notes.push_back("it is the loop at " + decimalText(std::abs(amps) / samples, 3)
         + " A: what a bridge loses by its dead time damps it the more the smaller the current is");
     if (!span.reason.empty())
         found.notes.push_back("the run ended early: " + span.reason);

@@ -133,7 +133,8 @@ void noteNoise(
     const double noise =
         std::sqrt(squares / std::max(count, 1.0)) / std::abs(plan.plan.toAmps - plan.plan.fromAmps);
     if (noise > kNoticeable)
-        found.notes.push_back("the noise of the measured current is " + textOf(noise * kPercent, 2)
+        found.notes.push_back("the noise of the measured current is "
+            + decimalText(noise * kPercent, 2)
             + " % of the step: overshoot and settling are told from noise, too; a larger step says "
               "more");
 }

@@ -168,7 +168,7 @@ void take(Mechanics &found, const Aside &aside)
     constexpr double kNoticed_deg = 8.0; // 1 % of the torque
     const double angle_deg = std::abs(std::asin(aside.sine)) * 180.0 / std::numbers::pi;
     if (angle_deg > kNoticed_deg)
-        found.notes.push_back("the board takes its rotor for " + textOf(angle_deg, 2)
+        found.notes.push_back("the board takes its rotor for " + decimalText(angle_deg, 2)
             + " electrical degrees beside where it is, as after an alignment against friction: its "
               "torque was counted by that");
 }
@@ -192,9 +192,9 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
         grow(*one, (kFluxDiffers + unsure) * one->value);
     }
     constexpr double kPercent = 100.0;
-    found.notes.push_back("the voltages tell magnets of " + textOf(measured_wb.value * 1e3, 3)
-        + " mWb, the board of " + textOf(told_wb * 1e3, 3) + " mWb ("
-        + textOf((ratio - 1.0) * kPercent, 2)
+    found.notes.push_back("the voltages tell magnets of " + decimalText(measured_wb.value * 1e3, 3)
+        + " mWb, the board of " + decimalText(told_wb * 1e3, 3) + " mWb ("
+        + decimalText((ratio - 1.0) * kPercent, 2)
         + " %): the voltages were believed; perhaps the angle of its rotor is off, as after an "
           "alignment against friction");
 }
@@ -247,8 +247,8 @@ Result<Mechanics, std::string> evaluateMechanics(
         stretches.take(segment);
     const Rows &rows = stretches.rows;
     if (stretches.time_s < kLeastTime_s)
-        return fail("the motor turned for only " + textOf(stretches.time_s, 2)
-            + " s of it without a gap; " + textOf(kLeastTime_s, 2) + " s are needed");
+        return fail("the motor turned for only " + decimalText(stretches.time_s, 2)
+            + " s of it without a gap; " + decimalText(kLeastTime_s, 2) + " s are needed");
     const auto plain = fitOf(rows, {kInertia, kViscous, kDry, kTilt});
     const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
@@ -272,12 +272,12 @@ Result<Mechanics, std::string> evaluateMechanics(
         found.notes.push_back("the run ended early: " + span->reason);
     constexpr double kNoticed_s = 0.02;
     if (stood_s > kNoticed_s)
-        found.notes.push_back("the rotor all but stood for " + textOf(stood_s, 2)
+        found.notes.push_back("the rotor all but stood for " + decimalText(stood_s, 2)
             + " s of it, which count for nothing");
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;
     if (lost > kMany)
-        found.notes.push_back(textOf(lost * kPercent, 2)
+        found.notes.push_back(decimalText(lost * kPercent, 2)
             + " % of the samples do not fit the others and count for nothing");
     return found;
 }

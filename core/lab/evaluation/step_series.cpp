@@ -127,8 +127,8 @@ void noteResolution(StepSeries &series, const Recorded<StepPlan> &plan)
     constexpr double kLeastDigits = 20.0;
     const double step = std::abs(plan.plan.toRpm - plan.plan.fromRpm);
     if (plan.speedStepRpm > 0.0 && step < kLeastDigits * plan.speedStepRpm)
-        series.notes.push_back("the step is only " + textOf(step / plan.speedStepRpm, 3)
-            + " digits of the set-point; " + textOf(kLeastDigits * plan.speedStepRpm, 4)
+        series.notes.push_back("the step is only " + decimalText(step / plan.speedStepRpm, 3)
+            + " digits of the set-point; " + decimalText(kLeastDigits * plan.speedStepRpm, 4)
             + " rpm or more say more");
 }
 
@@ -165,14 +165,14 @@ void noteRuns(MeasuredSteps &series, const std::string &signal)
             series.notes.push_back("the " + signal + " does not step in " + runName(series, i));
         else if (!run.found)
             series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
-                + textOf(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
+                + decimalText(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
         else if (settlesNot(run) && unsettled <= kNamed)
             series.notes.push_back(
                 runName(series, i) + " does not settle while its " + signal + " is held");
         constexpr double kNoticeable = 0.02, kPercent = 100.0;
         if (run.atLimit > kNoticeable)
             series.notes.push_back("the current was at its limit in "
-                + textOf(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
+                + decimalText(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
                 + ": it does not show the loop alone");
     }
 }

@@ -63,17 +63,11 @@ void JsonText::key(const QString &name)
     m_keyed = true;
 }
 
-void JsonText::key(std::string_view name)
-{
-    key(QString::fromUtf8(name.data(), qsizetype(name.size())));
-}
+void JsonText::key(std::string_view name) { key(QString::fromUtf8(name)); }
 
 void JsonText::value(const QString &text) { put(quoted(text)); }
 
-void JsonText::value(std::string_view text)
-{
-    put(quoted(QString::fromUtf8(text.data(), qsizetype(text.size()))));
-}
+void JsonText::value(std::string_view text) { put(quoted(QString::fromUtf8(text))); }
 
 void JsonText::value(qint64 number) { put(QByteArray::number(number)); }
 

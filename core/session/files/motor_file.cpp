@@ -1,6 +1,7 @@
 // Our own form, checked against the simulator's table of parameters.
 #include "session/files/motor_file.h"
 
+#include "base/decimal_text.h"
 #include "session/files/motor_file_st.h"
 #include "session/files/whole_file.h"
 #include "simulation/plant/parameter_table.h"
@@ -208,21 +209,14 @@ std::size_t lineOf(const QByteArray &text, int offset)
     return 1 + static_cast<std::size_t>(text.left(std::max(offset, 0)).count('\n'));
 }
 
-std::string numberText(double value)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
-
 std::string allowedText(const MotorFileError &error)
 {
-    const std::string range = numberText(error.least) + " to " + numberText(error.most);
+    const std::string range = decimalText(error.least) + " to " + decimalText(error.most);
     switch (error.wanted) {
     case MotorFileError::Wanted::YesOrNo:
         return "true or false";
     case MotorFileError::Wanted::Text:
-        return "a text of at most " + numberText(error.most) + " bytes";
+        return "a text of at most " + decimalText(error.most) + " bytes";
     case MotorFileError::Wanted::WholeNumber:
         return "a whole number from " + range;
     case MotorFileError::Wanted::Number:
@@ -331,9 +325,9 @@ QByteArray motorJson(const MotorSheet &sheet)
         if (row == nullptr || !put(row->slot(scratch), value)
             || !simulation::withinBounds(*row, scratch))
             return; // no machine can be so, and no reader would take it
-        const QString key = QString::fromUtf8(section.data(), qsizetype(section.size()));
+        const QString key = QString::fromUtf8(section);
         QJsonObject object = sections[key].toObject();
-        object[QString::fromUtf8(name.data(), qsizetype(name.size()))] = value;
+        object[QString::fromUtf8(name)] = value;
         sections[key] = object;
     };
     if (!sheet.name.empty())

@@ -7,14 +7,6 @@ namespace session {
 
 namespace {
 
-std::size_t valuesOf(const capture::SampleBlock &block)
-{
-    std::size_t count = block.fast.size();
-    for (const capture::SlowGroup &group : block.slow)
-        count += group.values.size();
-    return count;
-}
-
 capture::Tick endOf(const capture::SampleBlock &block, capture::Tick step)
 {
     return block.firstTick + std::max<capture::Tick>(1, capture::Tick{block.count} * step);
@@ -63,7 +55,7 @@ void Batcher::add(drive::Event event)
 void Batcher::addBlock(capture::SampleBlock block)
 {
     Stream &stream = m_streams[block.stream];
-    const std::size_t values = valuesOf(block);
+    const std::size_t values = samplesOf(block);
     if (behind() && m_waitingValues + values > m_config.maxWaitingValues) {
         m_dropped += values;
         stream.dropping = true;

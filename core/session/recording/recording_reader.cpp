@@ -48,7 +48,7 @@ public:
         if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
             m_report.begin = *begin;
         } else if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
-            m_report.samples += record::samplesOf(*block);
+            m_report.samples += capture::samplesOf(*block);
         } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
             m_report.linkBytes += link->bytes.size();
         } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {

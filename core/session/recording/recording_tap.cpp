@@ -109,7 +109,7 @@ void RecordingTap::drop(const std::vector<record::Entry> &entries)
 {
     for (const record::Entry &entry : entries) {
         if (const auto *block = std::get_if<capture::SampleBlock>(&entry)) {
-            m_lost.samples += record::samplesOf(*block);
+            m_lost.samples += capture::samplesOf(*block);
             m_dropping = true;
         } else if (const auto *link = std::get_if<record::LinkBytes>(&entry)) {
             m_lost.linkBytes += link->bytes.size();

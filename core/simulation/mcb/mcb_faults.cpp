@@ -45,15 +45,6 @@ McbSpoiler::McbSpoiler(std::span<const McbFaultChoice> faults, std::uint64_t see
         m_every[static_cast<std::size_t>(one.fault)] = one.every;
 }
 
-/// splitmix64
-std::uint64_t McbSpoiler::random()
-{
-    std::uint64_t z = m_state += 0x9E3779B97F4A7C15ULL;
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
-    return z ^ z >> 31;
-}
-
 bool McbSpoiler::strikes(McbFault fault)
 {
     const std::uint32_t every = m_every[static_cast<std::size_t>(fault)];

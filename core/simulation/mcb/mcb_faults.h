@@ -2,6 +2,7 @@
 // the same seed gives the same run. Source: the fault switches of "MCB protocol description", section 9.
 #pragma once
 
+#include "base/splitmix.h"
 #include "mcb/frame.h"
 
 #include <array>
@@ -61,7 +62,7 @@ public:
 
 private:
     bool strikes(McbFault fault);
-    std::uint64_t random();
+    std::uint64_t random() { return splitmix64(m_state); }
     void spoilAnswer(mcb::Frame &frame);
 
     std::array<std::uint32_t, kMcbFaults> m_every{};

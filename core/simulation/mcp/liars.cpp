@@ -149,15 +149,6 @@ Liar::Liar(std::span<const LieChoice> choices, Duration replyTime, std::uint64_t
     }
 }
 
-/// splitmix64: small, and the same everywhere.
-std::uint64_t Liar::random()
-{
-    std::uint64_t z = m_random += 0x9E3779B97F4A7C15ULL;
-    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
-    return z ^ z >> 31;
-}
-
 bool Liar::chosen(Lie lie) const
 {
     return std::any_of(m_choices.begin(), m_choices.end(),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/bytes.h"
+#include "base/splitmix.h"
 #include "base/time.h"
 
 #include <cstdint>
@@ -129,7 +130,7 @@ private:
     };
     bool chosen(Lie lie) const;
     bool happens(Lie lie);
-    std::uint64_t random();
+    std::uint64_t random() { return splitmix64(m_random); }
     std::uint64_t below(std::uint64_t bound) { return random() % bound; }
     Bytes noise(std::size_t count);
     void hold(TimePoint until, Bytes bytes);

@@ -213,8 +213,8 @@ private Q_SLOTS:
         capture.begin(layout);
         capture.append(block);
         const auto torque = [](double amps) {
-            return record::Happening{
-                "torque ramp", {{"motor", "1"}, {"A", textOf(amps)}, {"ms", "0"}, {"wish", "0"}}};
+            return record::Happening{"torque ramp",
+                {{"motor", "1"}, {"A", decimalText(amps)}, {"ms", "0"}, {"wish", "0"}}};
         };
         constexpr Nanos kMilli = 1'000'000;
         const Happenings happenings{{0, entryOf(plan, motor.experiment.subject)},

@@ -63,7 +63,7 @@ struct Bench {
                 if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
                     capture.append(*block);
                     if (taking)
-                        replay->take(record::samplesOf(*block));
+                        replay->take(capture::samplesOf(*block));
                 }
                 events.push_back(event);
             }
