@@ -77,7 +77,7 @@ DEFECTS = [
     ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [
         ("core/drive/wish_drive.h", "return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));", "return now == TimePoint{};")]),
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
-        ("core/drive/stop_sequence.cpp", "    return status.state == MotorState::Idle || ", "    return status.state == MotorState::Idle || status.state == MotorState::Running || ")]),
+        ("core/drive/stop_sequence.cpp", "{ return rests(status.state) || ", "{ return rests(status.state) || status.state == MotorState::Running || ")]),
     ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
         ("core/drive/fcp/fcp_drive.cpp", "request = stopOf(*motor);", "request = stopOf(*motor & 0);")]),
     ("late wishes are sent", "tst_late_wishes", "asked for", [
