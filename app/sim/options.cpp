@@ -3,6 +3,7 @@
 
 #include "session/files/motor_file.h"
 #include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/mcp/profile.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace sim {
 
@@ -182,46 +185,66 @@ std::optional<std::string> apply(const Flag &flag, std::string_view text, Option
     return std::nullopt;
 }
 
-/// Adds the lies of a list like "twice,noise:3".
-std::optional<std::string> readLies(std::string_view list, std::vector<simulation::LieChoice> &lies)
+/// Calls `take` with each item of a list with commas, until it returns a sentence.
+template <class Take>
+std::optional<std::string> eachItem(std::string_view list, Take &&take)
 {
-    constexpr std::uint64_t kMost = 1'000'000;
     while (!list.empty()) {
         const std::string_view item = list.substr(0, list.find(','));
         list.remove_prefix(std::min(list.size(), item.size() + 1));
-        const std::size_t colon = item.find(':');
-        const auto *info = simulation::findLie(item.substr(0, colon));
-        if (info == nullptr)
-            return "there is no lie " + quoted(item.substr(0, colon)) + "; see --list-liars";
-        std::optional<std::uint64_t> oneIn = 0;
-        if (colon != std::string_view::npos) {
-            oneIn = number(item.substr(colon + 1));
-            if (!oneIn || *oneIn < 1 || *oneIn > kMost || info->oneIn == 0)
-                return info->oneIn == 0
-                    ? std::string(info->name) + " has times of its own and takes no chance"
-                    : std::string(info->name) + ": the chance is one in 1 to 1000000, not "
-                        + quoted(item.substr(colon + 1));
-        }
-        lies.push_back({info->lie, static_cast<unsigned>(*oneIn)});
+        if (auto problem = take(item))
+            return problem;
     }
     return std::nullopt;
+}
+
+/// The row of that name; nullptr if there is none.
+template <class Row>
+const Row *rowOf(std::span<const Row> rows, std::string_view name)
+{
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [=](const Row &one) { return one.name == name; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+/// Takes the lies of a list like "twice,noise:3".
+/// @param add  gets the row of each and the chance, one in so many; 0: the list has none
+template <class Row, class Add>
+std::optional<std::string> readLies(std::string_view list, std::span<const Row> rows, Add &&add)
+{
+    return eachItem(list, [&](std::string_view item) -> std::optional<std::string> {
+        constexpr std::uint64_t kMost = 1'000'000;
+        const std::size_t colon = item.find(':');
+        const std::string_view name = item.substr(0, colon);
+        const Row *row = rowOf(rows, name);
+        if (row == nullptr)
+            return "there is no lie " + quoted(name) + "; see --list-liars";
+        std::optional<std::uint64_t> oneIn = 0;
+        if (colon != std::string_view::npos) {
+            if constexpr (requires { row->oneIn; })
+                if (row->oneIn == 0)
+                    return std::string(name) + " has times of its own and takes no chance";
+            oneIn = number(item.substr(colon + 1));
+            if (!oneIn || *oneIn < 1 || *oneIn > kMost)
+                return std::string(name) + ": the chance is one in 1 to 1000000, not "
+                    + quoted(item.substr(colon + 1));
+        }
+        add(*row, static_cast<std::uint32_t>(*oneIn));
+        return std::nullopt;
+    });
 }
 
 /// Adds the build options of a list like "cordic,profiler".
 std::optional<std::string> readBuildOptions(
     std::string_view list, std::vector<const simulation::BuildOption *> &with)
 {
-    while (!list.empty()) {
-        const std::string_view item = list.substr(0, list.find(','));
-        list.remove_prefix(std::min(list.size(), item.size() + 1));
-        const auto all = simulation::buildOptions();
-        const auto row = std::find_if(all.begin(), all.end(),
-            [&](const simulation::BuildOption &option) { return option.name == item; });
-        if (row == all.end())
+    return eachItem(list, [&](std::string_view item) -> std::optional<std::string> {
+        const auto *row = rowOf(simulation::buildOptions(), item);
+        if (row == nullptr)
             return "there is no option " + quoted(item) + " to build with; see --list-options";
-        with.push_back(&*row);
-    }
-    return std::nullopt;
+        with.push_back(row);
+        return std::nullopt;
+    });
 }
 
 /// A preset's name, or a file: those have a slash or an ending in their name, presets have neither.
@@ -246,10 +269,8 @@ std::optional<std::string> readMotorOption(std::string_view text, simulation::Bo
 /// "0.1", "fan:1e-6", "drive:-0.05", or several joined by commas.
 std::optional<std::string> readLoad(std::string_view list, simulation::LoadParameters &load)
 {
-    constexpr double kMost = 1000.0;
-    while (!list.empty()) {
-        const std::string_view item = list.substr(0, list.find(','));
-        list.remove_prefix(std::min(list.size(), item.size() + 1));
+    return eachItem(list, [&](std::string_view item) -> std::optional<std::string> {
+        constexpr double kMost = 1000.0;
         const std::size_t colon = item.find(':');
         const bool named = colon != std::string_view::npos;
         const std::string_view kind = named ? item.substr(0, colon) : std::string_view();
@@ -263,8 +284,8 @@ std::optional<std::string> readLoad(std::string_view list, simulation::LoadParam
             return "--load takes NM, fan:K or drive:NM with numbers up to 1000, not "
                 + quoted(item);
         *place = *value;
-    }
-    return std::nullopt;
+        return std::nullopt;
+    });
 }
 
 /// The firmware that a name stands for; a sentence if there is none.
@@ -274,34 +295,6 @@ std::optional<std::string> readServoProfile(std::string_view name, simulation::S
     if (servo.newer || name == "summit-1.12")
         return std::nullopt;
     return "there is no profile " + quoted(name) + "; there are summit-1.12, newer";
-}
-
-/// Adds the faults of a list like "flip:100,reset".
-std::optional<std::string> readMcbFaults(
-    std::string_view list, std::vector<simulation::McbFaultChoice> &faults)
-{
-    constexpr std::uint32_t kMost = 1'000'000;
-    while (!list.empty()) {
-        const std::string_view item = list.substr(0, list.find(','));
-        list.remove_prefix(std::min(list.size(), item.size() + 1));
-        const std::size_t colon = item.find(':');
-        const std::string_view name = item.substr(0, colon);
-        const auto all = simulation::mcbFaultList();
-        const auto row =
-            std::find_if(all.begin(), all.end(), [=](const auto &one) { return one.name == name; });
-        if (row == all.end())
-            return "there is no lie " + quoted(name) + "; see --list-liars";
-        simulation::McbFaultChoice choice{row->fault};
-        if (colon != std::string_view::npos) {
-            const auto every = number(item.substr(colon + 1));
-            if (!every || *every < 1 || *every > kMost)
-                return std::string(name) + ": the chance is one in 1 to 1000000, not "
-                    + quoted(item.substr(colon + 1));
-            choice.every = static_cast<std::uint32_t>(*every);
-        }
-        faults.push_back(choice);
-    }
-    return std::nullopt;
 }
 
 std::optional<std::string> applyNamed(
@@ -318,10 +311,8 @@ std::optional<std::string> applyNamed(
     }
     if (name == "--profile") {
         options.board.profile = value;
-        for (const std::string &known : simulation::profileNames()) {
-            if (known == value)
-                return std::nullopt;
-        }
+        if (simulation::findTraits(value) != nullptr)
+            return std::nullopt;
         return "there is no profile " + quoted(value) + "; there are " + profileNames();
     }
     if (name == "--with")
@@ -330,8 +321,18 @@ std::optional<std::string> applyNamed(
         return readMotorOption(value, options.board);
     if (name == "--load")
         return readLoad(value, options.board.load.emplace());
+    if (name == "--liar" && mcb)
+        return readLies(
+            value, simulation::mcbFaultList(), [&](const auto &row, std::uint32_t oneIn) {
+                simulation::McbFaultChoice choice{row.fault};
+                if (oneIn > 0)
+                    choice.every = oneIn;
+                options.mcb.faults.push_back(choice);
+            });
     if (name == "--liar")
-        return mcb ? readMcbFaults(value, options.mcb.faults) : readLies(value, options.board.lies);
+        return readLies(value, simulation::lies(), [&](const auto &row, std::uint32_t oneIn) {
+            options.board.lies.push_back({row.lie, oneIn});
+        });
     if (name == "--rig") {
         options.rig = value;
         return std::nullopt;
@@ -358,50 +359,32 @@ std::optional<Protocol> protocolOf(std::string_view word)
     return std::nullopt;
 }
 
-bool isOfRigs(std::string_view name)
-{
-    constexpr std::array kNames{"--rig", "--link", "--tcp", "--control"};
-    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
-}
+constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
+constexpr std::array kOfServos{
+    "--motor", "--load", "--hf-hz", "--seed", "--profile", "--reply-delay", "--liar"};
+constexpr std::array kOfFcp{
+    "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
 
-bool isOfServos(std::string_view name)
+bool isOneOf(std::span<const char *const> names, std::string_view name)
 {
-    constexpr std::array kNames{
-        "--motor", "--load", "--hf-hz", "--seed", "--profile", "--reply-delay", "--liar"};
-    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
-}
-
-bool isOfFcp(std::string_view name)
-{
-    constexpr std::array kNames{
-        "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
-    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// A sentence if that option means nothing to a device of that protocol.
 std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
 {
     const bool fits = protocol == Protocol::Mcp ? name != "--rig" && name != "--reply-delay"
-        : protocol == Protocol::Fcp             ? isOfRigs(name) || isOfFcp(name)
-                                                : isOfRigs(name) || isOfServos(name);
+        : protocol == Protocol::Fcp             ? isOneOf(kOfRigs, name) || isOneOf(kOfFcp, name)
+                                    : isOneOf(kOfRigs, name) || isOneOf(kOfServos, name);
     if (!fits)
         return std::string(name) + " does not go with this protocol; see --help";
     return std::nullopt;
 }
 
-/// The lists need nothing else.
-std::optional<Action> listingAskedBy(std::string_view word)
-{
-    if (word == "--list-profiles")
-        return Action::ListProfiles;
-    if (word == "--list-options")
-        return Action::ListOptions;
-    if (word == "--list-motors")
-        return Action::ListMotors;
-    if (word == "--list-liars")
-        return Action::ListLiars;
-    return std::nullopt;
-}
+/// They need nothing else.
+constexpr std::pair<std::string_view, Action> kListings[] = {
+    {"--list-profiles", Action::ListProfiles}, {"--list-options", Action::ListOptions},
+    {"--list-motors", Action::ListMotors}, {"--list-liars", Action::ListLiars}};
 
 } // namespace
 
@@ -413,8 +396,9 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     for (const std::string_view word : words) {
         if (word == "--help" || word == "-h")
             options.action = Action::Help;
-        else if (const auto asked = listingAskedBy(word); asked && options.action == Action::Serve)
-            options.action = *asked;
+        for (const auto &[name, action] : kListings)
+            if (word == name && options.action == Action::Serve)
+                options.action = action;
     }
     if (options.action != Action::Serve)
         return options;
@@ -430,9 +414,11 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     std::string_view ofMotors; // an option that a rig leaves no room for
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
-        if (const auto problem = misplaced(word.substr(0, word.find('=')), *protocol))
+        const std::size_t equals = word.find('=');
+        const std::string_view name = word.substr(0, equals);
+        if (const auto problem = misplaced(name, *protocol))
             return fail(*problem);
-        if (const auto name = word.substr(0, word.find('=')); isOfServos(name) || isOfFcp(name))
+        if (isOneOf(kOfServos, name) || isOneOf(kOfFcp, name))
             ofMotors = word;
         if (word == "--control") {
             options.control = true;
@@ -442,8 +428,6 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
             options.action = Action::Describe;
             continue;
         }
-        const std::size_t equals = word.find('=');
-        const std::string_view name = word.substr(0, equals);
         std::string_view value;
         if (equals != std::string_view::npos) {
             value = word.substr(equals + 1);

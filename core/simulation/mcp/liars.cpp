@@ -131,13 +131,6 @@ static_assert(tableIsInOrder());
 
 std::span<const LieInfo> lies() { return kLies; }
 
-const LieInfo *findLie(std::string_view name)
-{
-    const auto *row = std::find_if(
-        kLies.begin(), kLies.end(), [&](const LieInfo &info) { return info.name == name; });
-    return row == kLies.end() ? nullptr : row;
-}
-
 Liar::Liar(std::span<const LieChoice> choices, Duration replyTime, std::uint64_t seed)
     : m_choices(choices.begin(), choices.end())
     , m_replyTime(replyTime)

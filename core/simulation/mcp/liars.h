@@ -90,8 +90,6 @@ struct LieInfo {
 
 /// All of them, in the order of the enumeration.
 std::span<const LieInfo> lies();
-/// The row of a name; nullptr if there is none.
-const LieInfo *findLie(std::string_view name);
 
 struct LieChoice {
     Lie lie = Lie::WrongVersion;

@@ -305,7 +305,7 @@ class TestLiars : public QObject {
     Q_OBJECT
 
 private slots:
-    void namesAreUniqueAndFound();
+    void namesAreUnique();
     void noLieMisleadsTheDrive_data();
     void noLieMisleadsTheDrive();
     void answersThatBelongElsewhereAreFoundOut();
@@ -313,16 +313,14 @@ private slots:
     void aLieCanBeToldAlwaysOrSeldom();
 };
 
-void TestLiars::namesAreUniqueAndFound()
+void TestLiars::namesAreUnique()
 {
     std::set<std::string_view> names;
     for (const LieInfo &info : simulation::lies()) {
         QVERIFY(names.insert(info.name).second);
-        QCOMPARE(simulation::findLie(info.name), &info);
         QVERIFY2(info.help.size() >= 10 && info.help.size() <= 60, info.name.data());
         QVERIFY(!info.help.ends_with('.'));
     }
-    QVERIFY(simulation::findLie("honesty") == nullptr);
 }
 
 void TestLiars::noLieMisleadsTheDrive_data()
