@@ -56,36 +56,12 @@ public:
     {
     }
 
-    void connect(TimePoint now) override
-    {
-        m_now = now;
-        m_inner->connect(now);
-    }
-    void disconnect(TimePoint now) override
-    {
-        m_now = now;
-        m_inner->disconnect(now);
-    }
-    void receive(ByteView bytes, TimePoint now) override
-    {
-        m_now = now;
-        m_inner->receive(bytes, now);
-    }
-    void handleTimeout(TimePoint now) override
-    {
-        m_now = now;
-        m_inner->handleTimeout(now);
-    }
-    void handleSent(TimePoint now) override
-    {
-        m_now = now;
-        m_inner->handleSent(now);
-    }
-    void handleReady(bool high, TimePoint now) override
-    {
-        m_now = now;
-        m_inner->handleReady(high, now);
-    }
+    void connect(TimePoint now) override { at(now).connect(now); }
+    void disconnect(TimePoint now) override { at(now).disconnect(now); }
+    void receive(ByteView bytes, TimePoint now) override { at(now).receive(bytes, now); }
+    void handleTimeout(TimePoint now) override { at(now).handleTimeout(now); }
+    void handleSent(TimePoint now) override { at(now).handleSent(now); }
+    void handleReady(bool high, TimePoint now) override { at(now).handleReady(high, now); }
     std::vector<Output> takeOutput() override { return m_inner->takeOutput(); }
     std::vector<drive::Event> takeEvents() override
     {
@@ -97,14 +73,12 @@ public:
     std::optional<TimePoint> nextTimeout() const override { return m_inner->nextTimeout(); }
     void submit(drive::Wish wish, TimePoint now) override
     {
-        m_now = now;
         m_tap->onWish(wish, now);
-        m_inner->submit(std::move(wish), now);
+        at(now).submit(std::move(wish), now);
     }
     void stop(TimePoint now) override
     {
-        m_now = now;
-        m_inner->stop(now); // before anything else
+        at(now).stop(now); // before anything else
         m_tap->onStop(now);
     }
     std::vector<Output> stopScript() const override { return m_inner->stopScript(); }
@@ -113,15 +87,17 @@ public:
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
     Duration gathersFor() const override { return m_inner->gathersFor(); }
-    void doubt(TimePoint now) override
-    {
-        m_now = now;
-        m_inner->doubt(now);
-    }
+    void doubt(TimePoint now) override { at(now).doubt(now); }
     void remember(const drive::LineMemory &memory) override { m_inner->remember(memory); }
     drive::LineMemory memory() const override { return m_inner->memory(); }
 
 private:
+    Drive &at(TimePoint now)
+    {
+        m_now = now;
+        return *m_inner;
+    }
+
     std::unique_ptr<Drive> m_inner;
     std::shared_ptr<SessionTap> m_tap;
     TimePoint m_now{}; ///< of the last call: events come of it
