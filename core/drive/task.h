@@ -97,6 +97,12 @@ protected:
         m_ended.outcome = outcome;
         m_ended.reason = std::move(reason);
     }
+    /// The same for who is asked for a request: there is none.
+    std::nullopt_t noRequest(Outcome outcome, std::string reason = {})
+    {
+        end(outcome, std::move(reason));
+        return std::nullopt;
+    }
     /// As what leaves once ends whose answer was lost.
     void endLost(std::optional<bool> executed)
     {

@@ -44,17 +44,6 @@ constexpr std::array kLinkReasons{"", "no answer", "only garbage", "no agreement
     "recovery failed", "board reset", "old protocol", "asking newer", "asking older",
     "other protocol", "not ready", "dead line"};
 
-double numberOf(const catalog::Value &value, bool &isNumber)
-{
-    isNumber = true;
-    if (const auto *whole = std::get_if<std::int64_t>(&value))
-        return static_cast<double>(*whole);
-    if (const auto *real = std::get_if<double>(&value))
-        return *real;
-    isNumber = false;
-    return 0.0;
-}
-
 Happening linkHappening(const drive::LinkChanged &link)
 {
     return {"link",
@@ -161,16 +150,15 @@ std::vector<Entry> DriveEntries::readings(const drive::RegistersRead &read)
     std::vector<Entry> entries;
     PolledValues polled;
     for (const drive::Reading &reading : read.readings) {
-        bool isNumber = false;
-        const double number = numberOf(reading.value, isNumber);
-        if (reading.status != drive::ReadStatus::Ok || !isNumber || !m_identified
+        const auto number = catalog::asNumber(reading.value);
+        if (reading.status != drive::ReadStatus::Ok || !number || !m_identified
             || !m_identified->catalog || !isSignal(reading.id))
             continue;
         const catalog::Scale scale = m_identified->catalog->readScale(reading.id);
         if (m_described.insert(reading.id).second)
             entries.emplace_back(PolledRegister{reading.id, nameOf(reading.id), scale.unit});
         polled.values.push_back(
-            {reading.id, reading.at.time_since_epoch().count(), number * scale.factor});
+            {reading.id, reading.at.time_since_epoch().count(), *number * scale.factor});
     }
     if (!polled.values.empty())
         entries.emplace_back(std::move(polled));

@@ -89,23 +89,17 @@ std::optional<fcp::Request> FcpCommandTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
-    const auto refused = [this](std::string why) {
-        end(Outcome::Refused, std::move(why));
-        return std::nullopt;
-    };
     if (auto why = refuseMotor(m_board, m_command.motor); !why.empty())
-        return refused(std::move(why));
+        return noRequest(Outcome::Refused, std::move(why));
     if (m_command.action == MotorAction::Start) {
         if (auto why = drive::refuseStart(m_board, m_command.motor); !why.empty())
-            return refused(std::move(why));
+            return noRequest(Outcome::Refused, std::move(why));
         if (looking())
             return m_reader.nextRequest();
-        if (m_reader.gaveUp()) {
-            end(Outcome::NotSent, "no answer about what it would start to");
-            return std::nullopt;
-        }
+        if (m_reader.gaveUp())
+            return noRequest(Outcome::NotSent, "no answer about what it would start to");
         if (auto why = refuseStart(); !why.empty())
-            return refused(std::move(why));
+            return noRequest(Outcome::Refused, std::move(why));
     }
     markSent();
     return fcpRequest(
@@ -157,10 +151,8 @@ std::optional<fcp::Request> FcpSetPointTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
-    if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty()) {
-        end(Outcome::Refused, std::move(why));
-        return std::nullopt;
-    }
+    if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty())
+        return noRequest(Outcome::Refused, std::move(why));
     markSent();
     return fcpRequest(m_wanted.motor, encode());
 }

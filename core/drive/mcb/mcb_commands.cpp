@@ -98,10 +98,8 @@ std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
 {
     if (finished())
         return std::nullopt;
-    if (auto why = refuseMotor(m_board, m_motor); !why.empty()) {
-        end(Outcome::Refused, std::move(why));
-        return std::nullopt;
-    }
+    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
+        return noRequest(Outcome::Refused, std::move(why));
     if (!m_reader.finished())
         return m_reader.nextRequest();
     if (!std::exchange(m_planned, true)) {
@@ -115,10 +113,8 @@ std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
         if (finished())
             return std::nullopt;
     }
-    if (m_steps.empty()) {
-        end(Outcome::Ok);
-        return std::nullopt;
-    }
+    if (m_steps.empty())
+        return noRequest(Outcome::Ok);
     const Step &step = m_steps.front();
     if (step.words.empty()) {
         if (!m_waitingSince)

@@ -59,10 +59,8 @@ std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
         return m_reader.nextRequest();
     if (finished() || sent())
         return std::nullopt;
-    if (auto why = refuseMotor(m_board, m_command.motor); !why.empty()) {
-        end(Outcome::Refused, std::move(why));
-        return std::nullopt;
-    }
+    if (auto why = refuseMotor(m_board, m_command.motor); !why.empty())
+        return noRequest(Outcome::Refused, std::move(why));
     if (std::optional<McpRequest> question;
         m_command.action == MotorAction::Start && (checking(question) || finished()))
         return question;
@@ -145,10 +143,8 @@ std::optional<McpRequest> SetPointTask::nextRequest(TimePoint)
         return std::nullopt;
     switch (m_step) {
     case Step::Begin:
-        if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty()) {
-            end(Outcome::Refused, why);
-            return std::nullopt;
-        }
+        if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty())
+            return noRequest(Outcome::Refused, std::move(why));
         m_step = Step::ReadMode;
         m_reader.start({idOf(mcp::reg::kControlMode, m_wanted.motor)});
         [[fallthrough]];

@@ -42,10 +42,8 @@ std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
     if (finished() || sent())
         return std::nullopt;
     if (!m_asked) {
-        if (auto why = refuse(); !why.empty()) {
-            end(Outcome::Refused, why);
-            return std::nullopt;
-        }
+        if (auto why = refuse(); !why.empty())
+            return noRequest(Outcome::Refused, std::move(why));
         m_asked = true;
         m_reader.start(
             {m_board.catalog->withMotor(*m_board.catalog->find(kPosition), m_ramp.motor)});

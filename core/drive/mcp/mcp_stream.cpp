@@ -236,10 +236,8 @@ std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
         return std::nullopt;
     const bool stops = m_stream.fast.empty() && m_stream.slow.empty();
     if (!stops) {
-        if (auto why = m_control.refuse(m_stream); !why.empty()) {
-            end(Outcome::Refused, why);
-            return std::nullopt;
-        }
+        if (auto why = m_control.refuse(m_stream); !why.empty())
+            return noRequest(Outcome::Refused, std::move(why));
     }
     markSent();
     if (stops || m_control.m_stopNeeded) {
@@ -251,10 +249,8 @@ std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
     }
     m_stopping = false;
     auto config = m_control.configure(m_stream);
-    if (!config) {
-        end(Outcome::Refused, config.error());
-        return std::nullopt;
-    }
+    if (!config)
+        return noRequest(Outcome::Refused, config.error());
     m_config = std::move(*config);
     m_control.sending(m_stream, m_config);
     return datalogRequest(m_control.m_board.linkId, m_config);
