@@ -1,6 +1,7 @@
 #include "option_values.h"
 
-#include <charconv>
+#include "base/number_text.h"
+
 #include <cmath>
 
 namespace cli {
@@ -31,13 +32,8 @@ QStringList Given::list(const char *option) const
 
 std::optional<double> plainNumber(const QString &text)
 {
-    const QByteArray bytes = text.trimmed().toLatin1();
-    double number = 0.0;
-    const char *end = bytes.constData() + bytes.size();
-    const auto read = std::from_chars(bytes.constData(), end, number);
-    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(number))
-        return std::nullopt;
-    return number;
+    const auto number = numberIn<double>(text.trimmed().toLatin1().toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 Outcome<int> wholeNumber(const QString &text, int least, int most, const QString &what)

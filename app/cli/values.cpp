@@ -1,5 +1,7 @@
 #include "values.h"
 
+#include "base/number_text.h"
+#include "base/overloaded.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
 #include "output.h"
@@ -7,7 +9,6 @@
 
 #include <QJsonArray>
 
-#include <charconv>
 #include <cmath>
 
 namespace cli {
@@ -20,13 +21,6 @@ using catalog::Value;
 using catalog::ValueType;
 
 namespace {
-
-template <class... Fs>
-struct Overloaded : Fs... {
-    using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 /// Seven digits: more than a scale of a 16-bit number needs, without the noise of a product of two binary fractions.
 QString shownText(double value) { return QString::number(value, 'g', 7); }
@@ -76,21 +70,11 @@ QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, 
 
 std::optional<double> numberOf(const QString &text)
 {
-    const QByteArray bytes = text.trimmed().toLatin1();
-    double number = 0.0;
-    if (bytes.startsWith("0x") || bytes.startsWith("0X")) {
-        std::uint32_t whole = 0;
-        const auto end =
-            std::from_chars(bytes.constData() + 2, bytes.constData() + bytes.size(), whole, 16);
-        if (end.ec != std::errc{} || end.ptr != bytes.constData() + bytes.size())
-            return std::nullopt;
-        return whole;
-    }
-    const auto end = std::from_chars(bytes.constData(), bytes.constData() + bytes.size(), number);
-    if (end.ec != std::errc{} || end.ptr != bytes.constData() + bytes.size()
-        || !std::isfinite(number))
-        return std::nullopt;
-    return number;
+    const std::string bytes = text.trimmed().toLatin1().toStdString();
+    if (bytes.starts_with("0x") || bytes.starts_with("0X"))
+        return numberIn<std::uint32_t>(std::string_view(bytes).substr(2), 16);
+    const auto number = numberIn<double>(bytes);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 } // namespace

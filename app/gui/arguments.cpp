@@ -1,6 +1,7 @@
 #include "arguments.h"
 
-#include <charconv>
+#include "base/number_text.h"
+
 #include <optional>
 
 namespace gui {
@@ -8,11 +9,8 @@ namespace {
 
 std::optional<std::uint32_t> readBaud(const std::string &text)
 {
-    std::uint32_t baud = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), baud);
-    if (error != std::errc() || end != text.data() + text.size() || baud == 0)
-        return {};
-    return baud;
+    const auto baud = numberIn<std::uint32_t>(text);
+    return baud && *baud != 0 ? baud : std::nullopt;
 }
 
 /// Takes the value of an option, given as "--name value" or "--name=value".

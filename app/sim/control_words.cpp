@@ -1,7 +1,8 @@
 // Parsing a control word and doing it.
 #include "control_words.h"
 
-#include <charconv>
+#include "base/number_text.h"
+
 #include <optional>
 
 namespace sim {
@@ -18,11 +19,7 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
 {
     if (base == 16 && (text.starts_with("0x") || text.starts_with("0X")))
         text.remove_prefix(2);
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
+    return numberIn<std::uint64_t>(text, base);
 }
 
 namespace {
@@ -35,13 +32,11 @@ std::optional<std::string> loadMotor(std::string_view words, simulation::Simulat
     const std::string_view amount = words.substr(0, space);
     const std::string_view which =
         space == std::string_view::npos ? std::string_view("1") : trimmed(words.substr(space));
-    double nm = 0.0;
-    const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), nm);
-    const bool read = error == std::errc{} && end == amount.data() + amount.size();
+    const auto nm = numberIn<double>(amount);
     const auto motor = number(which, 10);
-    if (!read || !(nm >= 0.0 && nm <= kMost_nm) || !motor || *motor < 1 || *motor > 2)
+    if (!nm || !(*nm >= 0.0 && *nm <= kMost_nm) || !motor || *motor < 1 || *motor > 2)
         return "load takes a torque in Nm, 0 to 1000, and perhaps the number of a motor";
-    board.setLoadTorque(static_cast<int>(*motor), nm);
+    board.setLoadTorque(static_cast<int>(*motor), *nm);
     return std::nullopt;
 }
 
@@ -56,12 +51,10 @@ std::optional<Bytes> hexBytes(std::string_view text)
     if (digits.empty() || digits.size() % 2 != 0)
         return std::nullopt;
     for (std::size_t i = 0; i < digits.size(); i += 2) {
-        std::uint8_t value = 0;
-        const auto [end, error] =
-            std::from_chars(digits.data() + i, digits.data() + i + 2, value, 16);
-        if (error != std::errc{} || end != digits.data() + i + 2)
+        const auto value = numberIn<std::uint8_t>(std::string_view(digits).substr(i, 2), 16);
+        if (!value)
             return std::nullopt;
-        bytes.push_back(value);
+        bytes.push_back(*value);
     }
     return bytes;
 }

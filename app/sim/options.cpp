@@ -1,6 +1,7 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
+#include "base/number_text.h"
 #include "session/files/motor_file.h"
 #include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/mcp/profile.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -143,15 +143,6 @@ const std::vector<Flag> &flags()
     return table;
 }
 
-std::optional<std::uint64_t> number(std::string_view text)
-{
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
-
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
 std::string profileNames()
@@ -164,17 +155,14 @@ std::string profileNames()
 
 std::optional<double> realNumber(std::string_view text)
 {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    const auto value = numberIn<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// Fills the flag's member; a sentence if the value cannot be had.
 std::optional<std::string> apply(const Flag &flag, std::string_view text, Options &options)
 {
-    const auto value = number(text);
+    const auto value = numberIn<std::uint64_t>(text);
     if (!value || *value < flag.least || *value > flag.most || *value % flag.step != 0) {
         std::string range = std::to_string(flag.least) + " to " + std::to_string(flag.most);
         if (flag.step > 1)
@@ -224,7 +212,7 @@ std::optional<std::string> readLies(std::string_view list, std::span<const Row> 
             if constexpr (requires { row->oneIn; })
                 if (row->oneIn == 0)
                     return std::string(name) + " has times of its own and takes no chance";
-            oneIn = number(item.substr(colon + 1));
+            oneIn = numberIn<std::uint64_t>(item.substr(colon + 1));
             if (!oneIn || *oneIn < 1 || *oneIn > kMost)
                 return std::string(name) + ": the chance is one in 1 to 1000000, not "
                     + quoted(item.substr(colon + 1));

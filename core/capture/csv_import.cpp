@@ -1,5 +1,7 @@
 #include "capture/csv_import.h"
 
+#include "base/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -257,10 +259,7 @@ bool CsvImport::takeHeading(std::string_view line)
     if (!split(line))
         return false;
     const auto looksLikeNumber = [](std::string_view field) {
-        const std::string_view text = trimmed(field);
-        double value = 0;
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-        return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+        return numberIn<double>(trimmed(field)).has_value();
     };
     if (std::all_of(m_fields.begin(), m_fields.end(), looksLikeNumber))
         return fail(CsvError::What::NoHeading, 1, m_fields.front());
@@ -292,39 +291,37 @@ bool CsvImport::takeHeading(std::string_view line)
     return true;
 }
 
+/// Good until the next call.
+std::string_view CsvImport::withPoint(std::string_view field)
+{
+    if (m_separator == ',' || field.find(',') == std::string_view::npos)
+        return field;
+    m_scratch = field;
+    std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
+    return m_scratch;
+}
+
 bool CsvImport::takeTime(std::string_view field, std::size_t column, Nanos &time)
 {
-    if (m_separator != ',' && field.find(',') != std::string_view::npos) {
-        m_scratch = field;
-        std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
-        field = m_scratch;
-    }
+    field = withPoint(field);
     const auto exact = exactTime(field, m_timeUnit);
     if (exact) {
         time = *exact;
         return true;
     }
-    double value = 0;
-    const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (read.ec != std::errc{} || read.ptr != field.data() + field.size()
-        || !(std::abs(value) * static_cast<double>(m_timeUnit) < static_cast<double>(kFarthest)))
+    const auto value = numberIn<double>(field);
+    if (!value
+        || !(std::abs(*value) * static_cast<double>(m_timeUnit) < static_cast<double>(kFarthest)))
         return fail(CsvError::What::NoTime, column, field);
-    time = static_cast<Nanos>(std::llround(value * static_cast<double>(m_timeUnit)));
+    time = static_cast<Nanos>(std::llround(*value * static_cast<double>(m_timeUnit)));
     return true;
 }
 
 /// Unknown where it is none, or not finite.
 double CsvImport::number(std::string_view field)
 {
-    if (m_separator != ',' && field.find(',') != std::string_view::npos) {
-        m_scratch = field;
-        std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
-        field = m_scratch;
-    }
-    double value = 0;
-    const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
-    const bool good = read.ec == std::errc{} && read.ptr == field.data() + field.size();
-    return good && std::isfinite(value) ? value : kUnknown;
+    const auto value = numberIn<double>(withPoint(field));
+    return value && std::isfinite(*value) ? *value : kUnknown;
 }
 
 /// The distance that three of four rows around this one, and itself, keep to. A few close rows or a few gaps do not change

@@ -60,6 +60,7 @@ private:
     bool split(std::string_view line);
     bool splitQuoted(std::string_view line);
     bool takeTime(std::string_view field, std::size_t column, Nanos &time);
+    std::string_view withPoint(std::string_view field);
     double number(std::string_view field);
     void settle();
     void settleAll();

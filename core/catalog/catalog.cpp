@@ -1,9 +1,9 @@
 #include "catalog/catalog.h"
 
 #include "base/hex.h"
+#include "base/number_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace catalog {
@@ -71,12 +71,10 @@ std::optional<RegisterId> Catalog::resolve(std::string_view nameAtMotor) const
         return withMotor(*info, 1);
 
     const std::string_view digits = nameAtMotor.substr(at + 1);
-    int motor = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), motor);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !info->perMotor || motor < 1
-        || motor > m_motors)
+    const auto motor = numberIn<int>(digits);
+    if (!motor || !info->perMotor || *motor < 1 || *motor > m_motors)
         return std::nullopt;
-    return withMotor(*info, motor);
+    return withMotor(*info, *motor);
 }
 
 RegisterId Catalog::withMotor(const RegisterInfo &info, int motor) const

@@ -1,6 +1,6 @@
 #include "catalog/limits.h"
 
-#include "base/decimal_text.h"
+#include "base/number_text.h"
 #include "catalog/names.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // The register table: rows of text to RegisterInfo. Columns are found by their names in the first
 // row, so their order is free and unknown ones are passed over. Meaning of the columns:
 // resources/registers/README.md.
+#include "base/number_text.h"
 #include "catalog/catalog.h"
 #include "catalog/csv.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace catalog {
 
@@ -61,16 +61,6 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     return parts;
 }
 
-template <class T>
-std::optional<T> number(std::string_view text, int base = 10)
-{
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
-
 /// "6.2" or "6.1.2" as an inclusive range of 0xMMmmpp.
 struct VersionRange {
     std::uint32_t first = 0, last = 0;
@@ -83,7 +73,7 @@ std::optional<VersionRange> versions(std::string_view text)
     VersionRange range;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto part =
-            i < parts.size() ? number<std::uint8_t>(parts[i]) : std::optional<std::uint8_t>(0);
+            i < parts.size() ? numberIn<std::uint8_t>(parts[i]) : std::optional<std::uint8_t>(0);
         if (!part)
             return std::nullopt;
         range.first = range.first << 8 | *part;
@@ -171,7 +161,7 @@ public:
         std::string_view hex = field(row, IdHex);
         if (hex.starts_with("0x"))
             hex.remove_prefix(2);
-        const auto id = number<RegisterId>(hex, 16);
+        const auto id = numberIn<RegisterId>(hex, 16);
         if (!id)
             return error(row, "has no valid identifier");
         info.id = *id;
@@ -217,7 +207,7 @@ private:
                 info.type = *type;
                 typed = true;
             } else if (word.starts_with('Q')) {
-                info.fractionBits = number<int>(word.substr(1)).value_or(0);
+                info.fractionBits = numberIn<int>(word.substr(1)).value_or(0);
             }
         }
         return typed && info.fractionBits >= 0 && info.fractionBits < 32;
@@ -238,13 +228,13 @@ private:
         if (dots == std::string_view::npos)
             return false;
         const std::string_view above = text.substr(dots + 2);
-        const auto least = number<std::int32_t>(text.substr(0, dots));
+        const auto least = numberIn<std::int32_t>(text.substr(0, dots));
         if (!least)
             return false;
         info.least = *least;
         if (above.empty())
             return true;
-        const auto greatest = number<std::int32_t>(above);
+        const auto greatest = numberIn<std::int32_t>(above);
         if (!greatest)
             return false;
         info.greatest = *greatest;

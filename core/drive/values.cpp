@@ -1,6 +1,6 @@
 #include "drive/values.h"
 
-#include "base/decimal_text.h"
+#include "base/number_text.h"
 #include "catalog/limits.h"
 
 #include <cmath>

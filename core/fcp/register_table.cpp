@@ -1,12 +1,12 @@
 // Reading the table: columns found by name, words looked up in tables, every field checked.
 #include "fcp/register_table.h"
 
+#include "base/number_text.h"
 #include "catalog/tables.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -67,11 +67,8 @@ std::optional<unsigned> number(std::string_view text, int base)
 {
     if (base == 16 && text.starts_with("0x"))
         text.remove_prefix(2);
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (error != std::errc{} || end != text.data() + text.size() || value > 0xFF)
-        return std::nullopt;
-    return value;
+    const auto value = numberIn<unsigned>(text, base);
+    return value && *value <= 0xFF ? value : std::nullopt;
 }
 
 /// Empty is 0: refused.

@@ -1,6 +1,5 @@
 #include "lab/fields.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace lab {
@@ -16,12 +15,8 @@ std::string fieldOf(const record::Happening &happening, std::string_view key)
 std::optional<double> numberOf(const record::Happening &happening, std::string_view key)
 {
     constexpr double kMost = 1e9;
-    const std::string text = fieldOf(happening, key);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(value) && std::abs(value) < kMost ? std::optional(value)
-                                                                    : std::nullopt;
+    const auto value = numberIn<double>(fieldOf(happening, key));
+    return value && std::isfinite(*value) && std::abs(*value) < kMost ? value : std::nullopt;
 }
 
 } // namespace lab

@@ -1,7 +1,7 @@
 // The fields of an event in a recording, read as what they should be: files are foreign.
 #pragma once
 
-#include "base/decimal_text.h"
+#include "base/number_text.h"
 #include "record/entry.h"
 
 #include <optional>

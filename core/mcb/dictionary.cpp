@@ -1,10 +1,10 @@
 #include "mcb/dictionary.h"
 
+#include "base/number_text.h"
 #include "catalog/tables.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 namespace mcb {
@@ -38,20 +38,11 @@ std::optional<T> wordIn(const Word<T> (&table)[N], std::string_view text)
     return std::nullopt;
 }
 
-std::optional<unsigned> numberIn(std::string_view text, int base)
-{
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
-
 /// "0x010"; kMostAddress + 1 for what is none.
 unsigned addressIn(std::string_view text)
 {
     constexpr unsigned kNone = kMostAddress + 1U;
-    return text.starts_with("0x") ? numberIn(text.substr(2), 16).value_or(kNone) : kNone;
+    return text.starts_with("0x") ? numberIn<unsigned>(text.substr(2), 16).value_or(kNone) : kNone;
 }
 
 enum Column {
@@ -92,7 +83,8 @@ public:
         const auto access = wordIn(kAccesses, field(row, AccessName));
         const auto cyclic = wordIn(kCyclic, field(row, CyclicName));
         const std::string &size = field(row, Size);
-        const unsigned bytes = size.empty() ? 0U : numberIn(size, 10).value_or(UINT8_MAX + 1U);
+        const unsigned bytes =
+            size.empty() ? 0U : numberIn<unsigned>(size).value_or(UINT8_MAX + 1U);
         if (number > kMostAddress)
             return fail(TableError{row.line, "\"" + address + "\" is no address."});
         if (!type || !access || !cyclic || bytes > UINT8_MAX)

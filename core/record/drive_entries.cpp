@@ -1,7 +1,7 @@
 #include "record/drive_entries.h"
 
-#include "base/decimal_text.h"
 #include "base/hex.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <array>

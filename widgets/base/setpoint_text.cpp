@@ -1,8 +1,9 @@
 #include "widgets/base/setpoint_text.h"
 
+#include "base/number_text.h"
+
 #include <QCoreApplication>
 
-#include <charconv>
 #include <string>
 
 namespace widgets {
@@ -50,11 +51,10 @@ Result<double, SetpointError> readPlainNumber(const QString &text, qsizetype lon
         return fail(SetpointError::TwoPoints);
     if (digits == 0)
         return fail(SetpointError::NotANumber);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    if (error != std::errc() || end != plain.data() + plain.size())
+    const auto value = numberIn<double>(plain);
+    if (!value)
         return fail(SetpointError::NotANumber);
-    return value + 0.0; // "-0" is 0
+    return *value + 0.0; // "-0" is 0
 }
 
 QString setpointErrorText(SetpointError error)

@@ -1,5 +1,6 @@
 #include "widgets/files/happening_text.h"
 
+#include "base/number_text.h"
 #include "drive/event.h"
 #include "drive/wish.h"
 #include "record/drive_entries.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace widgets {
 namespace {
@@ -25,11 +25,7 @@ using record::Happening;
 template <class Number>
 std::optional<Number> numberOf(const Happening &happening, std::string_view key)
 {
-    const std::string text = happening.field(key);
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    return whole ? std::optional(number) : std::nullopt;
+    return numberIn<Number>(happening.field(key));
 }
 
 template <class Enum, std::size_t N>

@@ -1,5 +1,6 @@
 #include "widgets/registers/register_entry.h"
 
+#include "base/number_text.h"
 #include "catalog/names.h"
 #include "drive/motion_limits.h"
 #include "widgets/base/device_text.h"
@@ -56,14 +57,8 @@ std::optional<std::uint64_t> readHex(const QString &text, std::size_t width)
 {
     if (!text.startsWith(QLatin1String("0x"), Qt::CaseInsensitive) || text.size() > 18)
         return {};
-    std::uint64_t bits = 0;
-    const std::string digits = text.mid(2).toStdString();
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), bits, 16);
-    if (error != std::errc() || end != digits.data() + digits.size()
-        || (width < 8 && bits >> (8 * width) != 0))
-        return {};
-    return bits;
+    const auto bits = numberIn<std::uint64_t>(text.mid(2).toStdString(), 16);
+    return bits && (width >= 8 || *bits >> (8 * width) == 0) ? bits : std::nullopt;
 }
 
 bool isSigned(ValueType type)

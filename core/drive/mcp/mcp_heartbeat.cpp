@@ -1,10 +1,10 @@
 #include "drive/mcp/mcp_heartbeat.h"
 
+#include "base/number_text.h"
 #include "drive/mcp/mcp_facts.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace drive {
 
@@ -26,14 +26,10 @@ std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareNam
     const std::string_view digits = firmwareName.substr(at + kMark.size());
     if (digits.empty() || digits.front() < '1' || digits.front() > '9')
         return std::nullopt;
-    long time_ms = 0;
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), time_ms);
-    if (error != std::errc{} || end != digits.data() + digits.size())
+    const auto time_ms = numberIn<long>(digits);
+    if (!time_ms || *time_ms < kShortest_ms || *time_ms > kLongest_ms)
         return std::nullopt;
-    if (time_ms < kShortest_ms || time_ms > kLongest_ms)
-        return std::nullopt;
-    return std::chrono::milliseconds(time_ms);
+    return std::chrono::milliseconds(*time_ms);
 }
 
 void Heartbeat::restart(TimePoint now)
