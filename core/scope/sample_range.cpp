@@ -53,25 +53,19 @@ bool SampleRange::gapInside() const
 
 SampleRange::Extremes SampleRange::extremes() const
 {
-    if (const FastColumn *column = m_channel.fast()) {
-        const capture::CodeRange range = column->extremes(m_begin, m_end);
-        const Index lowAt = findSample(*column, m_begin, m_end, range.min);
-        const Index highAt = findSample(*column, m_begin, m_end, range.max);
+    const auto shown = [&](const auto &column, const auto &range) -> Extremes {
+        const Index lowAt = findSample(column, m_begin, m_end, range.min);
+        const Index highAt = findSample(column, m_begin, m_end, range.max);
         const double low = m_channel.toShown(range.min);
         const double high = m_channel.toShown(range.max);
         if (low <= high)
             return {low, high, lowAt, highAt};
         return {high, low, highAt, lowAt}; // a scale that turns the sign
-    }
+    };
+    if (const FastColumn *column = m_channel.fast())
+        return shown(*column, column->extremes(m_begin, m_end));
     const ValueColumn &column = *m_channel.values();
-    const capture::ValueRange range = column.valueExtremes(m_begin, m_end);
-    const Index lowAt = findSample(column, m_begin, m_end, range.min);
-    const Index highAt = findSample(column, m_begin, m_end, range.max);
-    const double low = m_channel.toShown(range.min);
-    const double high = m_channel.toShown(range.max);
-    if (low <= high)
-        return {low, high, lowAt, highAt};
-    return {high, low, highAt, lowAt};
+    return shown(column, column.valueExtremes(m_begin, m_end));
 }
 
 std::optional<SampleRange::Moments> SampleRange::moments() const

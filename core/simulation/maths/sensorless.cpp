@@ -23,9 +23,16 @@ AlphaBeta inDirection(AlphaBeta bemf, int direction)
 
 } // namespace
 
+void ObservedAngle::clear()
+{
+    m_observer.clear();
+    m_speed.clear();
+    m_angle = 0;
+    m_instant_dpp = 0;
+}
+
 ObserverPll::ObserverPll(const Parameters &parameters)
-    : m_observer(parameters.observer)
-    , m_speed(parameters.speed)
+    : ObservedAngle(parameters.observer, parameters.speed)
     , m_pll(parameters.pll)
 {
 }
@@ -45,16 +52,12 @@ std::int16_t ObserverPll::step(const ObserverInput &input)
 
 void ObserverPll::clear()
 {
-    m_observer.clear();
-    m_speed.clear();
+    ObservedAngle::clear();
     m_pll.clear();
-    m_angle = 0;
-    m_instant_dpp = 0;
 }
 
 ObserverCordic::ObserverCordic(const Parameters &parameters)
-    : m_observer(parameters.observer)
-    , m_speed(parameters.speed)
+    : ObservedAngle(parameters.observer, parameters.speed)
     , m_maxAcceleration_dpp(parameters.maxAcceleration_dpp)
 {
 }
@@ -74,14 +77,6 @@ std::int16_t ObserverCordic::step(const ObserverInput &input)
     m_speed.store(m_instant_dpp);
     m_angle = wrapAngle(m_angle + m_instant_dpp);
     return m_angle;
-}
-
-void ObserverCordic::clear()
-{
-    m_observer.clear();
-    m_speed.clear();
-    m_angle = 0;
-    m_instant_dpp = 0;
 }
 
 } // namespace simulation

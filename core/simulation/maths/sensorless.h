@@ -11,19 +11,9 @@
 
 namespace simulation {
 
-class ObserverPll {
+/// What both are made of.
+class ObservedAngle {
 public:
-    struct Parameters {
-        ObserverConstants observer;
-        SpeedEstimateParameters speed;
-        Pi::Gains pll{638, 45, 14, 15};
-    };
-
-    explicit ObserverPll(const Parameters &parameters);
-
-    /// The angle to use in the next control period. The PLL's PI works on the quadrature of the back-EMF of this period
-    /// (bemf sin(true - estimated)) and its output is the electrical speed in 1/65536 turn a period.
-    std::int16_t step(const ObserverInput &input);
     void mediumTask() { m_speed.average(m_observer.bemf()); }
     bool converged(std::int16_t forced_dHz) { return m_speed.converged(forced_dHz); }
     void forceConvergence() { m_speed.forceConvergence(); }
@@ -44,17 +34,41 @@ public:
     {
         m_observer.setGains(gain1, gain2);
     }
-    void setPllGains(Pi::Gains gains) { m_pll.follow(gains); }
 
-private:
+protected:
+    ObservedAngle(const ObserverConstants &observer, const SpeedEstimateParameters &speed)
+        : m_observer(observer)
+        , m_speed(speed)
+    {
+    }
+
     StateObserver m_observer;
     SpeedEstimate m_speed;
-    Pi m_pll;
     int m_direction = 0;
     std::int16_t m_angle = 0, m_instant_dpp = 0;
 };
 
-class ObserverCordic {
+class ObserverPll : public ObservedAngle {
+public:
+    struct Parameters {
+        ObserverConstants observer;
+        SpeedEstimateParameters speed;
+        Pi::Gains pll{638, 45, 14, 15};
+    };
+
+    explicit ObserverPll(const Parameters &parameters);
+
+    /// The angle to use in the next control period. The PLL's PI works on the quadrature of the back-EMF of this period
+    /// (bemf sin(true - estimated)) and its output is the electrical speed in 1/65536 turn a period.
+    std::int16_t step(const ObserverInput &input);
+    void clear();
+    void setPllGains(Pi::Gains gains) { m_pll.follow(gains); }
+
+private:
+    Pi m_pll;
+};
+
+class ObserverCordic : public ObservedAngle {
 public:
     struct Parameters {
         ObserverConstants observer;
@@ -67,32 +81,9 @@ public:
 
     /// The angle of this period's back-EMF, as far as the acceleration limit lets it; against the direction it stands.
     std::int16_t step(const ObserverInput &input);
-    void mediumTask() { m_speed.average(m_observer.bemf()); }
-    bool converged(std::int16_t forced_dHz) { return m_speed.converged(forced_dHz); }
-    void forceConvergence() { m_speed.forceConvergence(); }
-    void clear();
-
-    std::int16_t angle() const { return m_angle; }
-    std::int16_t speed_dHz() const { return m_speed.speed_dHz(); }
-    std::int16_t speed_dpp() const { return m_speed.speed_dpp(); } ///< averaged
-    bool reliable() const { return m_speed.reliable(); }
-    AlphaBeta estimatedCurrent() const { return m_observer.current(); }
-    AlphaBeta estimatedBemf() const { return m_observer.bemf(); }
-    const SpeedEstimate &speed() const { return m_speed; }
-    SpeedEstimate &speed() { return m_speed; }
-
-    void setDirection(int direction) { m_direction = direction; }
-    void setObserverGains(std::int16_t gain1, std::int16_t gain2)
-    {
-        m_observer.setGains(gain1, gain2);
-    }
 
 private:
-    StateObserver m_observer;
-    SpeedEstimate m_speed;
     std::int16_t m_maxAcceleration_dpp;
-    int m_direction = 0;
-    std::int16_t m_angle = 0, m_instant_dpp = 0;
 };
 
 } // namespace simulation
