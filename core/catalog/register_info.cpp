@@ -1,20 +1,18 @@
 #include "catalog/register_info.h"
 
+#include "base/word_table.h"
+
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace catalog {
 
 std::optional<Effect> effectOf(std::string_view word)
 {
-    static constexpr std::array<std::pair<std::string_view, Effect>, 6> kWords{
-        {{"kept", Effect::Kept}, {"reference", Effect::Reference}, {"mode", Effect::Mode},
-            {"unbounded", Effect::Unbounded}, {"command", Effect::Command},
-            {"board", Effect::Board}}};
-    const auto *const at = std::find_if(
-        kWords.begin(), kWords.end(), [&](const auto &one) { return one.first == word; });
-    return at == kWords.end() ? std::nullopt : std::optional(at->second);
+    static constexpr Word<Effect> kWords[] = {{"kept", Effect::Kept},
+        {"reference", Effect::Reference}, {"mode", Effect::Mode}, {"unbounded", Effect::Unbounded},
+        {"command", Effect::Command}, {"board", Effect::Board}};
+    const Effect *effect = findWord(kWords, word);
+    return effect == nullptr ? std::nullopt : std::optional(*effect);
 }
 
 std::optional<double> asNumber(const Value &value)

@@ -2,6 +2,7 @@
 // row, so their order is free and unknown ones are passed over. Meaning of the columns:
 // resources/registers/README.md.
 #include "base/number_text.h"
+#include "base/word_table.h"
 #include "catalog/catalog.h"
 #include "catalog/csv.h"
 
@@ -11,12 +12,6 @@
 namespace catalog {
 
 namespace {
-
-template <class T>
-struct Word {
-    std::string_view text;
-    T value;
-};
 
 constexpr Word<ValueType> kTypes[] = {{"u8", ValueType::U8}, {"s8", ValueType::S8},
     {"u16", ValueType::U16}, {"s16", ValueType::S16}, {"u32", ValueType::U32},
@@ -41,14 +36,6 @@ constexpr Word<AccessWord> kAccesses[] = {{"R", {Access::Read}}, {"W", {Access::
     {"RW", {Access::ReadWrite}}, {"R-setnoop", {Access::Read}},
     {"datalog-only", {Access::None, false, true}}, {"stub", {Access::ReadWrite, true}},
     {"stub-RO", {Access::Read, true}}, {"setnoop", {Access::None}}, {"none", {Access::None}}};
-
-template <class T, std::size_t N>
-const T *findWord(const Word<T> (&words)[N], std::string_view text)
-{
-    const auto at = std::find_if(
-        std::begin(words), std::end(words), [&](const auto &w) { return w.text == text; });
-    return at == std::end(words) ? nullptr : &at->value;
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator)
 {

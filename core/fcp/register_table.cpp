@@ -2,13 +2,13 @@
 #include "fcp/register_table.h"
 
 #include "base/number_text.h"
+#include "base/word_table.h"
 #include "catalog/tables.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
-#include <utility>
 
 namespace fcp {
 namespace {
@@ -40,28 +40,17 @@ constexpr std::array<std::string_view, ColumnCount> kColumns{"id", "name", "type
     "unit", "group", "access", "powerpc_access", "read_bytes", "write_bytes", "needs", "dangerous",
     "effect", "description"};
 
-template <class T>
-using Words = std::pair<std::string_view, T>;
-
-constexpr std::array<Words<ValueType>, 7> kTypes{
-    {{"u8", ValueType::U8}, {"s8", ValueType::S8}, {"u16", ValueType::U16}, {"s16", ValueType::S16},
-        {"u32", ValueType::U32}, {"s32", ValueType::S32}, {"f32", ValueType::F32}}};
-constexpr std::array<Words<Meaning>, 4> kMeanings{{{"", Meaning::Number},
-    {"enum", Meaning::Enumeration}, {"flags", Meaning::Flags}, {"bool", Meaning::Boolean}}};
-constexpr std::array<Words<Access>, 6> kAccesses{{{"none", Access::None}, {"DAC", Access::None},
-    {"", Access::None}, {"R", Access::Read}, {"W", Access::Write}, {"RW", Access::ReadWrite}}};
-constexpr std::array<Words<Need>, 11> kNeeds{{{"", Need::Nothing}, {"pll", Need::Pll},
-    {"cordic", Need::Cordic}, {"sensor", Need::Sensor}, {"flux weakening", Need::FluxWeakening},
+constexpr Word<ValueType> kTypes[] = {{"u8", ValueType::U8}, {"s8", ValueType::S8},
+    {"u16", ValueType::U16}, {"s16", ValueType::S16}, {"u32", ValueType::U32},
+    {"s32", ValueType::S32}, {"f32", ValueType::F32}};
+constexpr Word<Meaning> kMeanings[] = {{"", Meaning::Number}, {"enum", Meaning::Enumeration},
+    {"flags", Meaning::Flags}, {"bool", Meaning::Boolean}};
+constexpr Word<Access> kAccesses[] = {{"none", Access::None}, {"DAC", Access::None},
+    {"", Access::None}, {"R", Access::Read}, {"W", Access::Write}, {"RW", Access::ReadWrite}};
+constexpr Word<Need> kNeeds[] = {{"", Need::Nothing}, {"pll", Need::Pll}, {"cordic", Need::Cordic},
+    {"sensor", Need::Sensor}, {"flux weakening", Need::FluxWeakening},
     {"feed forward", Need::FeedForward}, {"pfc", Need::Pfc}, {"dac", Need::Dac},
-    {"injection", Need::Injection}, {"profiler", Need::Profiler}, {"position", Need::Position}}};
-
-template <class T, std::size_t Count>
-const T *find(const std::array<Words<T>, Count> &words, std::string_view word)
-{
-    const auto at = std::find_if(
-        words.begin(), words.end(), [&](const Words<T> &entry) { return entry.first == word; });
-    return at == words.end() ? nullptr : &at->second;
-}
+    {"injection", Need::Injection}, {"profiler", Need::Profiler}, {"position", Need::Position}};
 
 std::optional<unsigned> number(std::string_view text, int base)
 {
@@ -91,8 +80,8 @@ tl::unexpected<TableError> wrong(const catalog::CsvRow &row, std::string_view wh
 bool readType(std::string_view text, RegisterInfo &info)
 {
     const std::size_t space = std::min(text.find(' '), text.size());
-    const auto *type = find(kTypes, text.substr(0, space));
-    const auto *meaning = find(kMeanings, text.substr(std::min(space + 1, text.size())));
+    const auto *type = findWord(kTypes, text.substr(0, space));
+    const auto *meaning = findWord(kMeanings, text.substr(std::min(space + 1, text.size())));
     if (type == nullptr || meaning == nullptr)
         return false;
     info.type = *type;
@@ -133,8 +122,8 @@ Result<Register, TableError> readRow(const catalog::CsvRow &row, Dialect dialect
     if (!readType(fields[powerPc ? PowerPcType : Type], entry.info))
         return wrong(row, "type");
     const std::string &word = fields[powerPc ? PowerPcAccess : AccessColumn];
-    const auto *access = find(kAccesses, word);
-    const auto *need = find(kNeeds, fields[Needs]);
+    const auto *access = findWord(kAccesses, word);
+    const auto *need = findWord(kNeeds, fields[Needs]);
     const auto read = width(fields[ReadBytes]);
     const auto write = width(fields[WriteBytes]);
     if (access == nullptr || need == nullptr || !read || !write)

@@ -1,6 +1,7 @@
 #include "mcb/dictionary.h"
 
 #include "base/number_text.h"
+#include "base/word_table.h"
 #include "catalog/tables.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ using catalog::Access;
 using catalog::CsvRow;
 using catalog::TableError;
 
-template <class T>
-struct Word {
-    std::string_view text;
-    T value;
-};
-
 constexpr Word<Type> kTypes[] = {{"INT16", Type::Int16}, {"UINT16", Type::UInt16},
     {"INT32", Type::Int32}, {"UINT32", Type::UInt32}, {"FLOAT", Type::Float},
     {"STRING", Type::Text}};
@@ -27,16 +22,6 @@ constexpr Word<Cyclic> kCyclic[] = {
     {"config", Cyclic::ConfigOnly}, {"tx", Cyclic::Tx}, {"rx", Cyclic::Rx}};
 constexpr Word<Access> kAccesses[] = {
     {"R", Access::Read}, {"W", Access::Write}, {"RW", Access::ReadWrite}};
-
-template <class T, std::size_t N>
-std::optional<T> wordIn(const Word<T> (&table)[N], std::string_view text)
-{
-    for (const Word<T> &word : table) {
-        if (word.text == text)
-            return word.value;
-    }
-    return std::nullopt;
-}
 
 /// "0x010"; kMostAddress + 1 for what is none.
 unsigned addressIn(std::string_view text)
@@ -79,15 +64,15 @@ public:
     {
         const std::string &address = field(row, Address);
         const unsigned number = addressIn(address);
-        const auto type = wordIn(kTypes, field(row, TypeName));
-        const auto access = wordIn(kAccesses, field(row, AccessName));
-        const auto cyclic = wordIn(kCyclic, field(row, CyclicName));
+        const auto *type = findWord(kTypes, field(row, TypeName));
+        const auto *access = findWord(kAccesses, field(row, AccessName));
+        const auto *cyclic = findWord(kCyclic, field(row, CyclicName));
         const std::string &size = field(row, Size);
         const unsigned bytes =
             size.empty() ? 0U : numberIn<unsigned>(size).value_or(UINT8_MAX + 1U);
         if (number > kMostAddress)
             return fail(TableError{row.line, "\"" + address + "\" is no address."});
-        if (!type || !access || !cyclic || bytes > UINT8_MAX)
+        if (type == nullptr || access == nullptr || cyclic == nullptr || bytes > UINT8_MAX)
             return fail(TableError{row.line, "type, size, access or cyclic is not known."});
         const auto effect = catalog::effectOf(field(row, EffectName));
         if (!effect && *access != Access::Read)

@@ -1,5 +1,6 @@
 #include "record/replay_drive.h"
 
+#include "base/word_table.h"
 #include "drive/board_facts.h"
 
 #include <algorithm>
@@ -55,14 +56,12 @@ std::vector<std::string> wordsOf(const std::string &text)
 drive::MotorState stateOf(const std::string &word)
 {
     using drive::MotorState;
-    constexpr std::pair<const char *, MotorState> kWords[] = {{"idle", MotorState::Idle},
+    constexpr Word<MotorState> kWords[] = {{"idle", MotorState::Idle},
         {"starting", MotorState::Starting}, {"running", MotorState::Running},
         {"stopping", MotorState::Stopping}, {"fault now", MotorState::FaultNow},
         {"fault over", MotorState::FaultOver}};
-    for (const auto &[text, state] : kWords)
-        if (word == text)
-            return state;
-    return MotorState::Unknown;
+    const MotorState *state = findWord(kWords, word);
+    return state == nullptr ? MotorState::Unknown : *state;
 }
 
 /// A block cut to what a board tells at a time, with the time from the block's to each part's.

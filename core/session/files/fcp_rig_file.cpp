@@ -1,5 +1,6 @@
 #include "session/files/fcp_rig_file.h"
 
+#include "base/word_table.h"
 #include "session/files/json_text.h"
 #include "session/files/json_values.h"
 #include "session/files/whole_file.h"
@@ -19,7 +20,7 @@ using simulation::FcpRig;
 
 constexpr double kMostFrameTimer_ms = 60'000;
 
-constexpr std::pair<const char *, FcpMotor::Sensing> kSensings[] = {{"pll", FcpMotor::Sensing::Pll},
+constexpr Word<FcpMotor::Sensing> kSensings[] = {{"pll", FcpMotor::Sensing::Pll},
     {"cordic", FcpMotor::Sensing::Cordic}, {"encoder", FcpMotor::Sensing::Encoder},
     {"hall", FcpMotor::Sensing::Hall}};
 constexpr std::pair<const char *, bool FcpRig::*> kFeatures[] = {
@@ -109,7 +110,7 @@ FcpMotor Reader::motor(const QJsonObject &from)
     take(from[keyOf("faults")], "faults", motor.faults);
     std::string sensing = "pll";
     take(from[keyOf("sensing")], "sensing", sensing);
-    if (const auto known = meaningIn(kSensings, QString::fromStdString(sensing)))
+    if (const auto *known = findWord(kSensings, sensing))
         motor.sensing = *known;
     else
         wrong("sensing", "must be pll, cordic, encoder or hall");

@@ -1,5 +1,6 @@
 #include "session/files/mcb_rig_file.h"
 
+#include "base/word_table.h"
 #include "mcb/fragments.h"
 #include "session/files/json_text.h"
 #include "session/files/json_values.h"
@@ -19,12 +20,12 @@ using simulation::McbRig;
 
 constexpr int kMostDelay = 1000; ///< frames
 
-constexpr std::pair<const char *, mcb::Type> kTypes[] = {{"INT16", mcb::Type::Int16},
-    {"UINT16", mcb::Type::UInt16}, {"INT32", mcb::Type::Int32}, {"UINT32", mcb::Type::UInt32},
-    {"FLOAT", mcb::Type::Float}, {"STRING", mcb::Type::Text}};
-constexpr std::pair<const char *, mcb::Cyclic> kCyclic[] = {
+constexpr Word<mcb::Type> kTypes[] = {{"INT16", mcb::Type::Int16}, {"UINT16", mcb::Type::UInt16},
+    {"INT32", mcb::Type::Int32}, {"UINT32", mcb::Type::UInt32}, {"FLOAT", mcb::Type::Float},
+    {"STRING", mcb::Type::Text}};
+constexpr Word<mcb::Cyclic> kCyclic[] = {
     {"config", mcb::Cyclic::ConfigOnly}, {"tx", mcb::Cyclic::Tx}, {"rx", mcb::Cyclic::Rx}};
-constexpr std::pair<const char *, Access> kAccesses[] = {
+constexpr Word<Access> kAccesses[] = {
     {"r", Access::Read}, {"w", Access::Write}, {"rw", Access::ReadWrite}};
 
 std::optional<unsigned> hexIn(const QString &digits, unsigned most)
@@ -57,17 +58,17 @@ Result<McbRegister, QString> registerIn(const QString &name, const QJsonObject &
     const auto wrong = [&name](const char *what) {
         return fail(QStringLiteral("registers.%1: %2").arg(name, QLatin1String(what)));
     };
-    const auto type = meaningIn(kTypes, object[keyOf("type")].toString());
+    const auto *type = findWord(kTypes, object[keyOf("type")].toString().toStdString());
     const auto size = wholeIn<std::uint8_t>(object[keyOf("size")].toDouble(), 1, UINT8_MAX);
-    const auto cyclic = meaningIn(kCyclic, object[keyOf("cyclic")].toString());
-    const auto access = meaningIn(kAccesses, object[keyOf("access")].toString());
-    if (!type)
+    const auto *cyclic = findWord(kCyclic, object[keyOf("cyclic")].toString().toStdString());
+    const auto *access = findWord(kAccesses, object[keyOf("access")].toString().toStdString());
+    if (type == nullptr)
         return wrong("type is one of INT16, UINT16, INT32, UINT32, FLOAT, STRING");
     if (!size)
         return wrong("size is a number of bytes, 1 to 255");
-    if (!cyclic)
+    if (cyclic == nullptr)
         return wrong("cyclic is one of config, tx, rx");
-    if (!access)
+    if (access == nullptr)
         return wrong("access is one of r, w, rw");
     auto words = wordsIn(object[keyOf("words")], *size);
     if (!words)
