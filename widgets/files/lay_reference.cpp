@@ -33,9 +33,9 @@ bool isAct(const record::Happening &happening)
 std::vector<Instant> instantsOf(const OpenedRecording &opened, double begin)
 {
     std::vector<Instant> all;
-    for (const auto &one : opened.report.happenings)
-        if (isAct(one.what) && all.size() < kMostInstants)
-            all.push_back({capture::toSeconds(one.at), happeningText(one.what)});
+    for (const auto &[at, what] : opened.report.happenings)
+        if (isAct(what) && all.size() < kMostInstants)
+            all.push_back({capture::toSeconds(at), happeningText(what)});
     for (const record::Note &note : opened.report.notes)
         if (all.size() < kMostInstants)
             all.push_back({capture::toSeconds(note.from), deviceText(note.text)});

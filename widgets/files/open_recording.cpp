@@ -125,9 +125,8 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
     // They come in the order of time, and words are made for those only that the log has room for.
     for (auto each = report.happenings.rbegin();
          each != report.happenings.rend() && all.size() < EventLog::kMost; ++each)
-        if (isShown(each->what))
-            all.push_back(
-                {0, capture::toSeconds(each->at), kindOf(each->what), happeningText(each->what)});
+        if (const auto &[at, what] = *each; isShown(what))
+            all.push_back({0, capture::toSeconds(at), kindOf(what), happeningText(what)});
     std::reverse(all.begin(), all.end());
     for (const record::Note &note : report.notes)
         all.push_back({0, capture::toSeconds(note.from), EventKind::Marker, deviceText(note.text)});

@@ -95,7 +95,7 @@ void SnapshotPanel::listSources()
     const std::size_t recorded = m_recorded.all.size();
     for (std::size_t i = recorded - std::min(recorded, kMostRecorded); i < recorded; ++i) {
         const QString key = QStringLiteral("%1#%2").arg(m_recorded.path, QString::number(i));
-        const double at = capture::toSeconds(m_recorded.all[i].at);
+        const double at = capture::toSeconds(m_recorded.all[i].first);
         if (source(key) == nullptr)
             m_sources.push_back({Kind::Recorded, key,
                 tr("%1 at %2 s", "recording, seconds").arg(recording, numberText(at, 3)), nullptr});
@@ -194,7 +194,7 @@ bool SnapshotPanel::take(Source &recorded)
     const auto number =
         static_cast<std::size_t>(recorded.key.section(QLatin1Char('#'), -1).toUInt());
     auto snapshot =
-        session::readSnapshotJson(QByteArray::fromStdString(m_recorded.all.at(number).what.json));
+        session::readSnapshotJson(QByteArray::fromStdString(m_recorded.all.at(number).second.json));
     if (!snapshot) {
         tell(snapshotFileErrorText(m_recorded.path, snapshot.error()));
         return false;

@@ -29,6 +29,23 @@ Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
     return **loop;
 }
 
+/// What a recording says, if there is one.
+template <class Found>
+Outcome<Found> evaluated(const Outcome<QString> &path,
+    Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &))
+{
+    if (!path)
+        return tl::make_unexpected(path.error());
+    const auto recording = openRecording(*path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    auto found = evaluate((*recording)->capture, (*recording)->report.happenings);
+    if (!found)
+        return failure(kRefused,
+            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(found.error())));
+    return *found;
+}
+
 /// @param calmed  if it swings by itself, its gains are lent smaller ones; empty: it is to be measured as it is
 Outcome<lab::SpeedResponse> respond(
     Desk &desk, const lab::Subject &subject, const std::optional<lab::SpeedLoop> &calmed)
@@ -49,32 +66,14 @@ Outcome<lab::SpeedResponse> respond(
                 .arg(path.error().sentence, QString::number(plan.kp), QString::number(plan.ki)));
         path = run.emplace(desk).record(subject, {plan});
     }
-    if (!path)
-        return tl::make_unexpected(path.error());
-    const auto recording = openRecording(*path);
-    if (!recording)
-        return tl::make_unexpected(recording.error());
-    auto found = lab::evaluateResponse((*recording)->capture, happeningsOf(**recording));
-    if (!found)
-        return failure(kRefused,
-            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(found.error())));
-    return *found;
+    return evaluated(path, lab::evaluateResponse);
 }
 
 Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
 {
     ExperimentRun run(desk);
     const auto path = run.record(subject, {lab::proofStepsFor(subject, desk.arguments.limits)});
-    if (!path)
-        return tl::make_unexpected(path.error());
-    const auto recording = openRecording(*path);
-    if (!recording)
-        return tl::make_unexpected(recording.error());
-    auto found = lab::stepSeries((*recording)->capture, happeningsOf(**recording));
-    if (!found)
-        return failure(kRefused,
-            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(found.error())));
-    return *found;
+    return evaluated(path, lab::stepSeries);
 }
 
 Outcome<bool> writeGains(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)

@@ -134,14 +134,6 @@ void print(const lab::FrequencyResponse &found, Output &out)
 
 } // namespace
 
-lab::Happenings happeningsOf(const OpenedRecording &recording)
-{
-    lab::Happenings happenings;
-    for (const auto &[at, what] : recording.report.happenings)
-        happenings.emplace_back(at, what);
-    return happenings;
-}
-
 Outcome<int> evaluate(const QString &path, Output &out)
 {
     const auto recording = openRecording(path);
@@ -149,7 +141,7 @@ Outcome<int> evaluate(const QString &path, Output &out)
         return tl::make_unexpected(recording.error());
     if (const QString lack = lackText(**recording); !lack.isEmpty())
         Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
-    const auto found = lab::findingIn((*recording)->capture, happeningsOf(**recording));
+    const auto found = lab::findingIn((*recording)->capture, (*recording)->report.happenings);
     if (!found)
         return failure(kRefused, QStringLiteral("%1: %2").arg(path, sentence(found.error())));
     if (out.json())

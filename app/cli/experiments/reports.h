@@ -1,14 +1,10 @@
 // What an experiment says, as it is printed by its run and by every later evaluation of its recording: the same bytes.
 #pragma once
 
-#include "lab/happenings.h"
 #include "output.h"
 #include "recording_work.h"
 
 namespace cli {
-
-/// What happened in a recording, as evaluations take it.
-lab::Happenings happeningsOf(const OpenedRecording &recording);
 
 /// Prints what the experiment in a recording says, and what has to be known of it on standard error.
 /// @return  kDone; a failure if there is none in it, or no number came of it

@@ -110,10 +110,7 @@ void RunWriter::evaluate()
         m_run.notes.append(report.error());
         return;
     }
-    lab::Happenings happenings;
-    for (const auto &[at, what] : report->happenings)
-        happenings.emplace_back(at, what);
-    const auto found = lab::findingIn(capture, happenings);
+    const auto found = lab::findingIn(capture, report->happenings);
     if (!found) {
         if (m_run.experiment != QLatin1String(kStretch)) // which need not have one
             m_run.notes.append(QString::fromStdString(found.error()));

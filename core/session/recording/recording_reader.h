@@ -9,15 +9,13 @@
 #include <QString>
 
 #include <functional>
+#include <utility>
 
 namespace session {
 
 struct RecordingReport {
     template <class T>
-    struct At {
-        record::Nanos at = 0;
-        T what;
-    };
+    using At = std::pair<record::Nanos, T>; ///< when, and what
     record::Begin begin;
     std::vector<At<record::Happening>> happenings;
     std::vector<At<record::RegisterSnapshot>> snapshots;

@@ -710,8 +710,8 @@ private:
         capture::Capture independent;
         std::vector<record::RegisterSnapshot> found;
         if (const auto report = session::readRecording(path, independent))
-            for (const auto &one : report->snapshots)
-                found.push_back(one.what);
+            for (const auto &[at, what] : report->snapshots)
+                found.push_back(what);
         return found;
     }
     static void choose(QComboBox *box, int index)

@@ -185,10 +185,7 @@ private:
         capture::Capture capture;
         const auto report = session::readRecording(path, capture);
         QVERIFY(report);
-        lab::Happenings happenings;
-        for (const auto &[at, what] : report->happenings)
-            happenings.emplace_back(at, what);
-        const auto series = lab::stepSeries(capture, happenings);
+        const auto series = lab::stepSeries(capture, report->happenings);
         QVERIFY2(series, series ? "" : series.error().c_str());
         const auto *runs = bench.rig.window.findChild<widgets::StepRuns *>();
         const lab::StepSeries &told = runs->results().front().series;

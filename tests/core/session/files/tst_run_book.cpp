@@ -93,7 +93,7 @@ private Q_SLOTS:
         const auto report = session::readRecording(session::recordingOf(folder.path(), 1), capture);
         QVERIFY(report);
         QCOMPARE(report->happenings.size(), 3U);
-        QCOMPARE(report->happenings.front().what.name, std::string("step plan"));
+        QCOMPARE(report->happenings.front().second.name, std::string("step plan"));
         QCOMPARE(report->snapshots.size(), 1U);
         QVERIFY(report->ending && report->damage.empty());
         QVERIFY(contentOf(session::registersOf(folder.path(), 1)).contains("SPEED_KP"));

@@ -276,7 +276,7 @@ void TestRecordingFile::whatHappenedYearsAwayIsPassedOver()
     const auto report = readRecording(path, capture);
     QVERIFY(report);
     QCOMPARE(report->happenings.size(), std::size_t(1));
-    QCOMPARE(report->happenings[0].at, record::Nanos{5});
+    QCOMPARE(report->happenings[0].first, record::Nanos{5});
 }
 
 QTEST_APPLESS_MAIN(TestRecordingFile)
