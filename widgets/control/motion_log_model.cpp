@@ -22,7 +22,9 @@ QString bytesText(const drive::MotionRecord &record)
 } // namespace
 
 MotionLogModel::MotionLogModel(QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent,
+        {tr("Time"), tr("Motor"), tr("Act"), tr("What"), tr("Outcome"), tr("From"),
+            tr("Bytes sent")})
 {
 }
 
@@ -57,16 +59,6 @@ QString MotionLogModel::copyText(const QList<int> &rows) const
         lines.append(cells.join(QLatin1Char('\t')));
     }
     return lines.join(QLatin1Char('\n'));
-}
-
-int MotionLogModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_log.size());
-}
-
-int MotionLogModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString MotionLogModel::cell(const session::LoggedMotion &one, int column) const
@@ -108,30 +100,6 @@ QVariant MotionLogModel::data(const QModelIndex &index, int role) const
         return role == Qt::ToolTipRole ? plainToolTip(text) : text;
     }
     return {};
-}
-
-QVariant MotionLogModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (role != Qt::DisplayRole || orientation != Qt::Horizontal)
-        return {};
-    switch (section) {
-    case TimeColumn:
-        return tr("Time");
-    case MotorColumn:
-        return tr("Motor");
-    case ActColumn:
-        return tr("Act");
-    case DetailColumn:
-        return tr("What");
-    case OutcomeColumn:
-        return tr("Outcome");
-    case SourceColumn:
-        return tr("From");
-    case BytesColumn:
-        return tr("Bytes sent");
-    default:
-        return {};
-    }
 }
 
 } // namespace widgets

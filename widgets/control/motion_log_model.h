@@ -3,12 +3,11 @@
 #pragma once
 
 #include "session/files/motion_log_file.h"
-
-#include <QAbstractTableModel>
+#include "widgets/base/row_table.h"
 
 namespace widgets {
 
-class MotionLogModel : public QAbstractTableModel {
+class MotionLogModel : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -33,13 +32,10 @@ public:
     /// Rows as text with tabs between, for the clipboard.
     QString copyText(const QList<int> &rows) const;
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(
-        int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
+    std::size_t rowsHeld() const override { return m_log.size(); }
     QString cell(const session::LoggedMotion &one, int column) const;
 
     std::vector<session::LoggedMotion> m_log;

@@ -29,7 +29,7 @@ QString causeText(const scope::Record &record)
 } // namespace
 
 RecordTable::RecordTable(TriggerControl &control, QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent, {tr("Pinned, trigger time"), tr("Age"), tr("Cause"), tr("Label")})
     , m_control(control)
 {
     refresh();
@@ -38,18 +38,8 @@ RecordTable::RecordTable(TriggerControl &control, QObject *parent)
 void RecordTable::refresh()
 {
     const auto &now = m_control.trigger().history().records();
-    std::vector<scope::Record> fresh(now.rbegin(), now.rend());
-    const bool same = std::equal(fresh.begin(), fresh.end(), m_records.begin(), m_records.end(),
+    replace(m_records, {now.rbegin(), now.rend()},
         [](const scope::Record &one, const scope::Record &other) { return one.id == other.id; });
-    if (!same) {
-        beginResetModel();
-        m_records = std::move(fresh);
-        endResetModel();
-        return;
-    }
-    m_records = std::move(fresh);
-    if (!m_records.empty())
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
 int RecordTable::rowOf(scope::RecordId id) const
@@ -57,16 +47,6 @@ int RecordTable::rowOf(scope::RecordId id) const
     const auto found = std::find_if(m_records.begin(), m_records.end(),
         [id](const scope::Record &record) { return record.id == id; });
     return found == m_records.end() ? -1 : static_cast<int>(found - m_records.begin());
-}
-
-int RecordTable::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_records.size());
-}
-
-int RecordTable::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant RecordTable::data(const QModelIndex &index, int role) const
@@ -113,30 +93,12 @@ bool RecordTable::setData(const QModelIndex &index, const QVariant &value, int r
 
 Qt::ItemFlags RecordTable::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = RowTable::flags(index);
     if (index.isValid() && index.column() == TimeColumn)
         flags |= Qt::ItemIsUserCheckable;
     if (index.isValid() && index.column() == LabelColumn)
         flags |= Qt::ItemIsEditable;
     return flags;
-}
-
-QVariant RecordTable::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case TimeColumn:
-        return tr("Pinned, trigger time");
-    case AgeColumn:
-        return tr("Age");
-    case CauseColumn:
-        return tr("Cause");
-    case LabelColumn:
-        return tr("Label");
-    default:
-        return {};
-    }
 }
 
 } // namespace widgets

@@ -2,16 +2,15 @@
 // record. Read anew when asked, because records come by the dozen in a second.
 #pragma once
 
+#include "widgets/base/row_table.h"
 #include "widgets/scope/trigger/trigger_control.h"
-
-#include <QAbstractTableModel>
 
 namespace widgets {
 
-class RecordTable : public QAbstractTableModel {
+class RecordTable : public RowTable {
     Q_OBJECT
 public:
-    enum Column { TimeColumn, AgeColumn, CauseColumn, LabelColumn, kColumns };
+    enum Column { TimeColumn, AgeColumn, CauseColumn, LabelColumn };
     enum Role { IdRole = Qt::UserRole };
 
     explicit RecordTable(TriggerControl &control, QObject *parent = nullptr);
@@ -19,14 +18,13 @@ public:
     void refresh(); ///< rows that came and went, and all ages
     int rowOf(scope::RecordId id) const; ///< -1: not there
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    std::size_t rowsHeld() const override { return m_records.size(); }
+
     TriggerControl &m_control;
     std::vector<scope::Record> m_records; ///< newest first
 };

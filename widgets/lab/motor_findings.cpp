@@ -45,7 +45,9 @@ QString notesText(const std::vector<std::string> &notes)
 } // namespace
 
 MotorFindings::MotorFindings(QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent,
+        {tr("Quantity"), tr("Measured"), tr("With 95 %"), tr("On the board"),
+            tr("In the motor file"), tr("Notes")})
     , m_rows(kRows)
 {
 }
@@ -54,8 +56,6 @@ void MotorFindings::set(Row row, const std::optional<lab::Estimate> &value, cons
 {
     m_rows[row] = {value, note};
 }
-
-void MotorFindings::told() { Q_EMIT dataChanged(index(0, 0), index(kRows - 1, kColumns - 1)); }
 
 void MotorFindings::take(const lab::Electrics &found)
 {
@@ -67,7 +67,7 @@ void MotorFindings::take(const lab::Electrics &found)
     for (const auto &[row, value] :
         {std::pair(Ld, found.ld_h), std::pair(Lq, found.lq_h), std::pair(Flux, found.flux_wb)})
         set(row, value, value && found.rs_ohm ? QString() : notes);
-    told();
+    cellsChanged();
 }
 
 void MotorFindings::take(const lab::Mechanics &found)
@@ -86,7 +86,7 @@ void MotorFindings::take(const lab::Mechanics &found)
         found.fan
             ? tr("a motor file does not hold it")
             : tr("none seen; at most %1").arg(siText(most, QString::fromUtf16(kShown[Fan].unit))));
-    told();
+    cellsChanged();
 }
 
 void MotorFindings::fail(bool mechanical, const QString &why)
@@ -94,13 +94,13 @@ void MotorFindings::fail(bool mechanical, const QString &why)
     for (int row = 0; row < kRows; ++row)
         if ((row >= Inertia) == mechanical)
             set(Row(row), std::nullopt, why);
-    told();
+    cellsChanged();
 }
 
 void MotorFindings::clear()
 {
     m_rows.assign(kRows, {});
-    told();
+    cellsChanged();
 }
 
 void MotorFindings::setKnown(
@@ -108,7 +108,7 @@ void MotorFindings::setKnown(
 {
     m_board = board;
     m_file = file.value_or(motor::MotorSheet());
-    told();
+    cellsChanged();
 }
 
 motor::MotorSheet MotorFindings::measured() const
@@ -126,16 +126,6 @@ bool MotorFindings::any() const
     return std::any_of(kShown.begin(), kShown.end(), [&](const Shown &shown) {
         return shown.member != nullptr && (sheet.*shown.member).has_value();
     });
-}
-
-int MotorFindings::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kRows;
-}
-
-int MotorFindings::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QString MotorFindings::name(Row row) const
@@ -206,28 +196,6 @@ QVariant MotorFindings::data(const QModelIndex &index, int role) const
     if (role == Qt::ToolTipRole && index.column() == NoteColumn && !shown.isEmpty())
         return plainToolTip(shown);
     return {};
-}
-
-QVariant MotorFindings::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case QuantityColumn:
-        return tr("Quantity");
-    case MeasuredColumn:
-        return tr("Measured");
-    case IntervalColumn:
-        return tr("With 95 %");
-    case BoardColumn:
-        return tr("On the board");
-    case FileColumn:
-        return tr("In the motor file");
-    case NoteColumn:
-        return tr("Notes");
-    default:
-        return {};
-    }
 }
 
 } // namespace widgets

@@ -5,15 +5,15 @@
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "motor/motor_sheet.h"
+#include "widgets/base/row_table.h"
 
-#include <QAbstractTableModel>
 #include <QString>
 
 #include <vector>
 
 namespace widgets {
 
-class MotorFindings : public QAbstractTableModel {
+class MotorFindings : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -22,8 +22,7 @@ public:
         IntervalColumn,
         BoardColumn,
         FileColumn,
-        NoteColumn,
-        kColumns
+        NoteColumn
     };
     enum Row { Resistance, DeadTime, Ld, Lq, Flux, Inertia, Viscous, Dry, Fan, kRows };
 
@@ -38,21 +37,18 @@ public:
     motor::MotorSheet measured() const; ///< only that
     bool any() const; ///< something was measured that a motor file holds
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
     struct Finding {
         std::optional<lab::Estimate> value;
         QString note;
     };
+    std::size_t rowsHeld() const override { return kRows; }
     QString text(Row row, int column) const;
     QString figure(Row row, const std::optional<double> &value) const;
     QString name(Row row) const;
     void set(Row row, const std::optional<lab::Estimate> &value, const QString &note);
-    void told();
 
     std::vector<Finding> m_rows;
     motor::MotorSheet m_board, m_file;

@@ -58,6 +58,13 @@ QString stepText(const lab::StepPlan &plan)
 
 } // namespace
 
+StepRuns::StepRuns(QObject *parent)
+    : RowTable(parent,
+        {tr("Run"), tr("Step"), tr("Kp"), tr("Ki"), tr("Rise"), tr("Overshoot"), tr("Settling"),
+            tr("Peak Iq"), tr("Bus")})
+{
+}
+
 void StepRuns::add(StepResult result)
 {
     if (rowCount() >= kMost)
@@ -94,53 +101,14 @@ int StepRuns::reference() const
 void StepRuns::setReference(int row)
 {
     m_reference = row >= 0 && row < rowCount() ? m_results[std::size_t(row)].number : 0;
-    if (rowCount() > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+    cellsChanged();
     Q_EMIT changed();
 }
 
 void StepRuns::setDark(bool dark)
 {
     m_dark = dark;
-    if (rowCount() > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 0));
-}
-
-int StepRuns::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_results.size());
-}
-
-int StepRuns::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
-}
-
-QVariant StepRuns::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case RunColumn:
-        return tr("Run");
-    case StepColumn:
-        return tr("Step");
-    case KpColumn:
-        return tr("Kp");
-    case KiColumn:
-        return tr("Ki");
-    case RiseColumn:
-        return tr("Rise");
-    case OvershootColumn:
-        return tr("Overshoot");
-    case SettlingColumn:
-        return tr("Settling");
-    case PeakColumn:
-        return tr("Peak Iq");
-    case BusColumn:
-        return tr("Bus");
-    }
-    return {};
+    cellsChanged(RunColumn, RunColumn);
 }
 
 /// The mean of a series, with half of the interval where it is known, and the difference to the reference where that is of the

@@ -2,13 +2,12 @@
 // one that was chosen as reference. It computes none of the numbers.
 #pragma once
 
+#include "widgets/base/row_table.h"
 #include "widgets/lab/step_result.h"
-
-#include <QAbstractTableModel>
 
 namespace widgets {
 
-class StepRuns : public QAbstractTableModel {
+class StepRuns : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -25,7 +24,7 @@ public:
     };
     static constexpr int kMost = 50; ///< the oldest that is no reference goes for the next one
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit StepRuns(QObject *parent = nullptr);
 
     void add(StepResult result); ///< it gets the next number
     void remove(int row);
@@ -35,15 +34,13 @@ public:
     /// Marks are drawn for this ground.
     void setDark(bool dark);
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
     void changed(); ///< which there are, or the reference
 
 private:
+    std::size_t rowsHeld() const override { return m_results.size(); }
     QString text(const StepResult &result, int column) const;
     QString number(const StepResult &result, int column) const;
     QString tip(const StepResult &result) const;

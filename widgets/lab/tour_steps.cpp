@@ -46,26 +46,24 @@ QString stateText(TourSteps::State state)
 
 } // namespace
 
+TourSteps::TourSteps(QObject *parent)
+    : RowTable(parent, {tr("Station"), tr("State"), tr("What came of it")})
+{
+}
+
 void TourSteps::set(Step step, State state, const QString &result)
 {
     const Row row{state, result};
     if (m_rows[step] == row)
         return;
     m_rows[step] = row;
-    Q_EMIT dataChanged(index(step, 0), index(step, kColumns - 1));
+    Q_EMIT dataChanged(index(step, 0), index(step, ResultColumn));
 }
 
 void TourSteps::clear()
 {
     for (int step = 0; step < kSteps; ++step)
         set(Step(step), State::Waits);
-}
-
-int TourSteps::rowCount(const QModelIndex &parent) const { return parent.isValid() ? 0 : kSteps; }
-
-int TourSteps::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant TourSteps::data(const QModelIndex &index, int role) const
@@ -80,15 +78,6 @@ QVariant TourSteps::data(const QModelIndex &index, int role) const
     if (role == Qt::ToolTipRole && index.column() == ResultColumn && !row.result.isEmpty())
         return plainToolTip(row.result);
     return {};
-}
-
-QVariant TourSteps::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    return section == StepColumn ? tr("Station")
-        : section == StateColumn ? tr("State")
-                                 : tr("What came of it");
 }
 
 } // namespace widgets

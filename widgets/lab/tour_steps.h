@@ -1,32 +1,32 @@
 // The stations of the tour, one a row: which, how it stands, and what came of it.
 #pragma once
 
-#include <QAbstractTableModel>
+#include "widgets/base/row_table.h"
+
 #include <QString>
 
 #include <array>
 
 namespace widgets {
 
-class TourSteps : public QAbstractTableModel {
+class TourSteps : public RowTable {
     Q_OBJECT
 public:
     enum Step { Check, Windings, Mechanics, Response, Gains, Proof, kSteps };
     enum class State : std::uint8_t { Waits, Runs, Done, Unclear, Impossible, Ended };
-    enum Column { StepColumn, StateColumn, ResultColumn, kColumns };
+    enum Column { StepColumn, StateColumn, ResultColumn };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit TourSteps(QObject *parent = nullptr);
 
     void set(Step step, State state, const QString &result = {});
     State state(Step step) const { return m_rows[step].state; }
     void clear(); ///< all wait
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    std::size_t rowsHeld() const override { return kSteps; }
+
     struct Row {
         State state = State::Waits;
         QString result;

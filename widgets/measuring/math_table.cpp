@@ -19,7 +19,7 @@ constexpr double kDigits = 1e4; ///< of a value that is not drawn
 
 MathTable::MathTable(MathChannels &channels, const capture::Capture &capture,
     const ScopeView &scope, QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent, {tr("Name"), tr("Formula"), tr("Last value")})
     , m_channels(channels)
     , m_capture(capture)
     , m_scope(scope)
@@ -30,41 +30,17 @@ MathTable::MathTable(MathChannels &channels, const capture::Capture &capture,
 
 void MathTable::take()
 {
-    std::vector<MathChannels::Entry> fresh = m_channels.entries();
-    const bool same = std::equal(fresh.begin(), fresh.end(), m_entries.begin(), m_entries.end(),
+    replace(m_entries, m_channels.entries(),
         [](const auto &one, const auto &other) { return one.formula.name == other.formula.name; });
-    if (same) { // the chosen row stays
-        m_entries = std::move(fresh);
-        if (!m_entries.empty())
-            Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-        return;
-    }
-    beginResetModel();
-    m_entries = std::move(fresh);
-    endResetModel();
 }
 
-void MathTable::refresh()
-{
-    if (!m_entries.empty())
-        Q_EMIT dataChanged(index(0, ValueColumn), index(rowCount() - 1, ValueColumn));
-}
+void MathTable::refresh() { cellsChanged(ValueColumn, ValueColumn); }
 
 int MathTable::rowOf(const QString &name) const
 {
     const auto found = std::find_if(m_entries.begin(), m_entries.end(),
         [&name](const MathChannels::Entry &entry) { return entry.formula.name == name; });
     return found == m_entries.end() ? -1 : static_cast<int>(found - m_entries.begin());
-}
-
-int MathTable::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
-
-int MathTable::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QString MathTable::valueText(const MathChannels::Entry &entry) const
@@ -118,26 +94,10 @@ bool MathTable::setData(const QModelIndex &index, const QVariant &value, int rol
 
 Qt::ItemFlags MathTable::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = RowTable::flags(index);
     if (index.isValid() && index.column() == NameColumn)
         flags |= Qt::ItemIsUserCheckable;
     return flags;
-}
-
-QVariant MathTable::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn:
-        return tr("Name");
-    case FormulaColumn:
-        return tr("Formula");
-    case ValueColumn:
-        return tr("Last value");
-    default:
-        return {};
-    }
 }
 
 } // namespace widgets

@@ -1,18 +1,17 @@
 // The math channels as a table: name, formula, last value. The tick in the first column draws a channel or not.
 #pragma once
 
+#include "widgets/base/row_table.h"
 #include "widgets/measuring/math_channels.h"
-
-#include <QAbstractTableModel>
 
 namespace widgets {
 
 class ScopeView;
 
-class MathTable : public QAbstractTableModel {
+class MathTable : public RowTable {
     Q_OBJECT
 public:
-    enum Column { NameColumn, FormulaColumn, ValueColumn, kColumns };
+    enum Column { NameColumn, FormulaColumn, ValueColumn };
 
     /// All outlive it.
     MathTable(MathChannels &channels, const capture::Capture &capture, const ScopeView &scope,
@@ -22,14 +21,12 @@ public:
     int rowOf(const QString &name) const; ///< -1: not there
     const MathChannels::Entry &entry(int row) const { return m_entries[std::size_t(row)]; }
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    std::size_t rowsHeld() const override { return m_entries.size(); }
     void take();
     QString valueText(const MathChannels::Entry &entry) const;
 

@@ -10,7 +10,10 @@
 namespace widgets {
 
 MeasureTable::MeasureTable(const ScopeView &scope, const capture::Capture &capture, QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent,
+        {tr("Trace"), tr("Measure"), tr("Value"), tr("Mean", "of a measurement over records"),
+            QStringLiteral("\u03c3"), tr("Min"), tr("Max"),
+            tr("Records", "number of records counted")})
     , m_scope(scope)
     , m_capture(capture)
 {
@@ -61,8 +64,7 @@ void MeasureTable::clearStatistics()
     ++m_cleared;
     for (Row &row : m_rows)
         row.statistics.clear();
-    if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0, MeanColumn), index(rowCount() - 1, CountColumn));
+    cellsChanged(MeanColumn);
 }
 
 const capture::Channel *MeasureTable::channelOf(const Wanted &wanted) const
@@ -156,8 +158,7 @@ void MeasureTable::show(const Results &results)
     for (const MeasureJob::Result &result : results)
         if (Row *row = find(result.row))
             row->result = result.measured;
-    if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0, ValueColumn), index(rowCount() - 1, CountColumn));
+    cellsChanged(ValueColumn);
 }
 
 void MeasureTable::count(capture::Nanos from, capture::Nanos to, capture::Nanos trigger)
@@ -181,8 +182,7 @@ void MeasureTable::add(const Results &results)
         if (Row *row = find(result.row))
             row->statistics.add(
                 result.measured.value ? std::optional(*result.measured.value) : std::nullopt);
-    if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0, MeanColumn), index(rowCount() - 1, CountColumn));
+    cellsChanged(MeanColumn);
 }
 
 MeasureMarks MeasureTable::marks(int row) const
@@ -214,16 +214,6 @@ QString MeasureTable::valueText(const Row &row) const
         return whyNotText(row.result.value.error());
     const QString number = numberOf(row, *row.result.value);
     return row.result.partial ? tr("%1 (samples are missing)").arg(number) : number;
-}
-
-int MeasureTable::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int MeasureTable::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant MeasureTable::data(const QModelIndex &index, int role) const
@@ -264,32 +254,9 @@ QVariant MeasureTable::data(const QModelIndex &index, int role) const
 
 QVariant MeasureTable::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole && section >= ValueColumn)
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section >= ValueColumn)
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case SignalColumn:
-        return tr("Trace");
-    case QuantityColumn:
-        return tr("Measure");
-    case ValueColumn:
-        return tr("Value");
-    case MeanColumn:
-        return tr("Mean", "of a measurement over records");
-    case SigmaColumn:
-        return QStringLiteral("\u03c3");
-    case MinColumn:
-        return tr("Min");
-    case MaxColumn:
-        return tr("Max");
-    case CountColumn:
-        return tr("Records", "number of records counted");
-    default:
-        return {};
-    }
+    return RowTable::headerData(section, orientation, role);
 }
 
 } // namespace widgets

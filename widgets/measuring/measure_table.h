@@ -4,12 +4,12 @@
 #pragma once
 
 #include "scope/statistics.h"
+#include "widgets/base/row_table.h"
 #include "widgets/measuring/job_rest.h"
 #include "widgets/measuring/measure_job.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/scope/drawing/marks.h"
 
-#include <QAbstractTableModel>
 #include <QThreadPool>
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace widgets {
 
 class ScopeView;
 
-class MeasureTable : public QAbstractTableModel {
+class MeasureTable : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -63,8 +63,6 @@ public:
     void count(capture::Nanos from, capture::Nanos to, capture::Nanos trigger);
     MeasureMarks marks(int row) const; ///< what that row measured; empty if it did not
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -77,6 +75,7 @@ private:
         scope::Statistics statistics;
         bool tooLong = false;
     };
+    std::size_t rowsHeld() const override { return m_rows.size(); }
     const capture::Channel *channelOf(const Wanted &wanted) const;
     const capture::Channel *secondOf(const Wanted &wanted) const;
     /// What is there to be done for all rows, and the samples that it reads; without rows that would read too many.

@@ -13,6 +13,14 @@ QString decibelText(double decibel)
         + QStringLiteral("dB");
 }
 
+SpectrumPeaks::SpectrumPeaks(QObject *parent)
+    : RowTable(parent,
+        {QStringLiteral("#"), tr("Frequency"),
+            tr("Order", "a multiple of the electrical frequency"), tr("Amplitude"),
+            tr("Relative", "a peak compared with the largest one, in decibels")})
+{
+}
+
 void SpectrumPeaks::show(
     std::vector<scope::SpectrumPeak> peaks, const QString &unit, scope::OrderAxis orders)
 {
@@ -31,18 +39,7 @@ void SpectrumPeaks::show(
     } else {
         m_peaks = std::move(peaks);
     }
-    if (now > 0)
-        Q_EMIT dataChanged(index(0, 0), index(now - 1, kColumns - 1));
-}
-
-int SpectrumPeaks::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_peaks.size());
-}
-
-int SpectrumPeaks::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
+    cellsChanged();
 }
 
 QVariant SpectrumPeaks::data(const QModelIndex &index, int role) const
@@ -66,28 +63,6 @@ QVariant SpectrumPeaks::data(const QModelIndex &index, int role) const
         return siText(peak.amplitude, m_unit);
     case RelativeColumn:
         return decibelText(20.0 * std::log10(peak.amplitude / m_peaks.front().amplitude));
-    default:
-        return {};
-    }
-}
-
-QVariant SpectrumPeaks::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (role != Qt::DisplayRole)
-        return {};
-    if (orientation != Qt::Horizontal)
-        return section + 1;
-    switch (section) {
-    case NumberColumn:
-        return QStringLiteral("#");
-    case FrequencyColumn:
-        return tr("Frequency");
-    case OrderColumn:
-        return tr("Order", "a multiple of the electrical frequency");
-    case AmplitudeColumn:
-        return tr("Amplitude");
-    case RelativeColumn:
-        return tr("Relative", "a peak compared with the largest one, in decibels");
     default:
         return {};
     }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "scope/spectrum.h"
+#include "widgets/base/row_table.h"
 
-#include <QAbstractTableModel>
 #include <QLocale>
 
 namespace widgets {
 
-class SpectrumPeaks : public QAbstractTableModel {
+class SpectrumPeaks : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -20,18 +20,17 @@ public:
         kColumns
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit SpectrumPeaks(QObject *parent = nullptr);
 
     /// @param orders  not valid: there are none to be told
     void show(std::vector<scope::SpectrumPeak> peaks, const QString &unit, scope::OrderAxis orders);
     const std::vector<scope::SpectrumPeak> &peaks() const { return m_peaks; }
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    std::size_t rowsHeld() const override { return m_peaks.size(); }
+
     std::vector<scope::SpectrumPeak> m_peaks;
     QString m_unit;
     scope::OrderAxis m_orders;

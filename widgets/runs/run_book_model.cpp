@@ -25,6 +25,12 @@ QString tipOf(const session::Run &run)
 
 } // namespace
 
+RunBookModel::RunBookModel(QObject *parent)
+    : RowTable(
+        parent, {tr("Run"), tr("Time"), tr("Experiment"), tr("Kp / Ki"), tr("Result"), tr("Note")})
+{
+}
+
 void RunBookModel::setRuns(std::vector<session::Run> runs)
 {
     beginResetModel();
@@ -37,16 +43,6 @@ void RunBookModel::add(const session::Run &run)
     beginInsertRows({}, 0, 0);
     m_runs.push_back(run);
     endInsertRows();
-}
-
-int RunBookModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_runs.size());
-}
-
-int RunBookModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant RunBookModel::data(const QModelIndex &index, int role) const
@@ -100,7 +96,7 @@ bool RunBookModel::setData(const QModelIndex &index, const QVariant &value, int 
 
 Qt::ItemFlags RunBookModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = RowTable::flags(index);
     if (index.column() == RunColumn)
         flags |= Qt::ItemIsUserCheckable;
     if (index.column() == NoteColumn)
@@ -110,28 +106,9 @@ Qt::ItemFlags RunBookModel::flags(const QModelIndex &index) const
 
 QVariant RunBookModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::ToolTipRole && section == GainsColumn)
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == GainsColumn)
         return tr("Digits of the proportional and the integral gain of the speed loop");
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case RunColumn:
-        return tr("Run");
-    case TimeColumn:
-        return tr("Time");
-    case ExperimentColumn:
-        return tr("Experiment");
-    case GainsColumn:
-        return tr("Kp / Ki");
-    case ResultColumn:
-        return tr("Result");
-    case NoteColumn:
-        return tr("Note");
-    default:
-        return {};
-    }
+    return RowTable::headerData(section, orientation, role);
 }
 
 } // namespace widgets

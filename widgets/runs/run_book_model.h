@@ -3,32 +3,21 @@
 #pragma once
 
 #include "session/files/run_book.h"
-
-#include <QAbstractTableModel>
+#include "widgets/base/row_table.h"
 
 namespace widgets {
 
-class RunBookModel : public QAbstractTableModel {
+class RunBookModel : public RowTable {
     Q_OBJECT
 public:
-    enum Column {
-        RunColumn,
-        TimeColumn,
-        ExperimentColumn,
-        GainsColumn,
-        ResultColumn,
-        NoteColumn,
-        kColumns
-    };
+    enum Column { RunColumn, TimeColumn, ExperimentColumn, GainsColumn, ResultColumn, NoteColumn };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit RunBookModel(QObject *parent = nullptr);
 
     void setRuns(std::vector<session::Run> runs); ///< by their number
     void add(const session::Run &run);
     const session::Run &run(int row) const { return m_runs[m_runs.size() - 1 - std::size_t(row)]; }
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
@@ -38,6 +27,8 @@ Q_SIGNALS:
     void annotated(int number, const QString &note, bool starred);
 
 private:
+    std::size_t rowsHeld() const override { return m_runs.size(); }
+
     std::vector<session::Run> m_runs; ///< by their number
 };
 

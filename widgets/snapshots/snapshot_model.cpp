@@ -20,7 +20,11 @@ bool isNamed(const snapshots::Entry &entry, const std::string &name)
 } // namespace
 
 SnapshotModel::SnapshotModel(QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent,
+        {tr("Register"), tr("Motor"), tr("A", "the first of two snapshots"),
+            tr("B", "the second of two snapshots"), tr("Unit"),
+            tr("A raw", "digits of the first of two snapshots"),
+            tr("B raw", "digits of the second of two snapshots")})
 {
 }
 
@@ -55,8 +59,7 @@ void SnapshotModel::offer(const snapshots::RestorePlan &plan)
             if (row.write == SIZE_MAX && isNamed(entry, left.name))
                 row.why = notRestoredText(left.why);
     }
-    if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0, 0), index(differing() - 1, ColumnCount - 1));
+    cellsChanged();
     Q_EMIT chosenChanged();
 }
 
@@ -94,16 +97,6 @@ void SnapshotModel::choose(const QList<int> &rows, bool wanted)
 {
     for (const int row : rows)
         setData(index(row, NameColumn), wanted ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
-}
-
-int SnapshotModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : differing();
-}
-
-int SnapshotModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString SnapshotModel::text(const Row &row, int column) const
@@ -196,39 +189,18 @@ QVariant SnapshotModel::data(const QModelIndex &index, int role) const
 
 QVariant SnapshotModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole)
         return QVariant(
             (section == NameColumn          ? Qt::AlignLeft
                     : section == UnitColumn ? Qt::AlignHCenter // "B" ends where it begins
                                             : Qt::AlignRight)
             | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn:
-        return tr("Register");
-    case MotorColumn:
-        return tr("Motor");
-    case AColumn:
-        return tr("A", "the first of two snapshots");
-    case BColumn:
-        return tr("B", "the second of two snapshots");
-    case UnitColumn:
-        return tr("Unit");
-    case ARawColumn:
-        return tr("A raw", "digits of the first of two snapshots");
-    case BRawColumn:
-        return tr("B raw", "digits of the second of two snapshots");
-    default:
-        return {};
-    }
+    return RowTable::headerData(section, orientation, role);
 }
 
 Qt::ItemFlags SnapshotModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = RowTable::flags(index);
     if (index.isValid() && index.column() == NameColumn
         && m_rows[static_cast<std::size_t>(index.row())].write != SIZE_MAX)
         flags |= Qt::ItemIsUserCheckable;

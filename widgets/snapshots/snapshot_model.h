@@ -3,8 +3,7 @@
 #pragma once
 
 #include "snapshots/restore.h"
-
-#include <QAbstractTableModel>
+#include "widgets/base/row_table.h"
 
 #include <functional>
 #include <memory>
@@ -12,7 +11,7 @@
 
 namespace widgets {
 
-class SnapshotModel : public QAbstractTableModel {
+class SnapshotModel : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -46,8 +45,6 @@ public:
     QString copyText(const QList<int> &rows) const; ///< with a line of headers, tabs between
     void choose(const QList<int> &rows, bool wanted);
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(
         int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
@@ -66,6 +63,7 @@ private:
         bool wanted = true;
     };
 
+    std::size_t rowsHeld() const override { return m_rows.size(); }
     QString text(const Row &row, int column) const;
     QVariant sortKey(const Row &row, int column) const;
     QString toolTip(const Row &row) const;

@@ -40,7 +40,7 @@ QSet<QAbstractItemModel *> modelsOf(WindowRig &rig)
 QList<std::pair<QString, QString>> modelClasses()
 {
     static const QRegularExpression definition(
-        QStringLiteral("^class (\\w+)(?: final)? : public (Q\\w+Model)\\b"),
+        QStringLiteral("^class (?!RowTable\\b)(\\w+)(?: final)? : public (Q\\w+Model|RowTable)\\b"),
         QRegularExpression::MultilineOption);
     QList<std::pair<QString, QString>> classes;
     QDirIterator files(support::sourceFile(QStringLiteral("widgets")),

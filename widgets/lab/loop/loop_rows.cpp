@@ -32,19 +32,17 @@ QString estimateText(const std::optional<lab::Estimate> &estimate, double factor
 
 } // namespace
 
+LoopRows::LoopRows(QObject *parent)
+    : RowTable(parent,
+        {tr("Loop"), tr("Kp"), tr("Ki"), tr("Crossover"), tr("Phase margin"), tr("Ms"), tr("Rise"),
+            tr("Overshoot")})
+{
+}
+
 void LoopRows::show(std::vector<LoopRow> rows)
 {
-    const bool same = std::equal(rows.begin(), rows.end(), m_rows.begin(), m_rows.end(),
+    replace(m_rows, std::move(rows),
         [](const LoopRow &a, const LoopRow &b) { return std::strcmp(a.key, b.key) == 0; });
-    if (same) {
-        m_rows = std::move(rows);
-        if (!m_rows.empty())
-            Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-        return;
-    }
-    beginResetModel();
-    m_rows = std::move(rows);
-    endResetModel();
 }
 
 int LoopRows::rowOf(const char *key) const
@@ -59,16 +57,6 @@ void LoopRows::setDark(bool dark)
     m_dark = dark;
     if (!m_rows.empty())
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 0), {Qt::DecorationRole});
-}
-
-int LoopRows::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int LoopRows::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QString LoopRows::text(const LoopRow &row, int column) const
@@ -113,32 +101,6 @@ QVariant LoopRows::data(const QModelIndex &index, int role) const
         return mark;
     }
     return {};
-}
-
-QVariant LoopRows::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn:
-        return tr("Loop");
-    case KpColumn:
-        return tr("Kp");
-    case KiColumn:
-        return tr("Ki");
-    case CrossoverColumn:
-        return tr("Crossover");
-    case MarginColumn:
-        return tr("Phase margin");
-    case MsColumn:
-        return tr("Ms");
-    case RiseColumn:
-        return tr("Rise");
-    case OvershootColumn:
-        return tr("Overshoot");
-    default:
-        return {};
-    }
 }
 
 } // namespace widgets

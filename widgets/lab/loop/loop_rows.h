@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lab/maths/estimate.h"
+#include "widgets/base/row_table.h"
 
-#include <QAbstractTableModel>
 #include <QString>
 
 #include <optional>
@@ -23,7 +23,7 @@ struct LoopRow {
                                  overshoot_pct = {};
 };
 
-class LoopRows : public QAbstractTableModel {
+class LoopRows : public RowTable {
     Q_OBJECT
 public:
     enum Column {
@@ -34,10 +34,9 @@ public:
         MarginColumn,
         MsColumn,
         RiseColumn,
-        OvershootColumn,
-        kColumns
+        OvershootColumn
     };
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit LoopRows(QObject *parent = nullptr);
 
     /// Rows with the same key stay the same row.
     void show(std::vector<LoopRow> rows);
@@ -45,12 +44,10 @@ public:
     int rowOf(const char *key) const; ///< -1: none
     void setDark(bool dark); ///< marks are drawn for this ground
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    std::size_t rowsHeld() const override { return m_rows.size(); }
     QString text(const LoopRow &row, int column) const;
 
     std::vector<LoopRow> m_rows;

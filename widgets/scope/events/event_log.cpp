@@ -47,7 +47,8 @@ QString eventKindText(EventKind kind)
 }
 
 EventLog::EventLog(QObject *parent)
-    : QAbstractTableModel(parent)
+    : RowTable(parent,
+        {tr("Time"), tr("What", "heading of a column: the kind of an event"), tr("Event or note")})
 {
     connect(this, &QAbstractItemModel::rowsInserted, this, &EventLog::changed);
     connect(this, &QAbstractItemModel::rowsRemoved, this, &EventLog::changed);
@@ -188,18 +189,7 @@ void EventLog::setTimeOrigin(double seconds)
     if (seconds == m_origin)
         return;
     m_origin = seconds;
-    if (!m_events.empty())
-        Q_EMIT dataChanged(index(0, TimeColumn), index(rowCount() - 1, TimeColumn));
-}
-
-int EventLog::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_events.size());
-}
-
-int EventLog::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : kColumns;
+    cellsChanged(TimeColumn, TimeColumn);
 }
 
 QVariant EventLog::data(const QModelIndex &index, int role) const
@@ -243,26 +233,10 @@ bool EventLog::setData(const QModelIndex &index, const QVariant &value, int role
 
 Qt::ItemFlags EventLog::flags(const QModelIndex &index) const
 {
-    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    const Qt::ItemFlags usual = RowTable::flags(index);
     const bool note = index.isValid() && index.row() < rowCount() && index.column() == TextColumn
         && m_events[std::size_t(index.row())].kind == EventKind::Marker;
     return note ? usual | Qt::ItemIsEditable : usual;
-}
-
-QVariant EventLog::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case TimeColumn:
-        return tr("Time");
-    case KindColumn:
-        return tr("What", "heading of a column: the kind of an event");
-    case TextColumn:
-        return tr("Event or note");
-    default:
-        return {};
-    }
 }
 
 Markers markersOf(const EventLog &events)

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "capture/tick_time.h"
+#include "widgets/base/row_table.h"
 
-#include <QAbstractTableModel>
 #include <QString>
 
 #include <map>
@@ -25,7 +25,7 @@ struct ScopeEvent {
 
 QString eventKindText(EventKind kind);
 
-class EventLog : public QAbstractTableModel {
+class EventLog : public RowTable {
     Q_OBJECT
 public:
     enum Column { TimeColumn, KindColumn, TextColumn, kColumns };
@@ -55,17 +55,15 @@ public:
     QString freeMarkerName() const;
     void setTimeOrigin(double seconds); ///< what the time column calls zero
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
     void changed(); ///< anything
 
 private:
+    std::size_t rowsHeld() const override { return m_events.size(); }
     std::optional<std::size_t> indexOf(quint32 id) const;
     void makeRoom();
     std::size_t markerCount() const;
