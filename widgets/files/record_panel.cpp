@@ -1,5 +1,6 @@
 #include "widgets/files/record_panel.h"
 
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
 #include "widgets/scope/scope_ghosts.h"
@@ -8,13 +9,11 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 namespace widgets {
@@ -29,17 +28,10 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     : Form(parent)
     , m_control(control)
     , m_table(new RecordTable(control, this))
-    , m_list(new QTreeView(this))
+    , m_list(new RowList("recordList", tr("Records of the trigger"), m_table, this))
     , m_persistence(new QSpinBox(this))
 {
     setObjectName(QStringLiteral("recordPanel"));
-    m_list->setObjectName(QStringLiteral("recordList"));
-    m_list->setAccessibleName(tr("Records of the trigger"));
-    m_list->setModel(m_table);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setAlternatingRowColors(true);
-    m_list->setAllColumnsShowFocus(true);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->header()->resizeSection(RecordTable::TimeColumn, kTimeWidth);
     m_list->header()->resizeSection(RecordTable::AgeColumn, kAgeWidth);

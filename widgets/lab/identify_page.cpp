@@ -1,10 +1,9 @@
 #include "widgets/lab/identify_page.h"
 
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 
-#include <QHeaderView>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 namespace widgets {
@@ -13,7 +12,7 @@ IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
     , m_facts(parts.device, parts.registers)
-    , m_table(new QTreeView(this))
+    , m_table(new RowList("identifyTable", tr("What was measured of the motor"), &findings(), this))
     , m_bar(new ExperimentBar(parts.lab, "identify", this))
 {
     setObjectName(QStringLiteral("identifyPage"));
@@ -30,13 +29,6 @@ IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
 
 void IdentifyPage::makeTable()
 {
-    m_table->setObjectName(QStringLiteral("identifyTable"));
-    m_table->setAccessibleName(tr("What was measured of the motor"));
-    m_table->setModel(&findings());
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setAlternatingRowColors(true);
-    m_table->setAllColumnsShowFocus(true);
     m_table->setMinimumHeight(100);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setSectionResizeMode(MotorFindings::NoteColumn, QHeaderView::Stretch);

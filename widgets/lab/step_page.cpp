@@ -1,6 +1,7 @@
 #include "widgets/lab/step_page.h"
 
 #include "lab/fields.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
@@ -11,12 +12,10 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 namespace widgets {
@@ -52,7 +51,7 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     , m_direction(new QComboBox(this))
     , m_overlay(new StepOverlay(this))
     , m_runs(new StepRuns(this))
-    , m_table(new QTreeView(this))
+    , m_table(new RowList("stepRuns", tr("Series of steps"), m_runs, this))
     , m_bar(new ExperimentBar(parts.lab, "step", this))
 {
     setObjectName(QStringLiteral("stepPage"));
@@ -102,13 +101,6 @@ QWidget *StepPage::makeSide()
 
 void StepPage::makeTable()
 {
-    m_table->setObjectName(QStringLiteral("stepRuns"));
-    m_table->setAccessibleName(tr("Series of steps"));
-    m_table->setModel(m_runs);
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setAlternatingRowColors(true);
-    m_table->setAllColumnsShowFocus(true);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setIconSize(QSize(2 * fontMetrics().height(), fontMetrics().height()));
     m_table->installEventFilter(this);

@@ -1,6 +1,7 @@
 #include "widgets/lab/tour_page.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -8,10 +9,8 @@
 #include "widgets/lab/lab_text.h"
 
 #include <QComboBox>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 namespace widgets {
@@ -33,16 +32,11 @@ QString figureText(const MotorFindings &findings, MotorFindings::Row row)
 TourPage::TourPage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
-    , m_table(new QTreeView(this))
+    , m_table(new RowList("tourSteps", tr("Stations of the tour"), &m_steps, this))
     , m_bar(new ExperimentBar(parts.lab, "tour", this))
 {
     setObjectName(QStringLiteral("tourPage"));
-    m_table->setObjectName(QStringLiteral("tourSteps"));
-    m_table->setAccessibleName(tr("Stations of the tour"));
-    m_table->setModel(&m_steps);
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setAllColumnsShowFocus(true);
+    m_table->setAlternatingRowColors(false);
     m_table->setMinimumHeight(80);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setSectionResizeMode(TourSteps::ResultColumn, QHeaderView::Stretch);

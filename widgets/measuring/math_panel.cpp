@@ -1,6 +1,7 @@
 #include "widgets/measuring/math_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
@@ -9,13 +10,11 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 namespace widgets {
@@ -33,7 +32,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     , m_scope(scope)
     , m_motor(std::move(motor))
     , m_table(new MathTable(channels, capture, scope, this))
-    , m_list(new QTreeView(this))
+    , m_list(new RowList("mathList", tr("Math channels"), m_table, this))
     , m_name(new QLineEdit(this))
     , m_formula(new QLineEdit(this))
     , m_verdict(new QLabel(this))
@@ -68,13 +67,6 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
 
 void MathPanel::makeList()
 {
-    m_list->setObjectName(QStringLiteral("mathList"));
-    m_list->setAccessibleName(tr("Math channels"));
-    m_list->setModel(m_table);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setAlternatingRowColors(true);
-    m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(false);
     m_list->header()->resizeSection(MathTable::NameColumn, kNameWidth);
     m_list->header()->resizeSection(MathTable::ValueColumn, kValueWidth);

@@ -1,5 +1,6 @@
 #include "widgets/measuring/measure_panel.h"
 
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"
@@ -12,10 +13,8 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -36,20 +35,13 @@ MeasurePanel::MeasurePanel(
     , m_capture(capture)
     , m_trigger(trigger)
     , m_table(new MeasureTable(scope, capture, this))
-    , m_list(new QTreeView(this))
+    , m_list(new RowList("measureList", tr("Measurements"), m_table, this))
     , m_trace(new QComboBox(this))
     , m_quantity(new QComboBox(this))
     , m_against(new QComboBox(this))
     , m_range(new QComboBox(this))
 {
     setObjectName(QStringLiteral("measurePanel"));
-    m_list->setObjectName(QStringLiteral("measureList"));
-    m_list->setAccessibleName(tr("Measurements"));
-    m_list->setModel(m_table);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setAlternatingRowColors(true);
-    m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(false);
     for (int column = 0; column < MeasureTable::kColumns; ++column)
         m_list->setColumnWidth(column, // the heading whole, in every language

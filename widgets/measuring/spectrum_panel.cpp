@@ -1,6 +1,7 @@
 #include "widgets/measuring/spectrum_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
@@ -17,10 +18,8 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -45,7 +44,7 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     , m_motor(std::move(motor))
     , m_peaks(new SpectrumPeaks(this))
     , m_plot(new SpectrumPlot(this))
-    , m_list(new QTreeView(this))
+    , m_list(new RowList("spectrumPeaks", tr("Peaks of the spectrum"), m_peaks, this))
     , m_trace(new QComboBox(this))
     , m_range(new QComboBox(this))
     , m_window(new QComboBox(this))
@@ -57,13 +56,6 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
 {
     setObjectName(QStringLiteral("spectrumPanel"));
     m_pool.setMaxThreadCount(1);
-    m_list->setObjectName(QStringLiteral("spectrumPeaks"));
-    m_list->setAccessibleName(tr("Peaks of the spectrum"));
-    m_list->setModel(m_peaks);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setAlternatingRowColors(true);
-    m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(true);
     int width = 2 * m_list->frameWidth();
     for (int column = 0; column < SpectrumPeaks::kColumns; ++column) {

@@ -3,6 +3,7 @@
 #include "session/files/run_stretches.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/files/file_job.h"
@@ -11,11 +12,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -43,18 +42,11 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     , m_keeper(keeper)
     , m_files(files)
     , m_model(new RunBookModel(this))
-    , m_table(new QTreeView(this))
+    , m_table(new RowList("runBookTable", tr("Runs"), m_model, this))
     , m_folder(new QLabel(this))
     , m_told(new SteadyLabel(this, 1))
 {
     setObjectName(QStringLiteral("runBook"));
-    m_table->setObjectName(QStringLiteral("runBookTable"));
-    m_table->setAccessibleName(tr("Runs"));
-    m_table->setModel(m_model);
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setAlternatingRowColors(true);
-    m_table->setAllColumnsShowFocus(true);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->setToolTip(tr("The tick gives a run its star, F2 its note."));

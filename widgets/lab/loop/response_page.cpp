@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
@@ -10,12 +11,10 @@
 
 #include <QComboBox>
 #include <QEvent>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSplitter>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -74,7 +73,8 @@ void setMargins(LoopRow &row, const lab::FrequencyResponse &response)
 ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
-    , m_table(new QTreeView(this))
+    , m_table(new RowList(
+          "responseLoops", tr("Loops: measured, thought of, proposed, proved"), &m_rows, this))
     , m_plot(new BodePlot(this))
     , m_bar(new ExperimentBar(parts.lab, "response", this))
 {
@@ -164,13 +164,6 @@ QWidget *ResponsePage::makeChoices()
 
 void ResponsePage::makeTable()
 {
-    m_table->setObjectName(QStringLiteral("responseLoops"));
-    m_table->setAccessibleName(tr("Loops: measured, thought of, proposed, proved"));
-    m_table->setModel(&m_rows);
-    m_table->setRootIsDecorated(false);
-    m_table->setUniformRowHeights(true);
-    m_table->setAlternatingRowColors(true);
-    m_table->setAllColumnsShowFocus(true);
     m_table->setMinimumHeight(60);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setStretchLastSection(false);

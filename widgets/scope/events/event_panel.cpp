@@ -1,5 +1,6 @@
 #include "widgets/scope/events/event_panel.h"
 
+#include "widgets/base/look/row_list.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
@@ -8,12 +9,10 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -42,21 +41,14 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     : Form(parent)
     , m_scope(scope)
     , m_markers(new MarkerFilter(this))
-    , m_list(new QTreeView(this))
+    , m_list(new RowList("eventList", tr("Events and markers"), &scope.events(), this))
     , m_onlyMarkers(new QCheckBox(tr("Markers on&ly"), this))
 {
     setObjectName(QStringLiteral("eventPanel"));
-    m_list->setObjectName(QStringLiteral("eventList"));
-    m_list->setAccessibleName(tr("Events and markers"));
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
     m_list->setVerticalScrollBarPolicy(
         Qt::ScrollBarAlwaysOn); // its columns stay when the list is full
-    m_list->setAllColumnsShowFocus(true);
-    m_list->setAlternatingRowColors(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
-    showKinds(false);
     m_list->header()->resizeSection(EventLog::TimeColumn, kTimeWidth);
     m_list->header()->resizeSection(EventLog::KindColumn, kKindWidth);
     m_list->setToolTip(
