@@ -28,6 +28,9 @@ public:
         return title ? QVariant(m_titles.value(section)) : QVariant();
     }
 
+    /// The titles with tabs between, to stand above what rowText() says.
+    QString titlesText() const { return m_titles.join(QLatin1Char('\t')); }
+
 protected:
     /// @param titles  one a column, from the left
     RowTable(QObject *parent, QStringList titles)
@@ -60,5 +63,14 @@ protected:
 private:
     QStringList m_titles;
 };
+
+/// The row of that index, in any table or tree, as it is shown, with tabs between columns: for the clipboard.
+inline QString rowText(const QModelIndex &row)
+{
+    QStringList cells;
+    for (int column = 0; column < row.model()->columnCount(row.parent()); ++column)
+        cells.append(row.siblingAtColumn(column).data().toString());
+    return cells.join(QLatin1Char('\t'));
+}
 
 } // namespace widgets

@@ -50,14 +50,9 @@ QString MotionLogModel::who() { return session::motionLogWho(QStringLiteral("Rot
 QString MotionLogModel::copyText(const QList<int> &rows) const
 {
     QStringList lines;
-    for (const int row : rows) {
-        if (row < 0 || row >= rowCount())
-            continue;
-        QStringList cells;
-        for (int column = 0; column < ColumnCount; ++column)
-            cells.append(cell(m_log[static_cast<std::size_t>(row)], column));
-        lines.append(cells.join(QLatin1Char('\t')));
-    }
+    for (const int row : rows)
+        if (row >= 0 && row < rowCount())
+            lines.append(rowText(index(row, TimeColumn)));
     return lines.join(QLatin1Char('\n'));
 }
 

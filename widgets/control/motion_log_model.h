@@ -17,8 +17,7 @@ public:
         DetailColumn,
         OutcomeColumn,
         SourceColumn,
-        BytesColumn,
-        ColumnCount
+        BytesColumn
     };
     static constexpr std::size_t kMost = 100000; ///< acts; what comes then is counted only
 

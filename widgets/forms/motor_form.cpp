@@ -8,6 +8,7 @@
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/row_table.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
@@ -354,7 +355,7 @@ void MotorForm::copySelected()
 {
     QStringList lines;
     for (const QModelIndex &index : m_tree->selectionModel()->selectedRows())
-        lines.append(m_model.copyText(index));
+        lines.append(rowText(index));
     if (!lines.isEmpty())
         QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
 }

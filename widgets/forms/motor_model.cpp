@@ -219,14 +219,6 @@ MotorModel::Group MotorModel::comparisonGroup() const
     return group;
 }
 
-QString MotorModel::copyText(const QModelIndex &index) const
-{
-    QStringList texts;
-    for (int column = 0; column < ColumnCount; ++column)
-        texts.append(index.siblingAtColumn(column).data().toString());
-    return texts.join(QLatin1Char('\t'));
-}
-
 QModelIndex MotorModel::index(int row, int column, const QModelIndex &parent) const
 {
     if (!hasIndex(row, column, parent))

@@ -32,8 +32,6 @@ public:
     bool hasFile() const { return m_file.has_value(); }
     int differences() const; ///< figures that board and file both have, with other values
     int compared() const; ///< figures that both have
-    /// The row as text, for the clipboard: name, value, file, raw.
-    QString copyText(const QModelIndex &index) const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &child) const override;

@@ -2,8 +2,8 @@
 
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
+#include "widgets/base/row_table.h"
 
-#include <QAbstractItemModel>
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -175,18 +175,11 @@ QString measuredText(double value, scope::UnitKind unit, const capture::ChannelI
     return {};
 }
 
-QString tableText(const QAbstractItemModel &table)
+QString tableText(const RowTable &table)
 {
-    constexpr int kHeadings = -1;
-    QString text;
-    for (int row = kHeadings; row < table.rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < table.columnCount(); ++column)
-            cells.append((row == kHeadings ? table.headerData(column, Qt::Horizontal)
-                                           : table.index(row, column).data())
-                             .toString());
-        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
-    }
+    QString text = table.titlesText() + QLatin1Char('\n');
+    for (int row = 0; row < table.rowCount(); ++row)
+        text += rowText(table.index(row, 0)) + QLatin1Char('\n');
     return text;
 }
 

@@ -9,9 +9,9 @@
 #include <QLocale>
 #include <QString>
 
-class QAbstractItemModel;
-
 namespace widgets {
+
+class RowTable;
 
 /// A measurement by the names of its traces, so that it can be kept and asked for again.
 struct NamedMeasure {
@@ -36,6 +36,6 @@ QString measuredText(double value, scope::UnitKind unit, const capture::ChannelI
     double step, const QLocale &locale);
 
 /// The headings and every row as shown, tabs between columns, each line ended.
-QString tableText(const QAbstractItemModel &table);
+QString tableText(const RowTable &table);
 
 } // namespace widgets

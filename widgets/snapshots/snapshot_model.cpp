@@ -79,17 +79,9 @@ std::vector<drive::RegisterWrite> SnapshotModel::chosen(
 
 QString SnapshotModel::copyText(const QList<int> &rows) const
 {
-    QStringList lines;
-    QStringList cells;
-    for (int column = 0; column < ColumnCount; ++column)
-        cells.append(headerData(column, Qt::Horizontal).toString());
-    lines.append(cells.join(QLatin1Char('\t')));
-    for (const int row : rows) {
-        cells.clear();
-        for (int column = 0; column < ColumnCount; ++column)
-            cells.append(text(m_rows[static_cast<std::size_t>(row)], column));
-        lines.append(cells.join(QLatin1Char('\t')));
-    }
+    QStringList lines{titlesText()};
+    for (const int row : rows)
+        lines.append(rowText(index(row, NameColumn)));
     return lines.join(QLatin1Char('\n'));
 }
 

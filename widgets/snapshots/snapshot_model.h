@@ -14,16 +14,7 @@ namespace widgets {
 class SnapshotModel : public RowTable {
     Q_OBJECT
 public:
-    enum Column {
-        NameColumn,
-        MotorColumn,
-        AColumn,
-        BColumn,
-        UnitColumn,
-        ARawColumn,
-        BRawColumn,
-        ColumnCount
-    };
+    enum Column { NameColumn, MotorColumn, AColumn, BColumn, UnitColumn, ARawColumn, BRawColumn };
     enum Role {
         SearchRole = Qt::UserRole, ///< name and group in one text
         SortRole, ///< numbers as numbers

@@ -337,7 +337,7 @@ private Q_SLOTS:
         const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
         QCOMPARE(lines.size(), 2);
         QVERIFY(lines[0].startsWith(QStringLiteral("Register\tMotor\tA\tB\tUnit")));
-        QCOMPARE(lines[1].split(QLatin1Char('\t')).size(), int(SnapshotModel::ColumnCount));
+        QCOMPARE(lines[1].split(QLatin1Char('\t')).size(), SnapshotModel::BRawColumn + 1);
     }
 
     void aDamagedFileLeavesWhatWasThere()

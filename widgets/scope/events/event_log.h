@@ -28,7 +28,7 @@ QString eventKindText(EventKind kind);
 class EventLog : public RowTable {
     Q_OBJECT
 public:
-    enum Column { TimeColumn, KindColumn, TextColumn, kColumns };
+    enum Column { TimeColumn, KindColumn, TextColumn };
     enum Role { KindRole = Qt::UserRole, SecondsRole, IdRole };
     static constexpr std::size_t kMost = 10'000;
     static constexpr std::size_t kMostMarkers = 1'000;

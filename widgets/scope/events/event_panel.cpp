@@ -1,6 +1,7 @@
 #include "widgets/scope/events/event_panel.h"
 
 #include "widgets/base/look/row_list.h"
+#include "widgets/base/row_table.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
@@ -169,12 +170,8 @@ void EventPanel::copyChosen()
             rows.append(m_list->model()->index(row, 0));
     }
     QString text;
-    for (const QModelIndex &row : rows) {
-        QStringList cells;
-        for (int column = 0; column < EventLog::kColumns; ++column)
-            cells.append(row.siblingAtColumn(column).data().toString());
-        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
-    }
+    for (const QModelIndex &row : rows)
+        text += rowText(row) + QLatin1Char('\n');
     QApplication::clipboard()->setText(text);
 }
 
