@@ -51,72 +51,44 @@ struct RegisterRow {
     bool keeps = false; ///< memory: it reads what was written, before that `get` or `initial`
     std::uint32_t initial = 0;
 
-    constexpr RegisterRow in(Exists when) const
+    /// The same row with another value of a member.
+    template <class T>
+    constexpr RegisterRow with(T RegisterRow::*member, T value) const
     {
         RegisterRow row = *this;
-        row.exists = when;
+        row.*member = value;
         return row;
     }
+    constexpr RegisterRow in(Exists when) const { return with(&RegisterRow::exists, when); }
     constexpr RegisterRow from(std::uint32_t version) const
     {
-        RegisterRow row = *this;
-        row.first = version;
-        return row;
+        return with(&RegisterRow::first, version);
     }
     constexpr RegisterRow upTo(std::uint32_t version) const
     {
-        RegisterRow row = *this;
-        row.last = version;
-        return row;
+        return with(&RegisterRow::last, version);
     }
-    constexpr RegisterRow at(Scope where) const
-    {
-        RegisterRow row = *this;
-        row.scope = where;
-        return row;
-    }
+    constexpr RegisterRow at(Scope where) const { return with(&RegisterRow::scope, where); }
     constexpr RegisterRow refuses(mcp::Status status) const
     {
-        RegisterRow row = *this;
-        row.refusal = status;
-        return row;
+        return with(&RegisterRow::refusal, status);
     }
     constexpr RegisterRow refusesAnywhere() const
     {
-        RegisterRow row = *this;
-        row.refusedAnywhere = true;
-        return row;
+        return with(&RegisterRow::refusedAnywhere, true);
     }
     constexpr RegisterRow unreadable(mcp::Status status) const
     {
-        RegisterRow row = *this;
-        row.unread = status;
-        return row;
+        return with(&RegisterRow::unread, status);
     }
-    constexpr RegisterRow settable(Set function) const
-    {
-        RegisterRow row = *this;
-        row.set = function;
-        return row;
-    }
-    constexpr RegisterRow forDatalog() const
-    {
-        RegisterRow row = *this;
-        row.logged = true;
-        return row;
-    }
-    constexpr RegisterRow ofSpeed() const
-    {
-        RegisterRow row = forDatalog();
-        row.speed = true;
-        return row;
-    }
+    constexpr RegisterRow settable(Set function) const { return with(&RegisterRow::set, function); }
+    constexpr RegisterRow forDatalog() const { return with(&RegisterRow::logged, true); }
+    constexpr RegisterRow ofSpeed() const { return forDatalog().with(&RegisterRow::speed, true); }
     constexpr RegisterRow onlyForDatalog() const
     {
-        RegisterRow row = forDatalog();
-        row.readable = false;
-        row.refusal = mcp::Status::UnknownRegister;
-        return row;
+        return forDatalog()
+            .with(&RegisterRow::readable, false)
+            .refuses(mcp::Status::UnknownRegister);
     }
 };
 
