@@ -48,6 +48,7 @@ public:
     /// Empty if the name or the motor does not exist.
     std::optional<RegisterId> resolve(std::string_view nameAtMotor) const;
 
+    /// For the wire; a register of the board has the same with each motor.
     RegisterId withMotor(const RegisterInfo &info, int motor) const;
     int motorOf(RegisterId id) const; ///< 0 for registers of the board
 

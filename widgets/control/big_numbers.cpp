@@ -67,7 +67,7 @@ void BigNumbers::resolve()
         cell.id.reset();
         const catalog::RegisterInfo *info = catalog ? catalog->find(cell.name) : nullptr;
         if (info && info->readable() && !info->stub)
-            cell.id = info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id;
+            cell.id = catalog->withMotor(*info, m_device.motor());
     }
     describe();
     Q_EMIT watchedRegistersChanged();

@@ -332,7 +332,7 @@ std::optional<double> MotionGate::reading(const char *name, int motor) const
     const catalog::RegisterInfo *info = catalog ? catalog->find(name) : nullptr;
     if (info == nullptr)
         return {};
-    return m_registers.shownValue(info->perMotor ? catalog->withMotor(*info, motor) : info->id);
+    return m_registers.shownValue(catalog->withMotor(*info, motor));
 }
 
 std::optional<double> MotionGate::shaftOf(int motor) const

@@ -111,7 +111,7 @@ void ReadoutBox::resolve()
         row.id.reset();
         const catalog::RegisterInfo *info = catalog ? catalog->find(row.name) : nullptr;
         if (info && info->readable() && !info->stub)
-            row.id = info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id;
+            row.id = catalog->withMotor(*info, m_device.motor());
         const bool there = row.id.has_value() || !catalog;
         for (QLabel *label : {row.label, row.value}) // which keep their places
             if (label) {

@@ -45,7 +45,7 @@ void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, 
             if (!shown(info))
                 continue;
             Row row;
-            row.id = info.perMotor ? m_catalog->withMotor(info, motor) : info.id;
+            row.id = m_catalog->withMotor(info, motor);
             row.info = &info;
             row.scale = m_catalog->readScale(row.id);
             m_byId[row.id] = m_rows.size();
@@ -86,7 +86,7 @@ std::optional<catalog::RegisterId> RegisterModel::idOf(std::string_view name) co
     const catalog::RegisterInfo *info = m_catalog ? m_catalog->find(name) : nullptr;
     if (info == nullptr)
         return {};
-    const catalog::RegisterId id = info->perMotor ? m_catalog->withMotor(*info, m_motor) : info->id;
+    const catalog::RegisterId id = m_catalog->withMotor(*info, m_motor);
     return find(id) ? std::optional(id) : std::nullopt;
 }
 

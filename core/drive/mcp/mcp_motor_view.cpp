@@ -40,11 +40,6 @@ constexpr std::array kUnits{
     FieldUnit{"FOCFW_CONFIG", "medium frequency", "Hz"},
 };
 
-RegisterId idFor(const catalog::Catalog &catalog, const catalog::RegisterInfo &info, int motor)
-{
-    return info.perMotor ? catalog.withMotor(info, motor) : info.id;
-}
-
 const catalog::RegisterInfo *readable(const catalog::Catalog &catalog, std::string_view name)
 {
     const auto *info = catalog.find(name);
@@ -57,7 +52,7 @@ std::optional<Bytes> bytesOf(
     const auto *info = readable(catalog, name);
     if (info == nullptr)
         return std::nullopt;
-    auto value = known(idFor(catalog, *info, motor));
+    auto value = known(catalog.withMotor(*info, motor));
     auto *bytes = value ? std::get_if<Bytes>(&*value) : nullptr;
     return bytes != nullptr ? std::optional(std::move(*bytes)) : std::nullopt;
 }
@@ -153,9 +148,9 @@ std::vector<RegisterId> motorRegisters(const catalog::Catalog &catalog, int moto
     std::vector<RegisterId> ids;
     for (const char *name : kStructures)
         if (const auto *info = readable(catalog, name))
-            ids.push_back(idFor(catalog, *info, motor));
+            ids.push_back(catalog.withMotor(*info, motor));
     if (const auto *info = readable(catalog, kInertia))
-        ids.push_back(idFor(catalog, *info, motor));
+        ids.push_back(catalog.withMotor(*info, motor));
     return ids;
 }
 
@@ -196,11 +191,11 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
         }
     }
     if (const auto *current = catalog.find("I_Q_REF"))
-        if (const auto scale = catalog.readScale(idFor(catalog, *current, motor));
+        if (const auto scale = catalog.readScale(catalog.withMotor(*current, motor));
             scale.unit == "A")
             facts.ampsPerDigit = scale.factor;
     if (const auto *info = readable(catalog, kInertia)) {
-        const auto value = known(idFor(catalog, *info, motor));
+        const auto value = known(catalog.withMotor(*info, motor));
         const auto *found = value ? std::get_if<double>(&*value) : nullptr;
         if (found != nullptr && *found > 0.0)
             facts.inertia_kgm2 = *found;
@@ -249,7 +244,7 @@ std::vector<StructureView> motorStructures(
         const auto *info = readable(catalog, name);
         if (info == nullptr)
             continue;
-        StructureView view{idFor(catalog, *info, motor), info->name, info->writable(), {}, {}};
+        StructureView view{catalog.withMotor(*info, motor), info->name, info->writable(), {}, {}};
         if (const auto bytes = bytesOf(catalog, name, motor, known)) {
             view.bytes = bytes->size();
             for (const mcp::Field &field :

@@ -259,8 +259,7 @@ QString SetpointBox::controlText() const
     const catalog::RegisterInfo *info = catalog ? catalog->find("CONTROL_MODE") : nullptr;
     if (info == nullptr)
         return {};
-    const auto value = m_registers.shownValue(
-        info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id);
+    const auto value = m_registers.shownValue(catalog->withMotor(*info, m_device.motor()));
     if (!value)
         return {};
     return controlText(static_cast<std::int64_t>(*value));
