@@ -1,5 +1,6 @@
 #include "widgets/base/banner.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QEvent>
@@ -38,15 +39,12 @@ Banner::Banner(QWidget *over, QWidget *window)
     : QFrame(window)
     , m_over(over)
     , m_mark(new QLabel(this))
-    , m_text(new QLabel(this))
+    , m_text(wrappedLabel("bannerText", this))
     , m_close(new QToolButton(this))
 {
     setObjectName(QStringLiteral("banner"));
     setAutoFillBackground(true);
     m_mark->setTextFormat(Qt::PlainText);
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setWordWrap(true);
-    m_text->setObjectName(QStringLiteral("bannerText"));
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_text->setFocusPolicy(Qt::NoFocus);
     m_close->setText(QStringLiteral("\u00d7"));

@@ -41,14 +41,11 @@ FaultPicture::FaultPicture(const FaultRecords &records, QWidget *parent)
     : QWidget(parent)
     , m_records(records)
     , m_choice(new QComboBox(this))
-    , m_says(new QLabel(this))
+    , m_says(wrappedLabel("faultRecordSays", this))
     , m_layout(new QVBoxLayout(this))
 {
     m_choice->setObjectName(QStringLiteral("faultRecord"));
     m_choice->setAccessibleName(tr("Recorded fault"));
-    m_says->setObjectName(QStringLiteral("faultRecordSays"));
-    m_says->setWordWrap(true);
-    m_says->setTextFormat(Qt::PlainText);
     m_says->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->addWidget(m_choice);

@@ -1,5 +1,6 @@
 #include "widgets/control/stop_alarm.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 
@@ -27,8 +28,8 @@ StopAlarm::StopAlarm(QWidget *parent)
 
 void StopAlarm::make()
 {
-    m_text = new QLabel(this);
-    m_detail = new QLabel(this);
+    m_text = wrappedLabel("stopAlarmText", this);
+    m_detail = wrappedLabel("stopAlarmDetail", this);
     setStyleSheet(
         QStringLiteral("widgets--StopAlarm { background: #b71c1c; } QLabel { color: white; }"));
 
@@ -36,14 +37,8 @@ void StopAlarm::make()
     large.setPointSizeF(large.pointSizeF() * 1.8);
     large.setBold(true);
     m_text->setFont(large);
-    m_text->setTextFormat(Qt::PlainText);
     m_text->setAlignment(Qt::AlignCenter);
-    m_text->setWordWrap(true);
-    m_text->setObjectName(QStringLiteral("stopAlarmText"));
-    m_detail->setTextFormat(Qt::PlainText);
     m_detail->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    m_detail->setWordWrap(true);
-    m_detail->setObjectName(QStringLiteral("stopAlarmDetail"));
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -80,7 +80,7 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     , m_format(new QComboBox(this))
     , m_range(new QComboBox(this))
     , m_rates(new QComboBox(this))
-    , m_summary(new QLabel(this))
+    , m_summary(wrappedLabel("exportSummary", this))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
@@ -102,9 +102,6 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     m_rates->setObjectName(QStringLiteral("exportRates"));
     m_rates->addItem(tr("One file; slower signals keep their last value"));
     m_rates->addItem(tr("One file for each rate"));
-    m_summary->setObjectName(QStringLiteral("exportSummary"));
-    m_summary->setTextFormat(Qt::PlainText);
-    m_summary->setWordWrap(true);
     m_summary->setEnabled(false);
 
     auto *buttons = new QDialogButtonBox(this);

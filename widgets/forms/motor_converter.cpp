@@ -70,10 +70,7 @@ MotorConverter::MotorConverter(QWidget *parent)
         grid->addWidget(unit, cell.row, 3 * cell.column + 2);
     }
     grid->setColumnStretch(5, 1);
-    m_told = new QLabel(this);
-    m_told->setObjectName(QStringLiteral("convertTold"));
-    m_told->setTextFormat(Qt::PlainText);
-    m_told->setWordWrap(true);
+    m_told = wrappedLabel("convertTold", this);
     grid->addWidget(m_told, 0, 3, 1, 3);
 }
 

@@ -158,10 +158,7 @@ QWidget *RampForm::makeProgress()
     m_bar->setRange(0, kBarSteps);
     m_bar->setTextVisible(false);
     m_bar->setMaximumHeight(10);
-    m_text = new QLabel(box);
-    m_text->setObjectName(QStringLiteral("rampProgressText"));
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setWordWrap(true);
+    m_text = wrappedLabel("rampProgressText", box);
     m_stop = new MotorButton(tr("Stop ramp"), box);
     m_stop->setObjectName(QStringLiteral("rampStop"));
     auto *grid = new QGridLayout(box);

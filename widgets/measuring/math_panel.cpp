@@ -35,7 +35,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     , m_list(new RowList("mathList", tr("Math channels"), m_table, this))
     , m_name(new QLineEdit(this))
     , m_formula(new QLineEdit(this))
-    , m_verdict(new QLabel(this))
+    , m_verdict(wrappedLabel("mathVerdict", this))
     , m_apply(new QPushButton(this))
     , m_remove(new QPushButton(tr("&Remove"), this))
     , m_record(new QPushButton(tr("Record it", "a signal"), this))
@@ -84,9 +84,6 @@ QWidget *MathPanel::makeEditor()
     m_formula->setObjectName(QStringLiteral("mathFormula"));
     m_formula->setMaxLength(int(scope::Formula::kMostBytes));
     m_formula->setPlaceholderText(QStringLiteral("lowpass(I_A, 100) - I_B"));
-    m_verdict->setObjectName(QStringLiteral("mathVerdict"));
-    m_verdict->setTextFormat(Qt::PlainText);
-    m_verdict->setWordWrap(true);
     m_apply->setObjectName(QStringLiteral("applyMath"));
     m_remove->setObjectName(QStringLiteral("removeMath"));
     auto *fresh = new QPushButton(tr("Ne&w"), side);

@@ -56,13 +56,10 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     , m_range(new QComboBox(this))
     , m_trail(new QComboBox(this))
     , m_equal(new QCheckBox(tr("E&qual scales"), this))
-    , m_note(new QLabel(this))
+    , m_note(wrappedLabel("xyNote", this))
 {
     setObjectName(QStringLiteral("xyPanel"));
     m_pool.setMaxThreadCount(1);
-    m_note->setObjectName(QStringLiteral("xyNote"));
-    m_note->setTextFormat(Qt::PlainText);
-    m_note->setWordWrap(true);
     m_form = makeChoices();
     auto *side = new QVBoxLayout;
     side->addLayout(m_form);

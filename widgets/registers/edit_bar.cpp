@@ -26,13 +26,10 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     , m_applyAction(apply)
     , m_revertAction(revert)
     , m_wide(room == Room::Wide)
-    , m_told(new QLabel(this))
+    , m_told(wrappedLabel("editsTold", this))
     , m_revert(new QPushButton(tr("Revert"), this))
     , m_apply(new QPushButton(this))
 {
-    m_told->setTextFormat(Qt::PlainText);
-    m_told->setWordWrap(true);
-    m_told->setObjectName(QStringLiteral("editsTold"));
     m_revert->setObjectName(QStringLiteral("revertEdits"));
     m_apply->setObjectName(QStringLiteral("applyEdits"));
     connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);

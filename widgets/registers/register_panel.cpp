@@ -46,7 +46,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     , m_proxy(new QSortFilterProxyModel(this))
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeView(this))
-    , m_details(new QLabel(this))
+    , m_details(wrappedLabel("registerDetails", this))
     , m_columnsMenu(new QMenu(tr("Register &columns"), this))
 {
     m_proxy->setSourceModel(&model);
@@ -140,9 +140,6 @@ void RegisterPanel::makeColumns()
     }
     setColumns({QStringLiteral("value"), QStringLiteral("raw")});
 
-    m_details->setObjectName(QStringLiteral("registerDetails"));
-    m_details->setTextFormat(Qt::PlainText);
-    m_details->setWordWrap(true);
     m_details->setAccessibleName(tr("What the selected register is"));
     m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_details->setFocusPolicy(Qt::NoFocus); // the flags above would take the focus on a click

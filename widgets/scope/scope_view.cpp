@@ -42,7 +42,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     : QWidget(parent)
     , m_capture(capture)
     , m_plot(new QCustomPlot(this))
-    , m_hint(new QLabel(this))
+    , m_hint(wrappedLabel("scopeHint", this))
     , m_stale(new StaleMark(*this, this))
     , m_events(events)
     , m_lane(new EventLane(*this, m_events, this))
@@ -68,7 +68,6 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     setUpPlot(*m_plot);
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
-    m_hint->setObjectName(QStringLiteral("scopeHint"));
     setAccessibleName(tr("Scope"));
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator); // as on the axes
@@ -85,9 +84,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     m_plot->layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
     m_plot->setFocusProxy(this);
     m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
-    m_hint->setTextFormat(Qt::PlainText);
     m_hint->setAlignment(Qt::AlignCenter);
-    m_hint->setWordWrap(true);
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_frame.setSingleShot(true);
     m_frame.setTimerType(Qt::PreciseTimer);

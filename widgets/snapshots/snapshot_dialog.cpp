@@ -40,7 +40,7 @@ SnapshotDialog::SnapshotDialog(
     , m_folder(folder)
     , m_motor(device.motor())
     , m_reader(device)
-    , m_summary(new QLabel(this))
+    , m_summary(wrappedLabel("snapshotDialogSummary", this))
     , m_progress(new QProgressBar(this))
 {
     setObjectName(QStringLiteral("snapshotDialog"));
@@ -48,9 +48,6 @@ SnapshotDialog::SnapshotDialog(
     setWindowTitle(form == Form::Snapshot
             ? tr("Save a snapshot")
             : tr("Export C header of motor %1").arg(QString::number(m_motor)));
-    m_summary->setObjectName(QStringLiteral("snapshotDialogSummary"));
-    m_summary->setTextFormat(Qt::PlainText);
-    m_summary->setWordWrap(true);
     m_progress->setAccessibleName(tr("Progress of reading"));
     auto *buttons = new QDialogButtonBox(this);
     m_save = buttons->addButton(tr("Save\u2026"), QDialogButtonBox::AcceptRole);

@@ -172,10 +172,7 @@ void SnapshotPanel::makeTable()
 QWidget *SnapshotPanel::makeBottom()
 {
     auto *row = new QWidget(this);
-    m_told = new QLabel(row);
-    m_told->setObjectName(QStringLiteral("snapshotTold"));
-    m_told->setTextFormat(Qt::PlainText);
-    m_told->setWordWrap(true);
+    m_told = wrappedLabel("snapshotTold", row);
     m_told->hide();
     m_otherHardware = new QCheckBox(row);
     m_otherHardware->setObjectName(QStringLiteral("snapshotOtherHardware"));

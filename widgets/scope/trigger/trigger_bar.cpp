@@ -208,10 +208,7 @@ QWidget *TriggerBar::makeDetails()
     m_middle = new QPushButton(tr("Set level to &50 %"), details);
     m_middle->setObjectName(QStringLiteral("triggerMiddle"));
     m_form->addRow(m_middle);
-    m_problem = new QLabel(details);
-    m_problem->setObjectName(QStringLiteral("triggerProblem"));
-    m_problem->setTextFormat(Qt::PlainText);
-    m_problem->setWordWrap(true);
+    m_problem = wrappedLabel("triggerProblem", details);
     m_form->addRow(m_problem);
     // Esc is Stop, everywhere: what it closes elsewhere needs another way out.
     auto *away = new QPushButton(tr("&Close"), details);
