@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
@@ -27,21 +28,16 @@ CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_motion(motion)
-    , m_arm(new QCheckBox(tr("Arm: allow commands"), this))
-    , m_start(new MotorButton(tr("Start"), this))
-    , m_acknowledge(new MotorButton(tr("Acknowledge faults"), this))
+    , m_arm(named(new QCheckBox(tr("Arm: allow commands"), this), "arm"))
+    , m_start(named(new MotorButton(tr("Start"), this), "start", tr("Start motor")))
+    , m_acknowledge(named(new MotorButton(tr("Acknowledge faults"), this), "acknowledge"))
 {
-    m_arm->setObjectName(QStringLiteral("arm"));
     // A click leaves the focus where it is: the Space that follows is meant for the picture.
     m_arm->setFocusPolicy(Qt::TabFocus);
-    m_start->setObjectName(QStringLiteral("start"));
-    m_start->setAccessibleName(tr("Start motor"));
     m_start->setMinimumHeight(48);
     m_start->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // wherever it goes to
-    auto *stop = new StopButton(this);
-    stop->setObjectName(QStringLiteral("stop"));
+    auto *stop = named(new StopButton(this), "stop");
     stop->setText(tr("Stop (Esc)"));
-    m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
     setLineIcon(*m_start, "start");
     setLineIcon(*m_acknowledge, "acknowledge");
 

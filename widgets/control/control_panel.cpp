@@ -1,5 +1,6 @@
 #include "widgets/control/control_panel.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
@@ -155,9 +156,9 @@ ControlPanel::ControlPanel(
     , m_setpoints(new SetpointBox(device, registers, motion, this))
     , m_jog(new JogBox(device, motion, this))
     , m_readouts(new ReadoutBox(device, registers, this))
-    , m_limits(new SteadyLabel(this, 2))
-    , m_changeLimits(new QToolButton(this))
-    , m_changeScale(new QToolButton(this))
+    , m_limits(named(new SteadyLabel(this, 2), "limits"))
+    , m_changeLimits(named(new QToolButton(this), "changeLimits"))
+    , m_changeScale(named(new QToolButton(this), "changeCurrentScale"))
     , m_words(new StopWords(this))
 {
     setObjectName(QStringLiteral("controlPanel"));
@@ -223,16 +224,13 @@ ControlPanel::ControlPanel(
 QWidget *ControlPanel::makeBody()
 {
     auto *body = new QWidget(this);
-    m_limits->setObjectName(QStringLiteral("limits"));
     m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_changeLimits->setObjectName(QStringLiteral("changeLimits"));
     m_changeLimits->setText(tr("Change\u2026", "the limits"));
     m_changeLimits->setAccessibleName(tr("Change own limits"));
     m_changeLimits->setFocusPolicy(Qt::TabFocus);
     auto *limits = new QHBoxLayout;
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
-    m_changeScale->setObjectName(QStringLiteral("changeCurrentScale"));
     m_changeScale->setText(tr("Scale\u2026", "of the currents"));
     m_changeScale->setAccessibleName(tr("Change the current scale"));
     m_changeScale->setToolTip(tr("The current of 32768 digits, which the board does not tell."));

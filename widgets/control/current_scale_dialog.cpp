@@ -3,6 +3,7 @@
 #include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "motor/current_loop.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
@@ -38,20 +39,15 @@ double positiveIn(const QLineEdit *edit) { return readSetpoint(edit->text()).val
 CurrentScaleDialog::CurrentScaleDialog(int motor, double fullScaleAmps, QWidget *parent)
     : QDialog(parent)
     , m_motor(motor)
-    , m_amps(new QLineEdit(this))
-    , m_shunt(new QLineEdit(this))
-    , m_gain(new QLineEdit(this))
-    , m_reference(new QLineEdit(this))
-    , m_says(new QLabel(this))
+    , m_amps(named(new QLineEdit(this), "fullScaleCurrent"))
+    , m_shunt(named(new QLineEdit(this), "shunt"))
+    , m_gain(named(new QLineEdit(this), "amplifierGain"))
+    , m_reference(named(new QLineEdit(this), "converterReference"))
+    , m_says(named(new QLabel(this), "scaleSays"))
 {
     setObjectName(QStringLiteral("currentScaleDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Current scale of motor %1").arg(motor));
-    m_amps->setObjectName(QStringLiteral("fullScaleCurrent"));
-    m_shunt->setObjectName(QStringLiteral("shunt"));
-    m_gain->setObjectName(QStringLiteral("amplifierGain"));
-    m_reference->setObjectName(QStringLiteral("converterReference"));
-    m_says->setObjectName(QStringLiteral("scaleSays"));
     m_amps->setText(fullScaleAmps > 0.0 ? numberText(fullScaleAmps, 4) : QString());
     m_amps->setPlaceholderText(tr("not known", "the current scale"));
     for (QLineEdit *edit : {m_amps, m_shunt, m_gain, m_reference})

@@ -1,6 +1,7 @@
 #include "widgets/control/fault_help.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/control/fault_picture.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/motor_button.h"
@@ -30,16 +31,14 @@ FaultHelp::FaultHelp(Device &device, const FaultRecords &records, QWidget *paren
     : QDialog(parent)
     , m_device(device)
     , m_picture(new FaultPicture(records, this))
-    , m_text(new QTextBrowser(this))
+    , m_text(named(new QTextBrowser(this), "faultHelpText"))
 {
     setObjectName(QStringLiteral("faultHelp"));
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Faults and their causes"));
-    m_text->setObjectName(QStringLiteral("faultHelpText"));
     m_text->setAccessibleName(windowTitle());
     m_text->setOpenLinks(false);
-    auto *stop = new StopButton(this);
-    stop->setObjectName(QStringLiteral("faultHelpStop"));
+    auto *stop = named(new StopButton(this), "faultHelpStop");
     connect(stop, &StopButton::stopPressed, &device, &Device::stop);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

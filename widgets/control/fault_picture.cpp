@@ -1,6 +1,7 @@
 #include "widgets/control/fault_picture.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/si_text.h"
 #include "widgets/scope/scope_view.h"
 
@@ -40,12 +41,10 @@ QString valuesOf(const FaultRecord &record)
 FaultPicture::FaultPicture(const FaultRecords &records, QWidget *parent)
     : QWidget(parent)
     , m_records(records)
-    , m_choice(new QComboBox(this))
+    , m_choice(named(new QComboBox(this), "faultRecord", tr("Recorded fault")))
     , m_says(wrappedLabel("faultRecordSays", this))
     , m_layout(new QVBoxLayout(this))
 {
-    m_choice->setObjectName(QStringLiteral("faultRecord"));
-    m_choice->setAccessibleName(tr("Recorded fault"));
     m_says->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->addWidget(m_choice);

@@ -1,5 +1,6 @@
 #include "widgets/control/jog_box.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
@@ -161,14 +162,12 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_jog(device, motion)
-    , m_speed(new SetpointEdit(this))
+    , m_speed(named(new SetpointEdit(this), "jogSpeed", tr("Jog speed in rpm")))
     , m_back(makeButton(QStringLiteral("\u25c0 ") + tr("hold"), "jogBack", -1))
     , m_forth(makeButton(tr("hold") + QStringLiteral(" \u25b6"), "jogForth", 1))
 {
     m_back->setAccessibleName(tr("Jog backwards while held"));
     m_forth->setAccessibleName(tr("Jog forwards while held"));
-    m_speed->setObjectName(QStringLiteral("jogSpeed"));
-    m_speed->setAccessibleName(tr("Jog speed in rpm"));
     m_speed->setFixedWidth(m_speed->fontMetrics().horizontalAdvance(QStringLiteral("00000")) + 14);
     auto *label = new QLabel(tr("Jog [rpm]"), this);
     label->setBuddy(m_speed);

@@ -1,6 +1,7 @@
 #include "widgets/control/limits_dialog.h"
 
 #include "drive/motion_limits.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
@@ -38,15 +39,13 @@ QString textOf(double limit)
 
 LimitsDialog::LimitsDialog(const drive::UserLimits &limits, QWidget *parent)
     : QDialog(parent)
-    , m_speed(new QLineEdit(textOf(limits.maxSpeedRpm), this))
-    , m_current(new QLineEdit(textOf(limits.maxCurrentAmps), this))
+    , m_speed(named(new QLineEdit(textOf(limits.maxSpeedRpm), this), "limitSpeed"))
+    , m_current(named(new QLineEdit(textOf(limits.maxCurrentAmps), this), "limitCurrent"))
     , m_wrong(new QLabel(this))
 {
     setObjectName(QStringLiteral("limitsDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Own limits"));
-    m_speed->setObjectName(QStringLiteral("limitSpeed"));
-    m_current->setObjectName(QStringLiteral("limitCurrent"));
     for (QLineEdit *edit : {m_speed, m_current}) {
         edit->setAlignment(Qt::AlignRight);
         edit->setPlaceholderText(tr("none", "no limit"));

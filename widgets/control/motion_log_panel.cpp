@@ -3,6 +3,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/control/motion_log_model.h"
 
@@ -21,10 +22,8 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     : Form(parent)
     , m_log(log)
     , m_files(files)
-    , m_table(new QTableView(this))
+    , m_table(named(new QTableView(this), "motionLog", tr("Motion log")))
 {
-    m_table->setObjectName(QStringLiteral("motionLog"));
-    m_table->setAccessibleName(tr("Motion log"));
     m_table->setModel(&log);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);

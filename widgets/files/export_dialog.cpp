@@ -4,6 +4,7 @@
 #include "session/files/motion_log_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
@@ -77,15 +78,14 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     , m_scope(scope)
     , m_files(files)
     , m_folder(folder)
-    , m_format(new QComboBox(this))
-    , m_range(new QComboBox(this))
-    , m_rates(new QComboBox(this))
+    , m_format(named(new QComboBox(this), "exportFormat"))
+    , m_range(named(new QComboBox(this), "exportRange"))
+    , m_rates(named(new QComboBox(this), "exportRates"))
     , m_summary(wrappedLabel("exportSummary", this))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     setModal(true);
-    m_format->setObjectName(QStringLiteral("exportFormat"));
     const auto add = [this](const char *title, const char *name) {
         m_format->addItem(
             QCoreApplication::translate("ExportFormat", title), QString::fromLatin1(name));
@@ -94,12 +94,10 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
         add(each.title, each.name);
     for (const PictureFormat &each : pictureFormats())
         add(each.title, each.suffix);
-    m_range->setObjectName(QStringLiteral("exportRange"));
     m_range->addItem(tr("What the scope shows"), Visible);
     m_range->addItem(tr("Everything recorded"), Everything);
     if (m_scope.cursors().visible())
         m_range->addItem(tr("Between the cursors A and B"), Cursors);
-    m_rates->setObjectName(QStringLiteral("exportRates"));
     m_rates->addItem(tr("One file; slower signals keep their last value"));
     m_rates->addItem(tr("One file for each rate"));
     m_summary->setEnabled(false);

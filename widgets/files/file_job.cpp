@@ -1,5 +1,7 @@
 #include "widgets/files/file_job.h"
 
+#include "widgets/base/look/named.h"
+
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QThreadPool>
@@ -58,14 +60,12 @@ void FileJob::tick()
     if (m_elapsed.elapsed() < kQuiet_ms)
         return;
     if (!m_dialog) {
-        m_dialog = new QProgressDialog(qobject_cast<QWidget *>(parent()));
-        m_dialog->setObjectName(QStringLiteral("fileJob"));
+        m_dialog = named(new QProgressDialog(qobject_cast<QWidget *>(parent())), "fileJob");
         m_dialog->setWindowTitle(m_title);
         m_dialog->setRange(0, kSteps);
         m_dialog->setAutoClose(false);
         m_dialog->setAutoReset(false);
-        auto *cancel = new QPushButton(tr("Cancel"));
-        cancel->setObjectName(QStringLiteral("fileJobCancel"));
+        auto *cancel = named(new QPushButton(tr("Cancel")), "fileJobCancel");
         m_dialog->setCancelButton(cancel);
         connect(m_dialog, &QProgressDialog::canceled, this, &FileJob::cancel);
         m_dialog->show();

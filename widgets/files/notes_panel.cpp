@@ -1,5 +1,6 @@
 #include "widgets/files/notes_panel.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QPlainTextEdit>
@@ -9,11 +10,9 @@ namespace widgets {
 
 NotesPanel::NotesPanel(const QString &text, QWidget *parent)
     : Form(parent)
-    , m_text(new QPlainTextEdit(text, this))
+    , m_text(named(new QPlainTextEdit(text, this), "notes", tr("Notes")))
 {
     setObjectName(QStringLiteral("notesPanel"));
-    m_text->setObjectName(QStringLiteral("notes"));
-    m_text->setAccessibleName(tr("Notes"));
     m_text->setPlaceholderText(tr("What is tried, and what came of it. Kept with the workspace."));
     m_text->setTabChangesFocus(true);
     auto *layout = new QVBoxLayout(this);

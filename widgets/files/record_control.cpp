@@ -4,6 +4,7 @@
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/scope/events/event_log.h"
@@ -46,18 +47,15 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     : QObject(window)
     , m_parts(std::move(parts))
     , m_folder(folder)
-    , m_toggle(new QAction(this))
-    , m_withLink(new QAction(tr("With the bytes of the &line"), this))
-    , m_line(new Lamp(tr("Recording"), window))
+    , m_toggle(named(new QAction(this), "record"))
+    , m_withLink(named(new QAction(tr("With the bytes of the &line"), this), "recordLink"))
+    , m_line(named(new Lamp(tr("Recording"), window), "recordLine"))
 {
-    m_toggle->setObjectName(QStringLiteral("record"));
     m_toggle->setCheckable(true);
     m_toggle->setShortcut(Qt::CTRL | Qt::Key_R);
     window->addAction(m_toggle);
-    m_withLink->setObjectName(QStringLiteral("recordLink"));
     m_withLink->setCheckable(true);
     m_withLink->setToolTip(tr("Twice the size; keeps what was on the line byte for byte"));
-    m_line->setObjectName(QStringLiteral("recordLine"));
     m_line->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
     QSizePolicy still(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
     still.setRetainSizeWhenHidden(true); // what is below stays where it is

@@ -1,5 +1,6 @@
 #include "widgets/files/record_panel.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
@@ -29,7 +30,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     , m_control(control)
     , m_table(new RecordTable(control, this))
     , m_list(new RowList("recordList", tr("Records of the trigger"), m_table, this))
-    , m_persistence(new QSpinBox(this))
+    , m_persistence(named(new QSpinBox(this), "persistence"))
 {
     setObjectName(QStringLiteral("recordPanel"));
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -40,17 +41,14 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
                           "Page up and page down go through the records."));
     m_list->installEventFilter(this);
 
-    auto *show = new QPushButton(tr("Sho&w"), this);
-    show->setObjectName(QStringLiteral("showRecord"));
-    m_persistence->setObjectName(QStringLiteral("persistence"));
+    auto *show = named(new QPushButton(tr("Sho&w"), this), "showRecord");
     m_persistence->setRange(0, ScopeGhosts::kMost);
     m_persistence->setSpecialValueText(tr("off"));
     m_persistence->setToolTip(tr(
         "So many earlier records stay paler behind the newest one, while the trigger is the same"));
     new WheelGuard(m_persistence);
-    auto *clear = new QPushButton(tr("C&lear"), this);
-    clear->setObjectName(QStringLiteral("clearPersistence"));
-    clear->setAccessibleName(tr("Clear the persistence"));
+    auto *clear =
+        named(new QPushButton(tr("C&lear"), this), "clearPersistence", tr("Clear the persistence"));
     clear->setToolTip(tr("Takes the earlier records out of the picture; those to come stay again"));
     clear->setEnabled(false);
     auto *label = new QLabel(tr("&Persistence"), this);

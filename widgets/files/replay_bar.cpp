@@ -1,6 +1,7 @@
 #include "widgets/files/replay_bar.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
@@ -32,14 +33,13 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_replay(replay)
-    , m_pause(new QToolButton(this))
-    , m_speed(new QComboBox(this))
-    , m_place(new QSlider(Qt::Horizontal, this))
-    , m_badge(new QLabel(tr("REPLAY"), this))
-    , m_text(new SteadyLabel(this))
+    , m_pause(named(new QToolButton(this), "replayPause"))
+    , m_speed(named(new QComboBox(this), "replaySpeed", tr("Pace of the replay")))
+    , m_place(named(new QSlider(Qt::Horizontal, this), "replayPlace", tr("Place in the recording")))
+    , m_badge(named(new QLabel(tr("REPLAY"), this), "replayBadge"))
+    , m_text(named(new SteadyLabel(this), "replayText"))
 {
     setObjectName(QStringLiteral("replayBar"));
-    m_pause->setObjectName(QStringLiteral("replayPause"));
     for (const QString &word : {tr("Go on"), tr("Pause")}) { // what is beside it stays where it is
         m_pause->setText(word);
         m_pause->setMinimumWidth(std::max(m_pause->minimumWidth(), m_pause->sizeHint().width()));
@@ -48,15 +48,11 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_pause->setToolTip(tr("Holds the replay; nothing is left out"));
     m_pause->setCheckable(true);
     m_pause->setFocusPolicy(Qt::TabFocus);
-    m_speed->setObjectName(QStringLiteral("replaySpeed"));
-    m_speed->setAccessibleName(tr("Pace of the replay"));
     m_speed->addItem(tr("1\u00d7, as it was"), 1.0);
     m_speed->addItem(tr("4\u00d7"), 4.0);
     m_speed->addItem(tr("as fast as possible"), 0.0);
     m_speed->setMinimumWidth(kPaceWidth);
     new WheelGuard(m_speed);
-    m_place->setObjectName(QStringLiteral("replayPlace"));
-    m_place->setAccessibleName(tr("Place in the recording"));
     m_place->setToolTip(tr("Goes to another place in the recording. Back, it begins anew behind "
                            "what the scope has already."));
     m_place->setRange(0, kPlaces);
@@ -65,14 +61,12 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_place->setTracking(false); // where it is let go
     m_place->setMinimumWidth(kPlaceWidth);
     new WheelGuard(m_place);
-    m_badge->setObjectName(QStringLiteral("replayBadge"));
     m_badge->setContentsMargins(6, 1, 6, 1);
     m_badge->setAutoFillBackground(true);
     QFont bold = m_badge->font();
     bold.setBold(true);
     m_badge->setFont(bold);
     paintBadge();
-    m_text->setObjectName(QStringLiteral("replayText"));
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto *layout = new QHBoxLayout(this);

@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -120,8 +121,7 @@ QWidget *GainLab::makeWishes()
     grid->addWidget(new QLabel(m_bandwidth->unit(), this), 0, 3);
     grid->addWidget(m_hertz, 0, 4);
     grid->addWidget(new QLabel(m_hertz->unit(), this), 0, 5);
-    m_speed = new QCheckBox(damping, this);
-    m_speed->setObjectName(QStringLiteral("labSpeed"));
+    m_speed = named(new QCheckBox(damping, this), "labSpeed");
     m_speed->setChecked(true);
     m_speed->setToolTip(tr("Also plan the speed loop. Damping 2 is quick and rings, 4 is calm."));
     m_dampingSlider = makeSlider("labDampingSlider", damping, this);
@@ -155,11 +155,9 @@ QWidget *GainLab::makeEnd()
     m_told = new GainLabel("labTold", this);
     grid->addWidget(m_findings, 0, 0);
     m_buttons = new QWidget(this);
-    m_fromBoard = new QPushButton(tr("From the &board"), m_buttons);
-    m_fromBoard->setObjectName(QStringLiteral("labFromBoard"));
+    m_fromBoard = named(new QPushButton(tr("From the &board"), m_buttons), "labFromBoard");
     m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
-    m_preview = new QPushButton(tr("&Preview"), m_buttons);
-    m_preview->setObjectName(QStringLiteral("labPreview"));
+    m_preview = named(new QPushButton(tr("&Preview"), m_buttons), "labPreview");
     auto *buttons = new QHBoxLayout(m_buttons);
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(m_fromBoard);

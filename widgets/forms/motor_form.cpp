@@ -5,6 +5,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
@@ -108,14 +109,11 @@ QWidget *MotorForm::makeLeft()
         buttons->addWidget(button);
     buttons->addStretch(1);
 
-    m_reason = new SteadyLabel(left);
-    m_reason->setObjectName(QStringLiteral("motorReason"));
+    m_reason = named(new SteadyLabel(left), "motorReason");
     QSizePolicy kept(QSizePolicy::Ignored, QSizePolicy::Fixed); // what is below stays where it is
     kept.setRetainSizeWhenHidden(true);
     m_reason->setSizePolicy(kept);
-    m_tree = new QTreeView(left);
-    m_tree->setObjectName(QStringLiteral("motorTree"));
-    m_tree->setAccessibleName(tr("Motor and drive"));
+    m_tree = named(new QTreeView(left), "motorTree", tr("Motor and drive"));
     m_tree->setModel(&m_model);
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);

@@ -3,6 +3,7 @@
 #include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -119,8 +120,7 @@ QWidget *RampForm::makeLines()
 QWidget *RampForm::makePresets()
 {
     auto *box = new QWidget(this);
-    m_preset = new QComboBox(box);
-    m_preset->setObjectName(QStringLiteral("rampPreset"));
+    m_preset = named(new QComboBox(box), "rampPreset");
     m_preset->setEditable(true);
     m_preset->setInsertPolicy(QComboBox::NoInsert);
     m_preset->setAccessibleName(tr("Name of a ramp"));
@@ -129,10 +129,8 @@ QWidget *RampForm::makePresets()
     m_preset->lineEdit()->setMaxLength(int(kLongestPresetName));
     m_preset->lineEdit()->setPlaceholderText(tr("name"));
     new WheelGuard(m_preset);
-    m_save = new QPushButton(tr("Save", "a ramp under a name"), box);
-    m_save->setObjectName(QStringLiteral("rampPresetSave"));
-    m_delete = new QPushButton(tr("Delete", "a named ramp"), box);
-    m_delete->setObjectName(QStringLiteral("rampPresetDelete"));
+    m_save = named(new QPushButton(tr("Save", "a ramp under a name"), box), "rampPresetSave");
+    m_delete = named(new QPushButton(tr("Delete", "a named ramp"), box), "rampPresetDelete");
     auto *label = new QLabel(tr("&Named"), box);
     label->setBuddy(m_preset);
     auto *layout = new QHBoxLayout(box);
@@ -152,15 +150,12 @@ QWidget *RampForm::makePresets()
 QWidget *RampForm::makeProgress()
 {
     auto *box = new QWidget(this);
-    m_bar = new QProgressBar(box);
-    m_bar->setObjectName(QStringLiteral("rampProgress"));
-    m_bar->setAccessibleName(tr("Progress of the ramp"));
+    m_bar = named(new QProgressBar(box), "rampProgress", tr("Progress of the ramp"));
     m_bar->setRange(0, kBarSteps);
     m_bar->setTextVisible(false);
     m_bar->setMaximumHeight(10);
     m_text = wrappedLabel("rampProgressText", box);
-    m_stop = new MotorButton(tr("Stop ramp"), box);
-    m_stop->setObjectName(QStringLiteral("rampStop"));
+    m_stop = named(new MotorButton(tr("Stop ramp"), box), "rampStop");
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(kFineGrid);

@@ -5,6 +5,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
@@ -96,9 +97,7 @@ QPushButton *RevUpForm::makeButton(const QString &text, const char *name, const 
 QWidget *RevUpForm::makeLeft()
 {
     auto *left = new QWidget(this);
-    m_table = new RevUpTable(left);
-    m_table->setObjectName(QStringLiteral("revUpTable"));
-    m_table->setAccessibleName(tr("Stages of the rev-up"));
+    m_table = named(new RevUpTable(left), "revUpTable", tr("Stages of the rev-up"));
     m_table->setModel(m_model);
     auto *delegate = new RevUpDelegate(*m_model, m_table);
     m_table->setItemDelegate(delegate);
@@ -150,8 +149,7 @@ QWidget *RevUpForm::makeFooter(const Parts &parts)
 QWidget *RevUpForm::makeMiddle()
 {
     auto *middle = new QWidget(this);
-    m_chart = new RevUpChart(*m_model, middle);
-    m_chart->setObjectName(QStringLiteral("revUpChart"));
+    m_chart = named(new RevUpChart(*m_model, middle), "revUpChart");
     m_chart->setMinimumSize(230, 120);
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_hint = wrappedLabel("revUpHint", middle);
@@ -206,9 +204,8 @@ QWidget *RevUpForm::makeRight()
     m_friction = makeNumber("revUpFriction", QStringLiteral("mN\u00b7m"), &m_frictionTyped_mnm);
     m_friction->setToolTip(plainToolTip(tr("Torque that holds the motor back. Only for the "
                                            "judgement here; it is not sent anywhere.")));
-    m_findings = new QListWidget(right);
-    m_findings->setObjectName(QStringLiteral("revUpFindings"));
-    m_findings->setAccessibleName(tr("What is wrong with the rev-up"));
+    m_findings =
+        named(new QListWidget(right), "revUpFindings", tr("What is wrong with the rev-up"));
     m_findings->setWordWrap(true);
     m_findings->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_findings->setMinimumHeight(60);

@@ -1,5 +1,6 @@
 #include "widgets/lab/identify_page.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 
@@ -44,12 +45,10 @@ void IdentifyPage::makeBar()
         tr("Measures inertia and friction while the motor is driven and coasts; then it is as it "
            "was."),
         [this] { return m_parts.identification.mechanicalRun(); }});
-    m_use = new QPushButton(tr("&Use in motor file"), m_bar);
-    m_use->setObjectName(QStringLiteral("identifyUse"));
+    m_use = named(new QPushButton(tr("&Use in motor file"), m_bar), "identifyUse");
     m_use->setToolTip(tr("Puts the measured figures into the description beside the board's, in "
                          "Motor and drive; nothing is written to the board."));
-    m_back = new QPushButton(tr("Take &back"), m_bar);
-    m_back->setObjectName(QStringLiteral("identifyBack"));
+    m_back = named(new QPushButton(tr("Take &back"), m_bar), "identifyBack");
     m_back->setToolTip(tr("Takes them out of it again."));
     m_bar->addAside(m_use);
     m_bar->addAside(m_back);

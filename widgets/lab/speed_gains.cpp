@@ -1,6 +1,7 @@
 #include "widgets/lab/speed_gains.h"
 
 #include "drive/motor_view.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
@@ -18,8 +19,8 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     , m_model(model)
     , m_edits(edits)
     , m_facts(device, model)
-    , m_kpText(new QLabel(this))
-    , m_kiText(new QLabel(this))
+    , m_kpText(named(new QLabel(this), "stepKpText"))
+    , m_kiText(named(new QLabel(this), "stepKiText"))
 {
     setObjectName(QStringLiteral("speedGains"));
     auto *grid = new QGridLayout(this);
@@ -28,8 +29,6 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     grid->setVerticalSpacing(kFineGrid);
     m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(GainId::SpeedKp));
     m_ki = addGain(grid, 1, tr("K&i"), gainRegister(GainId::SpeedKi));
-    m_kpText->setObjectName(QStringLiteral("stepKpText"));
-    m_kiText->setObjectName(QStringLiteral("stepKiText"));
     for (QLabel *text : {m_kpText, m_kiText})
         text->setTextFormat(Qt::PlainText);
     grid->addWidget(m_kpText, 0, 2);

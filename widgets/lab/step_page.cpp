@@ -1,6 +1,7 @@
 #include "widgets/lab/step_page.h"
 
 #include "lab/fields.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
@@ -48,7 +49,7 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     , m_parts(parts)
     , m_fields(new StepFields(this))
     , m_gains(new SpeedGains(parts.device, parts.registers, parts.edits, this))
-    , m_direction(new QComboBox(this))
+    , m_direction(named(new QComboBox(this), "stepDirection", tr("Steps in the picture")))
     , m_overlay(new StepOverlay(this))
     , m_runs(new StepRuns(this))
     , m_table(new RowList("stepRuns", tr("Series of steps"), m_runs, this))
@@ -78,8 +79,6 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
 
 QWidget *StepPage::makeSide()
 {
-    m_direction->setObjectName(QStringLiteral("stepDirection"));
-    m_direction->setAccessibleName(tr("Steps in the picture"));
     m_direction->addItems({tr("steps up"), tr("steps down")});
     new WheelGuard(m_direction);
     auto *side = new QWidget(this);
@@ -114,11 +113,9 @@ void StepPage::makeBar()
     run.settled = [this] { return m_gains->settled(); };
     m_bar->add(std::move(run));
     m_bar->setLook(progress);
-    m_reference = new QPushButton(tr("Reference"), m_bar);
-    m_reference->setObjectName(QStringLiteral("stepReference"));
+    m_reference = named(new QPushButton(tr("Reference"), m_bar), "stepReference");
     m_reference->setToolTip(tr("The others show their difference to the chosen series (Enter)"));
-    m_remove = new QPushButton(tr("Remove"), m_bar);
-    m_remove->setObjectName(QStringLiteral("stepRemove"));
+    m_remove = named(new QPushButton(tr("Remove"), m_bar), "stepRemove");
     m_remove->setToolTip(tr("Takes the chosen series out of the table and the picture (Delete)"));
     m_bar->addAside(m_reference);
     m_bar->addAside(m_remove);

@@ -1,6 +1,7 @@
 #include "widgets/lab/tour_page.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
@@ -72,15 +73,13 @@ QWidget *TourPage::makeChoices()
     auto *row = new QHBoxLayout(choices);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGrid);
-    m_goal = new QComboBox(choices);
-    m_goal->setObjectName(QStringLiteral("tourGoal"));
+    m_goal = named(new QComboBox(choices), "tourGoal");
     m_goal->setToolTip(
         tr("How near to instability the proposed gains go: Ms at most 1.4, 1.7, 2.0"));
     m_goal->addItems({tr("stiff"), tr("medium"), tr("quick")});
     m_goal->setCurrentIndex(1);
     new WheelGuard(m_goal);
-    m_length = new WholeSpin(choices);
-    m_length->setObjectName(QStringLiteral("tourLength"));
+    m_length = named(new WholeSpin(choices), "tourLength");
     m_length->setRange(kLeast_s, kMost_s);
     m_length->setValue(kUsual_s);
     m_length->setSuffix(QStringLiteral("\u202fs"));
@@ -115,8 +114,7 @@ void TourPage::makeBar()
     prove.settled = [this] { return m_parts.tuning.holdsApplied(); };
     prove.patience = kWriting;
     m_prove = m_bar->add(std::move(prove));
-    m_back = new QPushButton(tr("&Back to the old gains"), m_bar);
-    m_back->setObjectName(QStringLiteral("tourBack"));
+    m_back = named(new QPushButton(tr("&Back to the old gains"), m_bar), "tourBack");
     m_bar->addAside(m_back);
     connect(m_back, &QPushButton::clicked, this, [this] { m_parts.tuning.back(); });
 }

@@ -1,6 +1,7 @@
 #include "widgets/measuring/math_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/measuring/math_channels.h"
@@ -33,12 +34,12 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     , m_motor(std::move(motor))
     , m_table(new MathTable(channels, capture, scope, this))
     , m_list(new RowList("mathList", tr("Math channels"), m_table, this))
-    , m_name(new QLineEdit(this))
-    , m_formula(new QLineEdit(this))
+    , m_name(named(new QLineEdit(this), "mathName"))
+    , m_formula(named(new QLineEdit(this), "mathFormula"))
     , m_verdict(wrappedLabel("mathVerdict", this))
-    , m_apply(new QPushButton(this))
-    , m_remove(new QPushButton(tr("&Remove"), this))
-    , m_record(new QPushButton(tr("Record it", "a signal"), this))
+    , m_apply(named(new QPushButton(this), "applyMath"))
+    , m_remove(named(new QPushButton(tr("&Remove"), this), "removeMath"))
+    , m_record(named(new QPushButton(tr("Record it", "a signal"), this), "recordForMath"))
 {
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
@@ -78,20 +79,13 @@ QWidget *MathPanel::makeEditor()
 {
     auto *side = new QWidget(this);
     side->setFixedWidth(kEditorWidth);
-    m_name->setObjectName(QStringLiteral("mathName"));
     m_name->setMaxLength(int(kLongestMathName));
     m_name->setToolTip(tr("Letters of A to Z, digits and _; other formulas use it by this name."));
-    m_formula->setObjectName(QStringLiteral("mathFormula"));
     m_formula->setMaxLength(int(scope::Formula::kMostBytes));
     m_formula->setPlaceholderText(QStringLiteral("lowpass(I_A, 100) - I_B"));
-    m_apply->setObjectName(QStringLiteral("applyMath"));
-    m_remove->setObjectName(QStringLiteral("removeMath"));
-    auto *fresh = new QPushButton(tr("Ne&w"), side);
-    fresh->setObjectName(QStringLiteral("newMath"));
-    auto *ready = new QPushButton(tr("Read&y formulas"), side);
-    ready->setObjectName(QStringLiteral("readyMath"));
-    auto *insertIt = new QPushButton(tr("&Insert"), side);
-    insertIt->setObjectName(QStringLiteral("insertMath"));
+    auto *fresh = named(new QPushButton(tr("Ne&w"), side), "newMath");
+    auto *ready = named(new QPushButton(tr("Read&y formulas"), side), "readyMath");
+    auto *insertIt = named(new QPushButton(tr("&Insert"), side), "insertMath");
     const auto withMenu = [this](QPushButton *button, const char *name, auto fill) {
         auto *menu = new QMenu(button);
         menu->setObjectName(QLatin1String(name));
@@ -109,7 +103,6 @@ QWidget *MathPanel::makeEditor()
     auto *helps = new QHBoxLayout;
     helps->addWidget(ready);
     helps->addWidget(insertIt);
-    m_record->setObjectName(QStringLiteral("recordForMath"));
     helps->addWidget(m_record);
     auto *buttons = new QHBoxLayout;
     for (QPushButton *button : {fresh, m_apply, m_remove})

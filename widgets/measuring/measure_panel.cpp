@@ -1,5 +1,6 @@
 #include "widgets/measuring/measure_panel.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/measure_text.h"
@@ -65,27 +66,19 @@ MeasurePanel::MeasurePanel(
 
 void MeasurePanel::makeSide(QWidget *side)
 {
-    const auto named = [](QComboBox *box, const char *name) {
-        box->setObjectName(QLatin1String(name));
-        new WheelGuard(box);
-    };
-    named(m_trace, "measureTrace");
-    named(m_quantity, "measureQuantity");
-    named(m_against, "measureAgainst");
-    named(m_range, "measureRange");
+    new WheelGuard(named(m_trace, "measureTrace"));
+    new WheelGuard(named(m_quantity, "measureQuantity"));
+    new WheelGuard(named(m_against, "measureAgainst"));
+    new WheelGuard(named(m_range, "measureRange"));
     for (const scope::Quantity quantity : allQuantities()) {
         m_quantity->addItem(quantityText(quantity), static_cast<int>(quantity));
         m_quantity->setItemData(m_quantity->count() - 1, quantityHelp(quantity), Qt::ToolTipRole);
     }
     m_range->addItems({tr("the picture"), tr("between the cursors")});
-    auto *add = new QPushButton(tr("&Add"), side);
-    add->setObjectName(QStringLiteral("addMeasure"));
-    auto *remove = new QPushButton(tr("Rem&ove"), side);
-    remove->setObjectName(QStringLiteral("removeMeasure"));
-    auto *again = new QPushButton(tr("&Clear statistics"), side);
-    again->setObjectName(QStringLiteral("clearStatistics"));
-    auto *copyIt = new QPushButton(tr("Co&py"), side);
-    copyIt->setObjectName(QStringLiteral("copyMeasures"));
+    auto *add = named(new QPushButton(tr("&Add"), side), "addMeasure");
+    auto *remove = named(new QPushButton(tr("Rem&ove"), side), "removeMeasure");
+    auto *again = named(new QPushButton(tr("&Clear statistics"), side), "clearStatistics");
+    auto *copyIt = named(new QPushButton(tr("Co&py"), side), "copyMeasures");
 
     auto *form = new QFormLayout;
     form->addRow(tr("T&race"), m_trace);

@@ -1,6 +1,7 @@
 #include "widgets/measuring/spectrum_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
@@ -52,7 +53,7 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     , m_axis(new QComboBox(this))
     , m_scale(new QComboBox(this))
     , m_average(new WholeSpin(this))
-    , m_note(new SteadyLabel(this))
+    , m_note(named(new SteadyLabel(this), "spectrumNote"))
 {
     setObjectName(QStringLiteral("spectrumPanel"));
     m_pool.setMaxThreadCount(1);
@@ -65,7 +66,6 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
         width += its;
     }
     m_list->setFixedWidth(width);
-    m_note->setObjectName(QStringLiteral("spectrumNote"));
     m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_plot->setMinimumWidth(240);
 
@@ -87,17 +87,13 @@ SpectrumPanel::~SpectrumPanel() { m_pool.waitForDone(); }
 
 QFormLayout *SpectrumPanel::makeChoices()
 {
-    const auto named = [](QWidget *field, const char *name) {
-        field->setObjectName(QLatin1String(name));
-        new WheelGuard(field);
-    };
-    named(m_trace, "spectrumTrace");
-    named(m_range, "spectrumRange");
-    named(m_window, "spectrumWindow");
-    named(m_size, "spectrumSize");
-    named(m_average, "spectrumAverage");
-    named(m_axis, "spectrumAxis");
-    named(m_scale, "spectrumScale");
+    new WheelGuard(named(m_trace, "spectrumTrace"));
+    new WheelGuard(named(m_range, "spectrumRange"));
+    new WheelGuard(named(m_window, "spectrumWindow"));
+    new WheelGuard(named(m_size, "spectrumSize"));
+    new WheelGuard(named(m_average, "spectrumAverage"));
+    new WheelGuard(named(m_axis, "spectrumAxis"));
+    new WheelGuard(named(m_scale, "spectrumScale"));
     m_range->addItems({tr("the picture"), tr("between the cursors")});
     const auto addWindow = [this](const QString &name, scope::Window window, const QString &help) {
         m_window->addItem(name, static_cast<int>(window));
@@ -135,11 +131,9 @@ QWidget *SpectrumPanel::makeSide()
 {
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);
-    auto *again = new QPushButton(tr("Rest&art"), side);
-    again->setObjectName(QStringLiteral("spectrumAgain"));
+    auto *again = named(new QPushButton(tr("Rest&art"), side), "spectrumAgain");
     again->setToolTip(tr("Forgets what was averaged"));
-    auto *copyIt = new QPushButton(tr("C&opy"), side);
-    copyIt->setObjectName(QStringLiteral("copyPeaks"));
+    auto *copyIt = named(new QPushButton(tr("C&opy"), side), "copyPeaks");
     copyIt->setToolTip(tr("The table of peaks"));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(again);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -27,11 +28,9 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     , m_revertAction(revert)
     , m_wide(room == Room::Wide)
     , m_told(wrappedLabel("editsTold", this))
-    , m_revert(new QPushButton(tr("Revert"), this))
-    , m_apply(new QPushButton(this))
+    , m_revert(named(new QPushButton(tr("Revert"), this), "revertEdits"))
+    , m_apply(named(new QPushButton(this), "applyEdits"))
 {
-    m_revert->setObjectName(QStringLiteral("revertEdits"));
-    m_apply->setObjectName(QStringLiteral("applyEdits"));
     connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
     auto *layout = new QGridLayout(this);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/registers/edit_bar.h"
 #include "widgets/registers/register_delegate.h"
@@ -44,8 +45,8 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     , m_model(model)
     , m_edits(edits)
     , m_proxy(new QSortFilterProxyModel(this))
-    , m_search(new QLineEdit(this))
-    , m_tree(new QTreeView(this))
+    , m_search(named(new QLineEdit(this), "registerSearch"))
+    , m_tree(named(new QTreeView(this), "registerTree", tr("Registers")))
     , m_details(wrappedLabel("registerDetails", this))
     , m_columnsMenu(new QMenu(tr("Register &columns"), this))
 {
@@ -57,7 +58,6 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     m_search->setPlaceholderText(tr("Search registers (Ctrl+K)"));
     m_search->setClearButtonEnabled(true);
     m_search->setAccessibleName(tr("Search registers"));
-    m_search->setObjectName(QStringLiteral("registerSearch"));
     m_search->installEventFilter(this);
     makeTree();
     makeColumns();
@@ -100,8 +100,6 @@ RegisterPanel::~RegisterPanel()
 
 void RegisterPanel::makeTree()
 {
-    m_tree->setObjectName(QStringLiteral("registerTree"));
-    m_tree->setAccessibleName(tr("Registers"));
     m_tree->setModel(m_proxy);
     m_tree->setUniformRowHeights(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);

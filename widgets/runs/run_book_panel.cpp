@@ -3,6 +3,7 @@
 #include "session/files/run_stretches.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
@@ -43,18 +44,16 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     , m_files(files)
     , m_model(new RunBookModel(this))
     , m_table(new RowList("runBookTable", tr("Runs"), m_model, this))
-    , m_folder(new QLabel(this))
-    , m_told(new SteadyLabel(this, 1))
+    , m_folder(named(new QLabel(this), "runBookFolder"))
+    , m_told(named(new SteadyLabel(this, 1), "runBookTold"))
 {
     setObjectName(QStringLiteral("runBook"));
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->setToolTip(tr("The tick gives a run its star, F2 its note."));
     m_table->installEventFilter(this);
-    m_folder->setObjectName(QStringLiteral("runBookFolder"));
     m_folder->setTextFormat(Qt::PlainText);
     m_folder->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_told->setObjectName(QStringLiteral("runBookTold"));
     m_told->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     const auto button = [this](const QString &text, const char *name) {
         auto *made = new QPushButton(text, this);

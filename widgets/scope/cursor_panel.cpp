@@ -1,6 +1,7 @@
 #include "widgets/scope/cursor_panel.h"
 
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -35,17 +36,15 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     : QWidget(parent)
     , m_scope(scope)
     , m_model(new CursorTable(scope, capture, this))
-    , m_pairs(new QComboBox(this))
+    , m_pairs(named(new QComboBox(this), "cursorPair"))
     , m_add(new QToolButton(this))
     , m_remove(new QToolButton(this))
     , m_copy(new QToolButton(this))
     , m_hide(new QToolButton(this))
-    , m_distance(new QLabel(this))
-    , m_table(new QTableView(this))
+    , m_distance(named(new QLabel(this), "cursorInverse"))
+    , m_table(named(new QTableView(this), "cursorTable", tr("Values at the cursors")))
 {
     setObjectName(QStringLiteral("cursorPanel"));
-    m_table->setObjectName(QStringLiteral("cursorTable"));
-    m_table->setAccessibleName(tr("Values at the cursors"));
     m_table->setModel(m_model);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     // The arrows move it where there are more traces than fit; Tab goes on.
@@ -90,7 +89,6 @@ QWidget *CursorPanel::makeSide()
 {
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);
-    m_pairs->setObjectName(QStringLiteral("cursorPair"));
     m_pairs->setEditable(true);
     m_pairs->setInsertPolicy(QComboBox::NoInsert);
     m_pairs->lineEdit()->setMaxLength(Cursors::kNameLength);
@@ -110,7 +108,6 @@ QWidget *CursorPanel::makeSide()
     button(m_remove, "removeCursorPair", "remove", tr("Remove this pair"));
     button(m_copy, "copyCursors", "copy", tr("Copy the values as text"));
     button(m_hide, "hideCursors", "close", tr("Hide the cursors (C)"));
-    m_distance->setObjectName(QStringLiteral("cursorInverse"));
     m_distance->setTextFormat(Qt::PlainText);
     m_distance->setTextInteractionFlags(Qt::TextSelectableByMouse);
 

@@ -1,6 +1,7 @@
 #include "widgets/snapshots/snapshot_actions.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/snapshots/snapshot_panel.h"
 
 #include <QDropEvent>
@@ -30,12 +31,10 @@ SnapshotActions::SnapshotActions(
     , m_files(files)
     , m_panel(std::move(panel))
     , m_window(window)
-    , m_save(new QAction(tr("&Save a snapshot\u2026"), this))
-    , m_header(new QAction(tr("&Export C header\u2026"), this))
+    , m_save(named(new QAction(tr("&Save a snapshot\u2026"), this), "saveSnapshot"))
+    , m_header(named(new QAction(tr("&Export C header\u2026"), this), "exportHeader"))
 {
-    m_save->setObjectName(QStringLiteral("saveSnapshot"));
     m_save->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S);
-    m_header->setObjectName(QStringLiteral("exportHeader"));
     connect(m_save, &QAction::triggered, this, [this] { open(SnapshotDialog::Form::Snapshot); });
     connect(m_header, &QAction::triggered, this, [this] { open(SnapshotDialog::Form::Header); });
     connect(&device, &Device::linkStateChanged, this, &SnapshotActions::update);

@@ -1,5 +1,6 @@
 // What a SnapshotPanel is made of: its widgets, their keys and their texts.
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/snapshots/snapshot_panel.h"
@@ -38,9 +39,7 @@ void SnapshotPanel::makeWidgets()
     layout->addWidget(makeSides());
     layout->addWidget(makeFilters());
     layout->addWidget(m_table, 1);
-    m_report = new QPlainTextEdit(this);
-    m_report->setObjectName(QStringLiteral("snapshotReport"));
-    m_report->setAccessibleName(tr("What was restored"));
+    m_report = named(new QPlainTextEdit(this), "snapshotReport", tr("What was restored"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
     m_report->setMaximumHeight(kReportHeight);
@@ -71,8 +70,7 @@ QWidget *SnapshotPanel::makeSides()
     auto *row = new QWidget(this);
     makeSide(m_a, tr("A", "the first of two snapshots"), "snapshotA");
     makeSide(m_b, tr("B", "the second of two snapshots"), "snapshotB");
-    m_read = new QPushButton(tr("Read the b&oard"), row);
-    m_read->setObjectName(QStringLiteral("snapshotRead"));
+    m_read = named(new QPushButton(tr("Read the b&oard"), row), "snapshotRead");
     m_read->setToolTip(plainToolTip(tr("Reads every register of the board again")));
     connect(m_read, &QPushButton::clicked, this, &SnapshotPanel::readBoard);
     auto *layout = new QHBoxLayout(row);
@@ -96,9 +94,8 @@ QWidget *SnapshotPanel::makeSides()
 
 void SnapshotPanel::offerSave(QAction *save)
 {
-    auto *button = new QPushButton(tr("S&ave\u2026"), m_read->parentWidget());
-    button->setObjectName(QStringLiteral("snapshotSave"));
-    button->setAccessibleName(tr("Save a snapshot"));
+    auto *button = named(new QPushButton(tr("S&ave\u2026"), m_read->parentWidget()), "snapshotSave",
+        tr("Save a snapshot"));
     const auto follow = [button, save] {
         button->setEnabled(save->isEnabled());
         button->setToolTip(save->toolTip());
@@ -112,16 +109,13 @@ void SnapshotPanel::offerSave(QAction *save)
 QWidget *SnapshotPanel::makeFilters()
 {
     auto *row = new QWidget(this);
-    m_search = new QLineEdit(row);
-    m_search->setObjectName(QStringLiteral("snapshotSearch"));
+    m_search = named(new QLineEdit(row), "snapshotSearch");
     m_search->setPlaceholderText(tr("Filter by name or group"));
     m_search->setAccessibleName(tr("Filter the differences"));
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(260);
-    m_all = new QCheckBox(tr("Meas&ured values, too"), row);
-    m_all->setObjectName(QStringLiteral("snapshotAll"));
-    m_summary = new QLabel(row);
-    m_summary->setObjectName(QStringLiteral("snapshotSummary"));
+    m_all = named(new QCheckBox(tr("Meas&ured values, too"), row), "snapshotAll");
+    m_summary = named(new QLabel(row), "snapshotSummary");
     m_summary->setTextFormat(Qt::PlainText);
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) {
         m_proxy->setFilterFixedString(text.trimmed());
@@ -143,9 +137,7 @@ void SnapshotPanel::makeTable()
     m_proxy->setFilterKeyColumn(SnapshotModel::NameColumn);
     m_proxy->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_proxy->setSortRole(SnapshotModel::SortRole);
-    m_table = new QTableView(this);
-    m_table->setObjectName(QStringLiteral("snapshotTable"));
-    m_table->setAccessibleName(tr("Differences"));
+    m_table = named(new QTableView(this), "snapshotTable", tr("Differences"));
     m_table->setModel(m_proxy);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -174,16 +166,13 @@ QWidget *SnapshotPanel::makeBottom()
     auto *row = new QWidget(this);
     m_told = wrappedLabel("snapshotTold", row);
     m_told->hide();
-    m_otherHardware = new QCheckBox(row);
-    m_otherHardware->setObjectName(QStringLiteral("snapshotOtherHardware"));
+    m_otherHardware = named(new QCheckBox(row), "snapshotOtherHardware");
     m_otherHardware->hide();
     m_progress = new QProgressBar(row);
     m_progress->setAccessibleName(tr("Progress of reading"));
     m_progress->setMaximumWidth(160);
-    m_cancel = new QPushButton(tr("Cancel"), row);
-    m_cancel->setObjectName(QStringLiteral("snapshotCancel"));
-    m_restore = new QPushButton(row);
-    m_restore->setObjectName(QStringLiteral("snapshotRestore"));
+    m_cancel = named(new QPushButton(tr("Cancel"), row), "snapshotCancel");
+    m_restore = named(new QPushButton(row), "snapshotRestore");
     connect(m_otherHardware, &QCheckBox::toggled, this, &SnapshotPanel::updateTexts);
     connect(m_cancel, &QPushButton::clicked, &m_reader, &SnapshotReader::cancel);
     connect(m_restore, &QPushButton::clicked, this, &SnapshotPanel::restore);

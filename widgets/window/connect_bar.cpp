@@ -4,6 +4,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/steady_label.h"
@@ -84,42 +85,33 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     : QWidget(parent)
     , m_device(device)
     , m_source(ports)
-    , m_port(new PortBox([this] { refreshPorts(); }, this))
-    , m_baud(new QComboBox(this))
-    , m_protocol(new QComboBox(this))
-    , m_connect(new QPushButton(this))
-    , m_portLamp(new Lamp(tr("Port"), this))
-    , m_boardLamp(new Lamp(tr("Board"), this))
-    , m_firmware(new SteadyLabel(this))
-    , m_board(new SteadyLabel(this))
-    , m_motor(new QComboBox(this))
+    , m_port(named(new PortBox([this] { refreshPorts(); }, this), "port", tr("Port")))
+    , m_baud(named(new QComboBox(this), "baud", tr("Baud rate")))
+    , m_protocol(named(new QComboBox(this), "protocol", tr("Protocol")))
+    , m_connect(named(new QPushButton(this), "connect"))
+    , m_portLamp(named(new Lamp(tr("Port"), this), "portLamp"))
+    , m_boardLamp(named(new Lamp(tr("Board"), this), "boardLamp"))
+    , m_firmware(named(new SteadyLabel(this), "firmware"))
+    , m_board(named(new SteadyLabel(this), "boardName"))
+    , m_motor(named(new QComboBox(this), "motor", tr("Motor")))
 {
     setObjectName(QStringLiteral("connectBar"));
-    m_port->setObjectName(QStringLiteral("port"));
-    m_port->setAccessibleName(tr("Port"));
     m_port->setToolTip(tr("A port of the list, or a path that you type"));
     m_port->setEditable(true);
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setMinimumWidth(kPortWidth);
-    m_baud->setObjectName(QStringLiteral("baud"));
-    m_baud->setAccessibleName(tr("Baud rate"));
     m_baud->setEditable(true);
     m_baud->setInsertPolicy(QComboBox::NoInsert);
     for (const quint32 baud : kBauds)
         m_baud->addItem(QString::number(baud), baud);
-    m_protocol->setObjectName(QStringLiteral("protocol"));
-    m_protocol->setAccessibleName(tr("Protocol"));
     m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
     fillProtocols(*m_protocol);
-    m_connect->setObjectName(QStringLiteral("connect"));
     setLineIcon(*m_connect, "connect");
     for (const QString &word : {tr("Connect"), tr("Disconnect")}) { // it keeps its width
         m_connect->setText(word);
         m_connect->setMinimumWidth(
             std::max({kConnectWidth, m_connect->minimumWidth(), m_connect->sizeHint().width()}));
     }
-    m_motor->setObjectName(QStringLiteral("motor"));
-    m_motor->setAccessibleName(tr("Motor"));
     // Its place is kept: what is beside it does not move when a board with two motors comes. Names are whole in its list.
     m_motor->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_motor->setMinimumContentsLength(static_cast<int>(tr("Motor %1").size()));
@@ -129,16 +121,12 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_motor->hide();
     for (QComboBox *choice : {m_port, m_baud, m_protocol, m_motor})
         new WheelGuard(choice);
-    m_portLamp->setObjectName(QStringLiteral("portLamp"));
-    m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
     m_portLamp->setRoomFor(
         {tr("port open"), tr("port not open"), tr("port closed"), tr("replay, no port")});
     m_boardLamp->setRoomFor(
         QStringList{tr("board as recorded"), tr("no board")} + linkStateTexts());
     for (QLabel *label : {m_firmware, m_board}) // whatever a board says
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_firmware->setObjectName(QStringLiteral("firmware"));
-    m_board->setObjectName(QStringLiteral("boardName"));
     m_board->setEnabled(false);
 
     auto *lamps = new QVBoxLayout;

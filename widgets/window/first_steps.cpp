@@ -1,5 +1,6 @@
 #include "widgets/window/first_steps.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 
@@ -34,9 +35,9 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     , m_device(device)
     , m_title(new SteadyLabel(this))
     , m_text(new QLabel(this))
-    , m_first(new QPushButton(this))
-    , m_second(new QPushButton(this))
-    , m_close(new QPushButton(tr("Hide"), this))
+    , m_first(named(new QPushButton(this), "firstStepsFirst"))
+    , m_second(named(new QPushButton(this), "firstStepsSecond"))
+    , m_close(named(new QPushButton(tr("Hide"), this), "firstStepsHide"))
     , m_answers(new QWidget(this))
 {
     setObjectName(QStringLiteral("firstSteps"));
@@ -50,9 +51,6 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_first->setObjectName(QStringLiteral("firstStepsFirst"));
-    m_second->setObjectName(QStringLiteral("firstStepsSecond"));
-    m_close->setObjectName(QStringLiteral("firstStepsHide"));
     m_close->setToolTip(tr("Help > First steps brings these cards back."));
     m_close->setFlat(true);
 

@@ -2,6 +2,7 @@
 
 #include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
@@ -39,8 +40,8 @@ SetpointBox::SetpointBox(
     , m_device(device)
     , m_registers(registers)
     , m_motion(motion)
-    , m_mode(new QComboBox(this))
-    , m_control(new SteadyLabel(this))
+    , m_mode(named(new QComboBox(this), "setpointMode", tr("Kind of set-point")))
+    , m_control(named(new SteadyLabel(this), "controlMode"))
     , m_firstLabel(plainLabel(this, "firstLabel"))
     , m_secondLabel(plainLabel(this, "secondLabel"))
     , m_shaftLabel(plainLabel(this, "shaftLabel"))
@@ -50,22 +51,18 @@ SetpointBox::SetpointBox(
     , m_iq(makeEdit("iqReference", tr("Reference of the current Iq in ampere")))
     , m_id(makeEdit("idReference", tr("Reference of the current Id in ampere")))
     , m_position(makeEdit("position", tr("Angle of the shaft to go to, in degrees")))
-    , m_shaft(new SteadyLabel(this))
-    , m_echo(new SteadyLabel(this))
+    , m_shaft(named(new SteadyLabel(this), "shaftNow"))
+    , m_echo(named(new SteadyLabel(this), "speedEcho"))
     , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
-    , m_go(new MotorButton(tr("Go", "send the set-point"), this))
-    , m_stopRamp(new MotorButton(tr("Stop ramp"), this))
+    , m_go(named(new MotorButton(tr("Go", "send the set-point"), this), "go"))
+    , m_stopRamp(named(new MotorButton(tr("Stop ramp"), this), "stopRamp"))
     , m_cyclic(new QCheckBox(tr("Send with every exchange", "set-points"), this))
 {
-    m_mode->setObjectName(QStringLiteral("setpointMode"));
-    m_mode->setAccessibleName(tr("Kind of set-point"));
     m_mode->addItems({tr("Speed", "kind of set-point"), tr("Torque (Iq)", "kind of set-point"),
         tr("Currents (Iq, Id)", "kind of set-point"), tr("Position", "kind of set-point")});
     new WheelGuard(m_mode);
-    m_echo->setObjectName(QStringLiteral("speedEcho"));
     m_echo->setEnabled(false);
     m_echo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // whatever was typed
-    m_control->setObjectName(QStringLiteral("controlMode"));
     m_control->setEnabled(false);
     m_control->setRoomFor({controlText(drive::kSpeedModeNumber),
         controlText(drive::kTorqueModeNumber), controlText(drive::kPositionModeNumber)});
@@ -78,13 +75,10 @@ SetpointBox::SetpointBox(
     m_timeLabel->setBuddy(m_rampTime);
     makeAngleField(*m_position);
     m_shaftLabel->setText(tr("Shaft is at"));
-    m_shaft->setObjectName(QStringLiteral("shaftNow"));
     m_shaft->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_shaft->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_secondLabel->setText(tr("Id [A]"));
     m_secondLabel->setBuddy(m_id);
-    m_go->setObjectName(QStringLiteral("go"));
-    m_stopRamp->setObjectName(QStringLiteral("stopRamp"));
     m_cyclic->setObjectName(QStringLiteral("cyclicSetPoints"));
     makeLayout();
 

@@ -1,5 +1,6 @@
 #include "widgets/scope/events/event_panel.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/row_table.h"
 #include "widgets/scope/cursor_actions.h"
@@ -43,7 +44,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     , m_scope(scope)
     , m_markers(new MarkerFilter(this))
     , m_list(new RowList("eventList", tr("Events and markers"), &scope.events(), this))
-    , m_onlyMarkers(new QCheckBox(tr("Markers on&ly"), this))
+    , m_onlyMarkers(named(new QCheckBox(tr("Markers on&ly"), this), "onlyMarkers"))
 {
     setObjectName(QStringLiteral("eventPanel"));
     m_list->setVerticalScrollBarPolicy(
@@ -55,14 +56,10 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     m_list->setToolTip(
         tr("Enter shows an event on the scope, F2 edits a marker's note, Delete removes a marker"));
     m_list->installEventFilter(this);
-    m_onlyMarkers->setObjectName(QStringLiteral("onlyMarkers"));
 
-    auto *add = new QPushButton(tr("Set a mar&ker"), this);
-    add->setObjectName(QStringLiteral("addMarker"));
-    auto *remove = new QPushButton(tr("Delete m&arkers"), this);
-    remove->setObjectName(QStringLiteral("deleteMarker"));
-    auto *copyIt = new QPushButton(tr("&Copy"), this);
-    copyIt->setObjectName(QStringLiteral("copyEvents"));
+    auto *add = named(new QPushButton(tr("Set a mar&ker"), this), "addMarker");
+    auto *remove = named(new QPushButton(tr("Delete m&arkers"), this), "deleteMarker");
+    auto *copyIt = named(new QPushButton(tr("&Copy"), this), "copyEvents");
     auto *side = new QVBoxLayout;
     side->addWidget(m_onlyMarkers);
     side->addWidget(add);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
@@ -142,25 +143,22 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     , m_chips(new QWidget(this))
     , m_flow(new FlowLayout(kHalfGrid, m_chips))
     , m_empty(new SteadyLabel(this))
-    , m_fold(new QToolButton(this))
+    , m_fold(named(new QToolButton(this), "foldChips"))
     , m_rateLabel(new QLabel(tr("HF rate"), this))
-    , m_rate(new QComboBox(this))
-    , m_budget(new SteadyLabel(this))
+    , m_rate(named(new QComboBox(this), "fastRate"))
+    , m_budget(named(new SteadyLabel(this), "linkBudget"))
 {
     setObjectName(QStringLiteral("channelStrip"));
     setAcceptDrops(true);
     m_empty->setText(tr("Drag registers here or onto the scope, or press Enter in the list."));
     m_empty->setEnabled(false);
     m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_rate->setObjectName(QStringLiteral("fastRate"));
     new WheelGuard(m_rate);
     m_rate->setAccessibleName(tr("Rate of the fast signals"));
     m_rate->setToolTip(tr("Samples a second of each HF signal"));
-    m_budget->setObjectName(QStringLiteral("linkBudget"));
     m_budget->setSizePolicy(
         QSizePolicy::Ignored, QSizePolicy::Preferred); // never makes the window wider
 
-    m_fold->setObjectName(QStringLiteral("foldChips"));
     m_fold->setAutoRaise(true);
     m_fold->setFocusPolicy(Qt::TabFocus);
     connect(m_fold, &QToolButton::clicked, this, [this] {

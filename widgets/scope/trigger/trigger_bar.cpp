@@ -3,6 +3,7 @@
 #include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/steady_label.h"
@@ -67,11 +68,11 @@ TriggerBar::TriggerBar(
     , m_source(new SnugComboBox(kNameLetters, this))
     , m_written(new SnugComboBox(kNameLetters, this))
     , m_way(new QComboBox(this))
-    , m_level(new ValueEdit(this))
+    , m_level(named(new ValueEdit(this), "triggerLevel"))
     , m_single(new QToolButton(this))
     , m_force(new QToolButton(this))
     , m_more(new QToolButton(this))
-    , m_state(new SteadyLabel(this))
+    , m_state(named(new SteadyLabel(this), "triggerState"))
 {
     setObjectName(QStringLiteral("triggerBar"));
     makeBar();
@@ -104,7 +105,6 @@ void TriggerBar::makeBar()
         m_mode->addItem(modeText(mode), static_cast<int>(mode));
     for (int type = 0; type < kTriggerTypes; ++type)
         m_type->addItem(typeText(static_cast<TriggerType>(type)), type);
-    m_level->setObjectName(QStringLiteral("triggerLevel"));
     const auto button = [](QToolButton *tool, const char *name, const QString &text,
                             const QString &says) {
         tool->setObjectName(QLatin1String(name));
@@ -116,7 +116,6 @@ void TriggerBar::makeBar()
     button(m_single, "triggerSingle", tr("Single"), tr("Takes one record, then stops (S)"));
     button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
     button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
-    m_state->setObjectName(QStringLiteral("triggerState"));
 
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
@@ -159,8 +158,7 @@ void TriggerBar::makeBar()
 
 QWidget *TriggerBar::makeDetails()
 {
-    auto *details = new QFrame(this, Qt::Popup);
-    details->setObjectName(QStringLiteral("triggerDetails"));
+    auto *details = named(new QFrame(this, Qt::Popup), "triggerDetails");
     details->setFrameShape(QFrame::StyledPanel);
     m_form = new QFormLayout(details);
     const auto number = [this, details](const char *name, const QString &label, bool time,
@@ -180,8 +178,7 @@ QWidget *TriggerBar::makeDetails()
     m_upper = number("triggerUpper", tr("&Upper level"), false, -1e12, 1e12, &TriggerSetup::upper);
     m_hysteresis =
         number("triggerHysteresis", tr("&Hysteresis"), false, 0.0, 1e12, &TriggerSetup::hysteresis);
-    m_inside = new QComboBox(details);
-    m_inside->setObjectName(QStringLiteral("triggerInside"));
+    m_inside = named(new QComboBox(details), "triggerInside");
     m_inside->addItems({tr("between these times"), tr("all but between them")});
     new WheelGuard(m_inside);
     m_form->addRow(tr("&Duration"), m_inside);
@@ -189,14 +186,12 @@ QWidget *TriggerBar::makeDetails()
         number("triggerLeast", tr("At &least"), true, 0.0, kLongestTime, &TriggerSetup::least);
     m_most = number("triggerMost", tr("At &most"), true, 0.0, kLongestTime, &TriggerSetup::most);
     m_time = number("triggerTime", tr("&Pause"), true, 0.0, kLongestTime, &TriggerSetup::time);
-    m_count = new QSpinBox(details);
-    m_count->setObjectName(QStringLiteral("triggerCount"));
+    m_count = named(new QSpinBox(details), "triggerCount");
     m_count->setRange(1, 1'000'000);
     m_count->setKeyboardTracking(false);
     new WheelGuard(m_count);
     m_form->addRow(tr("&Edges"), m_count);
-    m_preTrigger = new ValueEdit(details);
-    m_preTrigger->setObjectName(QStringLiteral("triggerPre"));
+    m_preTrigger = named(new ValueEdit(details), "triggerPre");
     m_preTrigger->setFixedWidth(kDetailWidth);
     m_preTrigger->setPlain(QStringLiteral("%"), 0.1);
     m_preTrigger->setBounds(0.0, 100.0);
@@ -205,14 +200,12 @@ QWidget *TriggerBar::makeDetails()
         number("triggerHoldOff", tr("Hold-&off"), true, 0.0, kLongestTime, &TriggerSetup::holdOff);
     m_length = number("triggerLength", tr("&Record length"), true, kShortestRecord, kLongestTime,
         &TriggerSetup::length);
-    m_middle = new QPushButton(tr("Set level to &50 %"), details);
-    m_middle->setObjectName(QStringLiteral("triggerMiddle"));
+    m_middle = named(new QPushButton(tr("Set level to &50 %"), details), "triggerMiddle");
     m_form->addRow(m_middle);
     m_problem = wrappedLabel("triggerProblem", details);
     m_form->addRow(m_problem);
     // Esc is Stop, everywhere: what it closes elsewhere needs another way out.
-    auto *away = new QPushButton(tr("&Close"), details);
-    away->setObjectName(QStringLiteral("triggerDetailsClose"));
+    auto *away = named(new QPushButton(tr("&Close"), details), "triggerDetailsClose");
     connect(away, &QPushButton::clicked, details, &QWidget::close);
     m_form->addRow(away);
 
