@@ -8,7 +8,7 @@
 #pragma once
 
 #include "lab/evaluation/segments.h"
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 
 #include <optional>
 

@@ -8,7 +8,7 @@
 
 #include "lab/experiment.h"
 #include "lab/happenings.h"
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 
 #include <complex>
 #include <optional>

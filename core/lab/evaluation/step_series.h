@@ -5,7 +5,7 @@
 #include "lab/evaluation/step_evaluation.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 
 #include <string>
 #include <utility>

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "lab/evaluation/turning_slices.h"
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 
 #include <optional>
 

@@ -7,7 +7,7 @@
 // and rows that are not independent would promise too much. Source: C. Cameron and D. Miller, J. Human Resources 50 (2015).
 #pragma once
 
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 
 #include <array>
 #include <optional>

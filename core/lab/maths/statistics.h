@@ -1,12 +1,19 @@
 // What a few repeated measurements say together. Pure functions; values that are no numbers are the caller's to leave out.
 #pragma once
 
-#include "lab/maths/estimate.h"
-
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace lab {
+
+/// A measured number with the interval that holds the true one in 95 of 100 cases.
+struct Estimate {
+    double value = 0.0;
+    /// Empty: the spread is not known, as of a single value.
+    std::optional<double> low, high;
+    bool operator==(const Estimate &) const = default;
+};
 
 /// What an interval of 95 % has to either side, in standard errors that were taken from so many degrees of freedom.
 double studentOf(std::size_t freedom);

@@ -2,7 +2,7 @@
 // row, with what is told of it. It computes nothing.
 #pragma once
 
-#include "lab/maths/estimate.h"
+#include "lab/maths/statistics.h"
 #include "widgets/base/row_table.h"
 
 #include <QString>
