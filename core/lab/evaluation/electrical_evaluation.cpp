@@ -1,7 +1,6 @@
 #include "lab/evaluation/electrical_evaluation.h"
 
 #include "lab/evaluation/driven_span.h"
-#include "lab/evaluation/phase_currents.h"
 #include "lab/evaluation/segments.h"
 #include "lab/evaluation/turning_fit.h"
 #include "lab/fields.h"
