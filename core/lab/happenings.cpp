@@ -1,5 +1,6 @@
 #include "lab/happenings.h"
 
+#include "lab/experiment.h"
 #include "lab/fields.h"
 
 #include <algorithm>
@@ -42,6 +43,32 @@ const capture::Channel *fastChannel(const capture::Capture &capture, const std::
         if (info.name == name && info.kind == capture::ChannelInfo::Kind::Fast)
             return capture.channel(info.id);
     return nullptr;
+}
+
+std::optional<DrivenSpan> drivenSpan(
+    int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last)
+{
+    std::optional<DrivenSpan> span;
+    for (; at != end; ++at) {
+        const auto &[time, what] = *at;
+        const bool drives = what.name == "torque ramp" || what.name == "current reference";
+        if (drives && numberOf(what, "motor") == motor) {
+            if (!span)
+                span = DrivenSpan{time, last, {}};
+        } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
+            || endsLink(what)) {
+            if (span)
+                span->to = std::min(span->to, time);
+        } else if (what.name == kEndEntry) {
+            if (span) {
+                span->to = std::min(span->to, time);
+                span->reason = fieldOf(what, "outcome") == "complete" ? std::string()
+                                                                      : fieldOf(what, "reason");
+            }
+            break;
+        }
+    }
+    return span;
 }
 
 } // namespace lab

@@ -1,9 +1,10 @@
-// What happened while an experiment was recorded, and its signals, as a recording has them.
+// What happened while an experiment was recorded, its signals, and when it drove the motor, as a recording has them.
 #pragma once
 
 #include "capture/capture.h"
 #include "record/entry.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,5 +24,17 @@ Happenings carriedOut(const Happenings &all);
 
 /// The signal of this name that was recorded at the control rate; nullptr: none, or the name is empty.
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name);
+
+/// When a motor was driven by currents or torques in an experiment: from the first one to whatever came then.
+struct DrivenSpan {
+    Nanos from = 0, to = 0;
+    std::string reason; ///< why it ended early; empty: it did not, or nothing says so
+};
+
+/// @param at  behind the plan's entry
+/// @param last  when nothing says that it ended
+/// @return  empty if it was never driven so
+std::optional<DrivenSpan> drivenSpan(
+    int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last);
 
 } // namespace lab

@@ -1,6 +1,5 @@
 #include "lab/evaluation/electrical_evaluation.h"
 
-#include "lab/evaluation/driven_span.h"
 #include "lab/evaluation/segments.h"
 #include "lab/evaluation/turning_fit.h"
 #include "lab/fields.h"

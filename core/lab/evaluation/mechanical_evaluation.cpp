@@ -1,6 +1,5 @@
 #include "lab/evaluation/mechanical_evaluation.h"
 
-#include "lab/evaluation/driven_span.h"
 #include "lab/evaluation/flux_fit.h"
 #include "lab/evaluation/mechanical_rows.h"
 #include "lab/evaluation/segments.h"
