@@ -1,6 +1,6 @@
 // What an experiment asks of a motor, and what the runner has to know before: where the motor is brought first, which speeds the
 // plan itself asks for, what the user allows, what is recorded, and which registers it borrows. A machine without I/O or
-// bounds, which are the runner's.
+// bounds, which are the runner's. And how an experiment ended.
 #pragma once
 
 #include "drive/wish.h"
@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lab {
@@ -63,6 +64,24 @@ public:
     virtual std::optional<Ask> next(const Moment &moment) = 0;
     virtual TimePoint due() const = 0;
     virtual bool over() const = 0;
+};
+
+/// How an experiment ended.
+enum class End : std::uint8_t {
+    Complete,
+    Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
+    Aborted, ///< the envelope was broken, or the board reported a fault
+    Interrupted, ///< somebody stopped, disarmed or took the motor over
+    Lost, ///< the link or the port went
+};
+
+struct Outcome {
+    End end = End::Complete;
+    /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
+    std::string reason;
+    TimePoint at{}; ///< when it ended; the session says it
+    bool swings = false; ///< it ended before it began: the speed did not come to rest
+    bool operator==(const Outcome &) const = default;
 };
 
 } // namespace lab
