@@ -10,6 +10,20 @@
 
 namespace simulation {
 
+/// The states of a motor. Source: mcp-aspep sections 7, 8 and 9.
+enum class MotorState : std::uint8_t {
+    Idle = 0,
+    Alignment = 2,
+    Start = 4,
+    Run = 6,
+    Stop = 8,
+    FaultNow = 10,
+    FaultOver = 11,
+    ChargeBootCap = 16,
+    OffsetCalib = 17,
+    SwitchOver = 19,
+};
+
 /// Written by the firmware, read by everybody. 16-bit variables: currents (s16A) and voltages (s16V) in digits, angles in
 /// 1/65536 electrical turn, speeds in 0.1 Hz mechanical.
 struct Signals {

@@ -10,9 +10,9 @@
 #include "base/time.h"
 #include "simulation/device.h"
 #include "simulation/firmware/build.h"
-#include "simulation/firmware/stage.h"
 #include "simulation/mcp/liars.h"
 #include "simulation/plant/parameters.h"
+#include "simulation/signals.h"
 
 #include <cstdint>
 #include <memory>

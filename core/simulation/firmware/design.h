@@ -5,7 +5,6 @@
 #include "simulation/firmware/build.h"
 #include "simulation/firmware/protection.h"
 #include "simulation/firmware/rev_up.h"
-#include "simulation/firmware/stage.h"
 #include "simulation/maths/encoder_sensor.h"
 #include "simulation/maths/gains.h"
 #include "simulation/maths/hall_sensor.h"
@@ -14,6 +13,19 @@
 #include "simulation/signals.h"
 
 namespace simulation {
+
+/// What the board's design fixes and its structures tell: how digits relate to amps and volts, what it allows.
+/// Source: mcp-aspep sections 7, 8 and 9.
+struct Stage {
+    double maxReadable_a = 60.175056458; ///< 32768 digits
+    double nominal_v = 24.0; ///< of the bus
+    double nominal_a = 5.0; ///< peak
+    int maxSpeed_rpm = 4000;
+    double busFullScale_v = 60.0; ///< of the bus converter, 65536 digits
+
+    double ampsPerDigit() const { return maxReadable_a / 32768.0; }
+    double voltsPerDigit() const { return nominal_v / (1.7320508075688772 * 32767.0); }
+};
 
 struct DriveDesign {
     Stage stage;
