@@ -3,18 +3,47 @@
 // Source: firmware 5.4.3 for STM32, which reads old bytes where a request is too short; the text for PowerPC.
 #pragma once
 
+#include "base/time.h"
 #include "fcp/framer.h"
 #include "fcp/register_table.h"
 #include "fcp/reply.h"
 #include "fcp/request.h"
-#include "simulation/fcp/rig.h"
 #include "simulation/stale_bytes.h"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace simulation {
+
+struct FcpMotor {
+    enum class Sensing : std::uint8_t { Pll, Cordic, Encoder, Hall };
+
+    std::uint8_t state = 0; ///< STATUS
+    std::uint8_t controlMode = 1; ///< 0 torque, 1 speed
+    std::uint32_t faults = 0; ///< FLAGS: present now << 16 | not acknowledged
+    Sensing sensing = Sensing::Pll;
+    std::map<std::uint8_t, std::int64_t> registers; ///< raw digits; those not named are 0
+    std::vector<fcp::RevUpStage> revUp; ///< empty: a build without
+};
+
+/// What a static board is and holds: no motor turns behind it, its values change only by what the protocol says, so that
+/// every answer can be foretold.
+struct FcpRig {
+    fcp::Dialect dialect = fcp::Dialect::Stm32;
+    std::string name; ///< for messages
+    std::vector<FcpMotor> motors{FcpMotor{}}; ///< 1 to 7
+    bool fluxWeakening = false, feedForward = false, pfc = false, profiler = false, dac = false;
+    std::string firmware = "ST MC SDK\tVer.5.4.3"; ///< answer of GET_FW_VERSION
+    bool integersInBoardInfo = false; ///< its version as the text has it, not as digits
+    std::int32_t speedStep_rpm = 6; ///< speeds are kept in whole steps, 1 or more rpm each
+    std::optional<Duration>
+        frameTimer; ///< from the header; none: a broken frame stays half received, as in 5.4.3
+};
 
 /// The motors behind a board, as its server sees them: values to be looked up before each answer, and what a request makes
 /// them do. Motors are counted from 0 here.
