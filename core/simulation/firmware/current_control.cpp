@@ -2,7 +2,6 @@
 #include "simulation/firmware/current_control.h"
 
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 
 namespace simulation {
 

@@ -2,7 +2,6 @@
 #include "simulation/firmware/firmware.h"
 
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 
 #include <algorithm>
 #include <cmath>

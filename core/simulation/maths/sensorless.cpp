@@ -1,7 +1,7 @@
 // Two ways to an angle from one back-EMF (E cos, -E sin); in reverse E is negative, so both sides change their sign.
 #include "simulation/maths/sensorless.h"
 
-#include "simulation/maths/trig.h"
+#include "simulation/maths/transforms.h"
 
 namespace simulation {
 

@@ -2,7 +2,6 @@
 #include "scope/formula.h"
 #include "scope/unit.h"
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 
 #include <QtTest>
 

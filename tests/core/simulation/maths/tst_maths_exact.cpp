@@ -2,7 +2,6 @@
 // prints the vectors and says what each line means.
 #include "simulation/maths/pi.h"
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 #include "simulation/maths/voltage.h"
 #include "support/places.h"
 

@@ -3,7 +3,6 @@
 #include "simulation/maths/gains.h"
 #include "simulation/maths/sensorless.h"
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 
 #include <QTest>
 

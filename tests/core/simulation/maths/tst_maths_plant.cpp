@@ -5,7 +5,6 @@
 #include "simulation/maths/hall_sensor.h"
 #include "simulation/maths/sensorless.h"
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 #include "simulation/maths/voltage.h"
 #include "simulation/plant/plant.h"
 #include "simulation/plant/presets.h"

@@ -1,6 +1,5 @@
 // The arithmetic of the fast task: angles, transforms, circle limitation, modulation, at their edges and at random.
 #include "simulation/maths/transforms.h"
-#include "simulation/maths/trig.h"
 #include "simulation/maths/voltage.h"
 
 #include <QTest>
