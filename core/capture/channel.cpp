@@ -1,7 +1,5 @@
 #include "capture/channel.h"
 
-#include "capture/gallop.h"
-
 namespace capture {
 
 namespace {

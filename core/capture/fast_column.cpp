@@ -1,7 +1,5 @@
 #include "capture/fast_column.h"
 
-#include "capture/gallop.h"
-
 #include <cassert>
 #include <cstring>
 
