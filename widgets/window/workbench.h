@@ -10,7 +10,7 @@
 #include "session/link/session_thread.h"
 #include "session/recording/recording.h"
 #include "session/recording/replay.h"
-#include "session/recording/set_point_tap.h"
+#include "session/recording/session_tap.h"
 #include "widgets/base/device.h"
 #include "widgets/control/input_age.h"
 #include "widgets/control/motion_gate.h"

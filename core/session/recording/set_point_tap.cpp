@@ -1,1 +1,0 @@
-#include "session/recording/set_point_tap.h"
