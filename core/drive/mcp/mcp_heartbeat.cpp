@@ -1,7 +1,6 @@
 #include "drive/mcp/mcp_heartbeat.h"
 
 #include "base/number_text.h"
-#include "drive/mcp/mcp_facts.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // registers that hold set-points.
 #pragma once
 
-#include "drive/mcp/mcp_facts.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/wish.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 // streamed, what can be done at all. Pure functions; nothing implausible becomes a number.
 #pragma once
 
-#include "drive/mcp/mcp_facts.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "mcp/structures.h"
 
 #include <optional>
