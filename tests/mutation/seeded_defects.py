@@ -136,7 +136,7 @@ DEFECTS = [
     ("the state of a silent board of the older protocol stays", "tst_monkey@8-16", "untrue", [
         ("widgets/control/state_box.cpp", "const bool believed = m_device.statusIsNow(m_device.motor());", "const bool believed = m_device.portOpen();")]),
     ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
-        ("core/drive/fcp/fcp_reads.cpp", "        reading.value = std::move(value).value_or(Value());\n",
+        ("core/drive/fcp/fcp_protocol.cpp", "        reading.value = std::move(value).value_or(Value());\n",
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
     ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
         ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),

@@ -4,7 +4,7 @@
 // An acknowledgement here proves nothing: START is acknowledged in any state. What the motor does is read by others.
 #pragma once
 
-#include "drive/fcp/fcp_reads.h"
+#include "drive/fcp/fcp_protocol.h"
 #include "drive/set_point_check.h"
 #include "drive/task.h"
 

@@ -5,7 +5,7 @@
 // of the dialects has are read. If they contradict each other, or the user's choice, the board stays read-only.
 #pragma once
 
-#include "drive/fcp/fcp_reads.h"
+#include "drive/fcp/fcp_protocol.h"
 #include "drive/task.h"
 #include "fcp/reply.h"
 

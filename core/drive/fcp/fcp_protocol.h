@@ -1,12 +1,16 @@
-// What the tasks of a drive of the older serial protocol ask and are answered.
+// What the tasks of a drive of the older serial protocol ask and are answered, and how registers are read with it.
 #pragma once
 
 #include "drive/board_facts.h"
+#include "drive/fcp/fcp_registers.h"
+#include "drive/reader.h"
 #include "fcp/protocol.h"
 #include "fcp/reply.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace fcp {
 class Client;
@@ -51,5 +55,24 @@ inline fcp::Request fcpRequest(int motor, fcp::Command command)
 /// Why not, if the answer is a refusal; empty if it is none.
 std::string nackWord(const fcp::Reply &reply);
 std::optional<std::uint8_t> nackCode(const fcp::Reply &reply);
+
+/// Reading by one GET after the other; the raw register of the rev-up takes one for each of its stages.
+class FcpReads : public PlainReads {
+public:
+    explicit FcpReads(const FcpFacts &board)
+        : m_board(board)
+    {
+    }
+
+    void begin(std::vector<RegisterId> & /*ids*/) { drop(); }
+    void drop() { m_stages.clear(); }
+    fcp::Request request(std::span<const RegisterId> ids, std::size_t &count) const;
+    std::optional<std::vector<Reading>> readings(
+        std::span<const RegisterId> ids, const fcp::Reply &answer, TimePoint now);
+
+private:
+    const FcpFacts &m_board;
+    Bytes m_stages; ///< of the rev-up, read until now
+};
 
 } // namespace drive

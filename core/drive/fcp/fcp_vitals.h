@@ -1,7 +1,7 @@
 // State, faults and speed of every motor of a board of the older serial protocol.
 #pragma once
 
-#include "drive/fcp/fcp_reads.h"
+#include "drive/fcp/fcp_protocol.h"
 #include "drive/vitals.h"
 
 namespace drive {

@@ -2,7 +2,7 @@
 // board did not understand goes out once more.
 #pragma once
 
-#include "drive/fcp/fcp_reads.h"
+#include "drive/fcp/fcp_protocol.h"
 #include "drive/stepwise_write.h"
 
 namespace drive {

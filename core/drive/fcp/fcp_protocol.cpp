@@ -1,4 +1,4 @@
-#include "drive/fcp/fcp_reads.h"
+#include "drive/fcp/fcp_protocol.h"
 
 #include "base/hex.h"
 
