@@ -1,5 +1,5 @@
 # Writes OUTPUT: a C++ file that holds each of TABLES as bytes. Bytes, because compilers limit string literals.
-set(text "// Generated from resources/registers.\n#include \"catalog/tables.h\"\n\nnamespace catalog {\nnamespace {\n")
+set(text "// Generated from resources/registers.\n#include \"catalog/catalog.h\"\n\nnamespace catalog {\nnamespace {\n")
 set(rows "")
 foreach(table ${TABLES})
     get_filename_component(name ${table} NAME_WE)

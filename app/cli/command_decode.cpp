@@ -1,5 +1,4 @@
 #include "catalog/catalog.h"
-#include "catalog/tables.h"
 #include "commands.h"
 #include "trace_json.h"
 

@@ -81,4 +81,8 @@ std::string upper(std::string_view text);
 Result<std::vector<RegisterInfo>, TableError> readTable(
     std::string_view csv, std::string_view family, std::uint32_t version);
 
+/// The CSV text of `resources/registers/<name>.csv`, built into the library so that core needs no file access; an empty view
+/// if there is none.
+std::string_view builtInTable(std::string_view name);
+
 } // namespace catalog

@@ -2,7 +2,7 @@
 
 #include "base/number_text.h"
 #include "base/word_table.h"
-#include "catalog/tables.h"
+#include "catalog/catalog.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // The translations as files: complete, with the same place holders as their sources, and inside the program.
 // Looks at translations/*.ts in the source folder, never at the wording.
+#include "catalog/catalog.h"
 #include "catalog/csv.h"
 #include "catalog/names.h"
-#include "catalog/tables.h"
 #include "support/places.h"
 
 #include <QFile>

@@ -1,6 +1,5 @@
 #include "drive/fcp/fcp_registers.h"
 
-#include "catalog/tables.h"
 #include "drive/control_mode.h"
 #include "drive/values.h"
 

@@ -1,6 +1,6 @@
 #include "drive/mcp/mcp_identification.h"
 
-#include "catalog/tables.h"
+#include "catalog/catalog.h"
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/mcp/mcp_stream.h"

@@ -1,6 +1,5 @@
 // Every recorded session, read by the trace decoder: what it says must be what the recorder wrote down.
 #include "catalog/catalog.h"
-#include "catalog/tables.h"
 #include "mcp/trace_decoder.h"
 #include "support/places.h"
 

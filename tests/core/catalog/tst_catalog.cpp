@@ -1,7 +1,6 @@
 // The register table and the names of its numbers.
 #include "catalog/catalog.h"
 #include "catalog/names.h"
-#include "catalog/tables.h"
 
 #include <QTest>
 

@@ -2,7 +2,6 @@
 #include "catalog/catalog.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
-#include "catalog/tables.h"
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/set_point_check.h"

@@ -2,7 +2,6 @@
 // wire is exactly what was asked for and lies within the limits. On simulated boards of all protocols, by seeds.
 #include "catalog/catalog.h"
 #include "catalog/csv.h"
-#include "catalog/tables.h"
 #include "drive/control_mode.h"
 #include "drive/mcp/mcp_values.h"
 #include "drive/motion_limits.h"

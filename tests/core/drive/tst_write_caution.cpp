@@ -1,5 +1,5 @@
 // Which writes of a list a person is asked about: the two halves of a gain count as one number.
-#include "catalog/tables.h"
+#include "catalog/catalog.h"
 #include "drive/write_caution.h"
 
 #include <QTest>

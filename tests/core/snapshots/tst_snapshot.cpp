@@ -1,5 +1,5 @@
 // Snapshots as values: what they hold, how two differ, and what a restore would write.
-#include "catalog/tables.h"
+#include "catalog/catalog.h"
 #include "snapshots/restore.h"
 
 #include <QTest>

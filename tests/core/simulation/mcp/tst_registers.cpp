@@ -1,7 +1,7 @@
 // Every register of the list, on every profile and on builds with every option: what GET and SET must answer. The list
 // is the one that the Controller uses, resources/registers/mcp.csv; what its words mean on the wire stands here.
+#include "catalog/catalog.h"
 #include "catalog/csv.h"
-#include "catalog/tables.h"
 #include "mcp/structures.h"
 #include "simulation/plant/presets.h"
 #include "support/board_bench.h"
