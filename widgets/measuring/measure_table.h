@@ -3,7 +3,7 @@
 // thread: one job for the picture at a time, and the records one after the other, of which none is left out.
 #pragma once
 
-#include "scope/statistics.h"
+#include "scope/measurement.h"
 #include "widgets/base/row_table.h"
 #include "widgets/measuring/job_rest.h"
 #include "widgets/measuring/measure_job.h"

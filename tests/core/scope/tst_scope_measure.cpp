@@ -1,7 +1,7 @@
 // Measurements against signals whose answers are known on paper.
+#include "scope/measurement.h"
 #include "scope/measurer.h"
 #include "scope/phase.h"
-#include "scope/statistics.h"
 #include "support/analytic_channel.h"
 #include "support/noisy_channel.h"
 
