@@ -1,7 +1,6 @@
 #include "served.h"
 
 #include "aspep/packet.h"
-#include "fcp_words.h"
 #include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
 #include "simulation/fcp/fcp_board.h"
@@ -40,6 +39,35 @@ Result<Served, std::string> mcbOf(const Options &options)
     auto &known = *stream;
     return Served{std::move(stream), 0,
         [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
+}
+
+/// The words that a static board of the older serial protocol obeys besides those of every board:
+/// `state N`, `faults HEX` (first motor), `execute`, `rx-timeout`, `rx-overrun`; all else as obey().
+Result<Obeyed, std::string> obeyFcp(std::string_view line, simulation::FcpBoard &board)
+{
+    const std::string_view words = trimmed(line);
+    const std::string_view word = words.substr(0, words.find_first_of(" \t"));
+    const std::string_view rest = trimmed(words.substr(word.size()));
+    if (word == "state") {
+        const auto state = number(rest, 10);
+        if (!state || *state > 0xFF)
+            return fail(std::string("state takes a number up to 255"));
+        board.setState(static_cast<std::uint8_t>(*state));
+    } else if (word == "faults") {
+        const auto flags = number(rest, 16);
+        if (!flags || *flags > 0xFFFFFFFF)
+            return fail(std::string("faults takes up to eight hexadecimal digits"));
+        board.setFlags(static_cast<std::uint32_t>(*flags));
+    } else if (word == "execute") {
+        board.executeBuffered();
+    } else if (word == "rx-timeout") {
+        board.expireFrame();
+    } else if (word == "rx-overrun") {
+        board.overrun();
+    } else {
+        return obey(line, board);
+    }
+    return Obeyed::Done;
 }
 
 Result<Served, std::string> fcpOf(const Options &options)
