@@ -3,8 +3,8 @@
 
 #include "drive/protocol.h"
 #include "drive/wish.h"
-#include "failure.h"
 #include "lab/evaluation/tuning.h"
+#include "output.h"
 
 #include <QStringList>
 

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "arguments.h"
-#include "failure.h"
 #include "interrupt.h"
 #include "lab/experiment.h"
+#include "output.h"
 #include "session/files/motion_log_file.h"
 #include "session/link/session.h"
 #include "session/recording/recording_tap.h"

@@ -1,7 +1,7 @@
 // What the options of a command are, and their values as they were typed.
 #pragma once
 
-#include "failure.h"
+#include "output.h"
 
 #include <QCommandLineParser>
 

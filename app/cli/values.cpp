@@ -4,7 +4,6 @@
 #include "base/overloaded.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
-#include "output.h"
 #include "sentences.h"
 
 #include <QJsonArray>

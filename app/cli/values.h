@@ -3,7 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "drive/event.h"
-#include "failure.h"
+#include "output.h"
 
 #include <QJsonObject>
 
