@@ -4,7 +4,6 @@
 #pragma once
 
 #include "widgets/scope/scope_plot.h"
-#include "widgets/scope/value_range.h"
 
 #include <QMap>
 

@@ -7,7 +7,6 @@
 #include "widgets/scope/drawing/marks.h"
 #include "widgets/scope/events/event_log.h"
 #include "widgets/scope/time_window.h"
-#include "widgets/scope/value_range.h"
 
 #include <QElapsedTimer>
 #include <QMap>

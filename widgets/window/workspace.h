@@ -6,10 +6,10 @@
 #include "base/result.h"
 #include "widgets/measuring/math_formula.h"
 #include "widgets/measuring/measure_text.h"
+#include "widgets/scope/drawing/marks.h"
 #include "widgets/scope/kept_reference.h"
 #include "widgets/scope/signals/channel_plan.h"
 #include "widgets/scope/trigger/trigger_setup.h"
-#include "widgets/scope/value_range.h"
 
 #include <QByteArray>
 #include <QJsonObject>

@@ -1,5 +1,5 @@
-// What the picture has besides its traces, as plain data: ghosts behind them, and over them the trigger and what a
-// measurement measured.
+// What the picture has besides its traces, as plain data: the range of an axis, ghosts behind the traces, and over them the
+// trigger and what a measurement measured.
 #pragma once
 
 #include "capture/capture.h"
@@ -11,6 +11,12 @@
 #include <vector>
 
 namespace widgets {
+
+/// What a value axis shows.
+struct ValueRange {
+    double from = 0.0, to = 1.0; ///< in the unit of its channels; from < to
+    bool operator==(const ValueRange &) const = default;
+};
 
 constexpr int kReferenceAlpha = 130; ///< of 255: what is drawn of a reference
 
