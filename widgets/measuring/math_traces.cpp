@@ -1,6 +1,6 @@
 #include "widgets/measuring/math_traces.h"
 
-#include "widgets/scope/plot_for_unit.h"
+#include "widgets/scope/scope_view.h"
 
 #include <algorithm>
 

@@ -463,4 +463,13 @@ void ScopeView::resizeEvent(QResizeEvent *event)
     m_stale->setGeometry(rect());
 }
 
+int plotForUnit(const ScopeView &scope, const capture::Capture &capture, const QString &unit)
+{
+    const QList<capture::ChannelId> shown = scope.channels();
+    for (const capture::ChannelId id : shown)
+        if (const auto info = capture.info(id); info && deviceText(info->unit) == unit)
+            return scope.plotOf(id);
+    return shown.isEmpty() ? 0 : scope.plotCount();
+}
+
 } // namespace widgets

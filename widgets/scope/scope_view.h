@@ -176,4 +176,8 @@ private:
     QPointer<QWindow> m_onScreen;
 };
 
+/// Where a trace of a unit belongs: beside those that have it, or in a plot of its own.
+/// @return  a plot as ScopeView::addChannel() takes it
+int plotForUnit(const ScopeView &scope, const capture::Capture &capture, const QString &unit);
+
 } // namespace widgets
