@@ -4,7 +4,7 @@
 
 #include "drive/motor_view.h"
 #include "widgets/base/form.h"
-#include "widgets/base/inertias.h"
+#include "widgets/base/motor_description.h"
 #include "widgets/registers/register_edits.h"
 
 class QAction;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/base/inertias.h"
+#include "widgets/base/motor_description.h"
 #include "widgets/forms/rev_up_model.h"
 #include "widgets/registers/register_edits.h"
 

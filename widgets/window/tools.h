@@ -2,7 +2,6 @@
 #pragma once
 
 #include "widgets/base/banner.h"
-#include "widgets/base/inertias.h"
 #include "widgets/base/motor_description.h"
 #include "widgets/lab/identification.h"
 #include "widgets/lab/loop/loop_tuning.h"
