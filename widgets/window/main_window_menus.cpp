@@ -10,7 +10,6 @@
 #include "widgets/scope/scope_tools.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/signals/tick_menu.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
@@ -23,10 +22,46 @@
 
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QStackedWidget>
 
 namespace widgets {
+
+namespace {
+
+/// A menu whose entries that can be ticked leave it open: one looks for several of them. It closes as every menu does, by a
+/// click elsewhere or the arrow to the left.
+class TickMenu : public QMenu {
+public:
+    using QMenu::QMenu;
+
+protected:
+    void mouseReleaseEvent(QMouseEvent *event) override
+    {
+        if (event->button() != Qt::LeftButton || !tick(actionAt(event->position().toPoint())))
+            QMenu::mouseReleaseEvent(event);
+    }
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        const int key = event->key();
+        const bool chooses = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space;
+        if (!chooses || !tick(activeAction()))
+            QMenu::keyPressEvent(event);
+    }
+
+private:
+    static bool tick(QAction *action)
+    {
+        if (action == nullptr || !action->isCheckable() || !action->isEnabled())
+            return false;
+        action->trigger();
+        return true;
+    }
+};
+
+} // namespace
 
 QAction *MainWindow::addAction(
     QMenu *menu, const QString &text, const QKeySequence &keys, const char *icon)
