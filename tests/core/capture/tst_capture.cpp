@@ -1,7 +1,6 @@
 // The store against a plain list of samples: whatever it answers must equal what brute force
 // answers.
 #include "capture/capture.h"
-#include "capture/excerpt.h"
 #include "capture/rows.h"
 
 #include <QtTest>

@@ -1,7 +1,5 @@
 #include "widgets/scope/events/fault_records.h"
 
-#include "capture/excerpt.h"
-
 #include <algorithm>
 
 namespace widgets {
