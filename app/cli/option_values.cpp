@@ -1,6 +1,6 @@
 #include "option_values.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "values.h"
 
-#include "base/number_text.h"
 #include "base/overloaded.h"
+#include "base/text.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
 #include "sentences.h"

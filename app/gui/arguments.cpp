@@ -1,6 +1,6 @@
 #include "arguments.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <optional>
 

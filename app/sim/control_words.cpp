@@ -1,7 +1,7 @@
 // Parsing a control word and doing it.
 #include "control_words.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <optional>
 

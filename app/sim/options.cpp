@@ -1,7 +1,7 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "session/files/motor_file.h"
 #include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/mcp/profile.h"

@@ -1,6 +1,6 @@
 #include "base/terminal_text.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 
 #include <array>
 #include <cstdint>

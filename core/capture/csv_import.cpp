@@ -1,6 +1,6 @@
 #include "capture/csv_import.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "capture/npy_export.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <bit>

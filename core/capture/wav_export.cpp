@@ -1,6 +1,6 @@
 #include "capture/wav_export.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "catalog/catalog.h"
 
-#include "base/hex.h"
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "catalog/limits.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "catalog/names.h"
 
 #include <algorithm>

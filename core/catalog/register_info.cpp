@@ -1,6 +1,6 @@
 #include "catalog/register_info.h"
 
-#include "base/word_table.h"
+#include "base/text.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 // The register table: rows of text to RegisterInfo. Columns are found by their names in the first
 // row, so their order is free and unknown ones are passed over. Meaning of the columns:
 // resources/registers/README.md.
-#include "base/number_text.h"
-#include "base/word_table.h"
+#include "base/text.h"
 #include "catalog/catalog.h"
 #include "catalog/csv.h"
 

@@ -1,6 +1,6 @@
 #include "drive/motion_of.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 #include "drive/values.h"
 
 namespace drive {

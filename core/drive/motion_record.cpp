@@ -1,6 +1,6 @@
 #include "drive/motion_record.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 #include "drive/event.h"
 
 #include <charconv>

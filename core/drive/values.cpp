@@ -1,6 +1,6 @@
 #include "drive/values.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "catalog/limits.h"
 
 #include <cmath>

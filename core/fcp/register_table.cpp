@@ -1,8 +1,7 @@
 // Reading the table: columns found by name, words looked up in tables, every field checked.
 #include "fcp/register_table.h"
 
-#include "base/number_text.h"
-#include "base/word_table.h"
+#include "base/text.h"
 #include "catalog/catalog.h"
 
 #include <algorithm>

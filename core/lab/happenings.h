@@ -1,4 +1,5 @@
-// What happened while an experiment was recorded, its signals, and when it drove the motor, as a recording has them.
+// What happened while an experiment was recorded, its signals, and when it drove the motor, as a recording has them. Fields are
+// read as what they should be: files are foreign.
 #pragma once
 
 #include "capture/capture.h"
@@ -6,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,10 @@ using capture::Nanos;
 
 /// By their time.
 using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
+
+std::string fieldOf(const record::Happening &happening, std::string_view key); ///< empty: none
+/// A finite number of a magnitude below 1e9; empty if it is anything else.
+std::optional<double> numberOf(const record::Happening &happening, std::string_view key);
 
 /// Nothing reached the board any more. One that is out of step for a moment goes on with what it was told.
 bool endsLink(const record::Happening &what);

@@ -1,7 +1,7 @@
 // The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it, and a plan file.
 #pragma once
 
-#include "lab/fields.h"
+#include "lab/happenings.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "lab/response_plan.h"
 
+#include "base/random.h"
 #include "drive/motion_limits.h"
-#include "lab/maths/draw.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ public:
 private:
     ResponsePlan m_plan;
     int m_motor;
-    Draw m_draw;
+    Random m_draw;
     std::optional<TimePoint> m_began;
     TimePoint m_due{};
     bool m_up = false, m_moved = false, m_over = false;

@@ -1,7 +1,7 @@
 #include "lab/spin_plan.h"
 
+#include "base/random.h"
 #include "drive/motion_limits.h"
-#include "lab/maths/draw.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +116,7 @@ private:
     int m_motor;
     double m_sign;
     double m_nominal; ///< A
-    Draw m_draw;
+    Random m_draw;
     double m_way_s;
     double m_hold = 0.0; ///< A that hold the first speed
     double m_push = 0.0; ///< A above it

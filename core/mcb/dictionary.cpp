@@ -1,7 +1,6 @@
 #include "mcb/dictionary.h"
 
-#include "base/number_text.h"
-#include "base/word_table.h"
+#include "base/text.h"
 #include "catalog/catalog.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "record/drive_entries.h"
 
-#include "base/hex.h"
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "record/replay_drive.h"
 
-#include "base/word_table.h"
+#include "base/text.h"
 #include "drive/board_facts.h"
 
 #include <algorithm>

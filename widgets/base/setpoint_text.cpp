@@ -1,6 +1,6 @@
 #include "widgets/base/setpoint_text.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "widgets/files/happening_text.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "drive/event.h"
 #include "drive/wish.h"
 #include "record/drive_entries.h"

@@ -1,6 +1,6 @@
 #include "widgets/lab/step_page.h"
 
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"

@@ -1,6 +1,6 @@
 #include "widgets/registers/register_entry.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "catalog/names.h"
 #include "drive/motion_limits.h"
 #include "widgets/base/device_text.h"

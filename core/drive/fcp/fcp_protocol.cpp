@@ -1,6 +1,6 @@
 #include "drive/fcp/fcp_protocol.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 
 namespace drive {
 

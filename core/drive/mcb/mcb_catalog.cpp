@@ -1,6 +1,6 @@
 #include "drive/mcb/mcb_catalog.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 #include "drive/mcb/mcb_messages.h"
 #include "mcb/dictionary.h"
 #include "mcb/mapping.h"

@@ -1,6 +1,6 @@
 #include "drive/mcb/mcb_messages.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 
 namespace drive {
 

@@ -1,6 +1,6 @@
 #include "drive/mcp/mcp_heartbeat.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "drive/mcp/mcp_values.h"
 
-#include "base/hex.h"
+#include "base/text.h"
 #include "mcp/protocol.h"
 
 namespace drive {

@@ -1,7 +1,7 @@
 #include "lab/evaluation/current_response_evaluation.h"
 
 #include "lab/evaluation/segments.h"
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "lab/maths/cross_spectra.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lab/evaluation/current_step_evaluation.h"
 
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "scope/sample_range.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "lab/evaluation/segments.h"
 #include "lab/evaluation/turning_fit.h"
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "lab/maths/least_squares.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "lab/evaluation/flux_fit.h"
 #include "lab/evaluation/mechanical_rows.h"
 #include "lab/evaluation/segments.h"
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "lab/maths/least_squares.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "lab/evaluation/segments.h"
 #include "lab/evaluation/step_evaluation.h"
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
 

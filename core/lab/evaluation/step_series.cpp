@@ -1,6 +1,6 @@
 #include "lab/evaluation/step_series.h"
 
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "lab/maths/statistics.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include "session/files/fcp_rig_file.h"
 
-#include "base/word_table.h"
+#include "base/text.h"
 #include "session/files/json_text.h"
-#include "session/files/json_values.h"
 #include "session/files/whole_file.h"
 
 #include <QJsonArray>

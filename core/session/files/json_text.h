@@ -1,16 +1,27 @@
 // JSON with its keys in the order in which they are written: QJsonObject sorts them, and the fields of a structure are
-// read by position.
+// read by position. And its numbers, read as what they should be: files are foreign.
 #pragma once
 
 #include <QByteArray>
 #include <QString>
 
+#include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace session {
 
 /// A key of a QJsonObject.
 inline QString keyOf(const char *name) { return QString::fromLatin1(name); }
+
+/// A whole number within the range; empty for any other, and for NaN, which stands for a member that is none.
+template <class Number>
+std::optional<Number> wholeIn(double value, double least, double most)
+{
+    if (!(value >= least && value <= most) || value != std::nearbyint(value))
+        return std::nullopt;
+    return static_cast<Number>(value);
+}
 
 class JsonText {
 public:

@@ -1,9 +1,8 @@
 #include "session/files/mcb_rig_file.h"
 
-#include "base/word_table.h"
+#include "base/text.h"
 #include "mcb/fragments.h"
 #include "session/files/json_text.h"
-#include "session/files/json_values.h"
 #include "session/files/whole_file.h"
 
 #include <QJsonArray>

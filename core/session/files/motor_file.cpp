@@ -1,7 +1,7 @@
 // Our own form, checked against the simulator's table of parameters.
 #include "session/files/motor_file.h"
 
-#include "base/number_text.h"
+#include "base/text.h"
 #include "session/files/motor_file_st.h"
 #include "session/files/whole_file.h"
 #include "simulation/plant/parameter_table.h"

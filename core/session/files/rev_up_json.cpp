@@ -1,6 +1,6 @@
 #include "session/files/rev_up_json.h"
 
-#include "session/files/json_values.h"
+#include "session/files/json_text.h"
 
 #include <QJsonDocument>
 

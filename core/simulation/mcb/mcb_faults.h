@@ -2,7 +2,7 @@
 // the same seed gives the same run. Source: the fault switches of "MCB protocol description", section 9.
 #pragma once
 
-#include "base/splitmix.h"
+#include "base/random.h"
 #include "mcb/frame.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/bytes.h"
-#include "base/splitmix.h"
+#include "base/random.h"
 #include "base/time.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // holds meanwhile.
 #include "lab/caps.h"
 #include "lab/evaluation/current_step_evaluation.h"
-#include "lab/fields.h"
+#include "lab/happenings.h"
 #include "simulation/plant/presets.h"
 #include "support/current_loop_model.h"
 #include "support/lab_bench.h"

@@ -1,0 +1,81 @@
+// Numbers, bytes and words as text, and back: decimal with a point whatever the locale, hexadecimal digits, and tables of words.
+#pragma once
+
+#include "base/bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// The shortest text that is the same number again.
+inline std::string decimalText(double value)
+{
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// With so many digits that count.
+inline std::string decimalText(double value, int digits)
+{
+    std::array<char, 32> text{};
+    char *const end = text.data() + text.size();
+    return {text.data(),
+        std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
+}
+
+/// The number that is the whole text; empty if there is none or more, or if it does not fit.
+/// @param base  of a whole number
+template <class Number>
+std::optional<Number> numberIn(std::string_view text, [[maybe_unused]] int base = 10)
+{
+    Number value{};
+    const char *const last = text.data() + text.size();
+    std::from_chars_result read{};
+    if constexpr (std::floating_point<Number>)
+        read = std::from_chars(text.data(), last, value);
+    else
+        read = std::from_chars(text.data(), last, value, base);
+    return read.ec == std::errc{} && read.ptr == last ? std::optional(value) : std::nullopt;
+}
+
+constexpr std::string_view kUpperHex = "0123456789ABCDEF", kLowerHex = "0123456789abcdef";
+
+/// The last `count` digits of a number.
+inline std::string hexDigits(std::uint64_t number, int count, std::string_view digits = kUpperHex)
+{
+    std::string text;
+    for (int shift = 4 * (count - 1); shift >= 0; shift -= 4)
+        text.push_back(digits[number >> shift & 0xFU]);
+    return text;
+}
+
+/// Two digits a byte, with a text between two of them.
+inline std::string hexOf(
+    ByteView bytes, std::string_view between = "", std::string_view digits = kUpperHex)
+{
+    std::string text;
+    for (const std::uint8_t byte : bytes)
+        text.append(text.empty() ? "" : between).append(hexDigits(byte, 2, digits));
+    return text;
+}
+
+template <class T>
+struct Word {
+    std::string_view text;
+    T meaning;
+};
+
+/// What the word stands for; nullptr if it is not in the table.
+template <class T, std::size_t N>
+const T *findWord(const Word<T> (&words)[N], std::string_view text)
+{
+    const auto at = std::find_if(
+        std::begin(words), std::end(words), [=](const Word<T> &one) { return one.text == text; });
+    return at == std::end(words) ? nullptr : &at->meaning;
+}
