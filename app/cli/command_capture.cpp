@@ -245,7 +245,7 @@ Outcome<int> CaptureRun::startMotor()
         return tl::make_unexpected(before.error());
     if (before->state != MotorState::Idle)
         return failure(kRefused,
-            before->state == MotorState::FaultNow || before->state == MotorState::FaultOver
+            drive::hasFault(before->state)
                 ? QStringLiteral(
                     "The motor has a fault: %1; acknowledge it with rotorscope-cli ack.")
                       .arg(stateText(*before))
@@ -260,8 +260,7 @@ Outcome<int> CaptureRun::startMotor()
         return tl::make_unexpected(ended.error());
     qCInfo(lcProgress) << "started";
     const auto settled = [](MotorState state) {
-        return state == MotorState::Running || state == MotorState::FaultNow
-            || state == MotorState::FaultOver;
+        return state == MotorState::Running || drive::hasFault(state);
     };
     const auto until = std::chrono::steady_clock::now() + kRunWithin;
     auto status = talk.nextStatus(motor);
@@ -298,7 +297,7 @@ Outcome<int> CaptureRun::ramp()
         const auto status = talk.nextStatus(motor);
         if (!status)
             return tl::make_unexpected(status.error());
-        if (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver)
+        if (drive::hasFault(status->state))
             return failure(kRefused,
                 QStringLiteral("The motor stopped by itself: %1; look for the cause of its fault.")
                     .arg(stateText(*status)));
@@ -340,8 +339,7 @@ Outcome<int> CaptureRun::begin(const drive::Stream &stream)
         if (const auto *counters = std::get_if<drive::LinkCounters>(&event))
             m_line = *counters;
         const auto *status = std::get_if<drive::MotorStatus>(&event);
-        if (m_started && status
-            && (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver))
+        if (m_started && status && drive::hasFault(status->state))
             m_fault = *status;
     });
     const auto ended = m_polled.empty()

@@ -12,9 +12,9 @@ inline std::uint64_t splitmix64(std::uint64_t &state)
     return z ^ z >> 31;
 }
 
-class Random {
+class Draw {
 public:
-    explicit Random(std::uint64_t seed)
+    explicit Draw(std::uint64_t seed)
         : m_state(seed)
     {
     }

@@ -113,12 +113,13 @@ enum class MotorState : std::uint8_t {
     FaultOver
 };
 
-/// Nothing drives the motor; it may turn on by itself. False if it is not known.
-constexpr bool rests(MotorState state)
+/// There is one, or it waits to be acknowledged.
+constexpr bool hasFault(MotorState state)
 {
-    return state == MotorState::Idle || state == MotorState::FaultNow
-        || state == MotorState::FaultOver;
+    return state == MotorState::FaultNow || state == MotorState::FaultOver;
 }
+/// Nothing drives the motor; it may turn on by itself. False if it is not known.
+constexpr bool rests(MotorState state) { return state == MotorState::Idle || hasFault(state); }
 
 /// One step of what a motor goes through: the firmware's names of the states that it covers.
 struct StateStep {

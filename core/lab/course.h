@@ -1,6 +1,6 @@
 // What an experiment asks of a motor, and what the runner has to know before: where the motor is brought first, which speeds the
 // plan itself asks for, what the user allows, what is recorded, and which registers it borrows. A machine without I/O or
-// bounds, which are the runner's. And how an experiment ended.
+// bounds, which are the runner's.
 #pragma once
 
 #include "drive/wish.h"
@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace lab {
@@ -37,7 +36,7 @@ struct Conditions {
     std::vector<drive::RegisterWrite> lent = {};
     /// References of a motor that turns which are 0 before, because they are afterwards.
     std::vector<drive::RegisterId> zeroBefore = {};
-    /// The speed has to rest there first. A course of torques begins as well where the speed loop makes it swing.
+    /// The speed has to rest there first. Without it a course begins as well where the speed loop makes the speed swing.
     bool steady = true;
     /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
     milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
@@ -52,6 +51,7 @@ public:
         TimePoint now;
         std::optional<double> rpm, amps; ///< newest speed, and Iq over the newest packet
         bool answered = true; ///< what was asked for last
+        bool steady = true; ///< the speed was at rest when the course began
     };
 
     Course() = default;
@@ -64,24 +64,6 @@ public:
     virtual std::optional<Ask> next(const Moment &moment) = 0;
     virtual TimePoint due() const = 0;
     virtual bool over() const = 0;
-};
-
-/// How an experiment ended.
-enum class End : std::uint8_t {
-    Complete,
-    Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
-    Aborted, ///< the envelope was broken, or the board reported a fault
-    Interrupted, ///< somebody stopped, disarmed or took the motor over
-    Lost, ///< the link or the port went
-};
-
-struct Outcome {
-    End end = End::Complete;
-    /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
-    std::string reason;
-    TimePoint at{}; ///< when it ended; the session says it
-    bool swings = false; ///< it ended before it began: the speed did not come to rest
-    bool operator==(const Outcome &) const = default;
 };
 
 } // namespace lab

@@ -1,6 +1,5 @@
 #include "lab/happenings.h"
 
-#include "base/text.h"
 #include "lab/experiment.h"
 
 #include <algorithm>
@@ -9,40 +8,32 @@
 
 namespace lab {
 
-std::string fieldOf(const record::Happening &happening, std::string_view key)
-{
-    for (const auto &[name, value] : happening.fields)
-        if (name == key)
-            return value;
-    return {};
-}
-
 std::optional<double> numberOf(const record::Happening &happening, std::string_view key)
 {
     constexpr double kMost = 1e9;
-    const auto value = numberIn<double>(fieldOf(happening, key));
+    const auto value = numberIn<double>(happening.field(key));
     return value && std::isfinite(*value) && std::abs(*value) < kMost ? value : std::nullopt;
 }
 
 bool endsLink(const record::Happening &what)
 {
-    const std::string state = what.name == "link" ? fieldOf(what, "state") : std::string();
+    const std::string state = what.name == "link" ? what.field("state") : std::string();
     return state == "closed" || state == "lost";
 }
 
 Happenings carriedOut(const Happenings &all)
 {
     const auto movedNothing = [](const record::Happening &what) {
-        const std::string outcome = fieldOf(what, "outcome");
+        const std::string outcome = what.field("outcome");
         return outcome == "not sent" || outcome == "refused";
     };
     Happenings carried;
     std::map<std::string, bool> idle; // by wish: whether the next one of that number moved nothing
     for (auto at = all.rbegin(); at != all.rend(); ++at) {
         const record::Happening &what = at->second;
-        const auto wish = idle.find(fieldOf(what, "wish"));
+        const auto wish = idle.find(what.field("wish"));
         if (what.name == "ended")
-            idle[fieldOf(what, "wish")] = movedNothing(what);
+            idle[what.field("wish")] = movedNothing(what);
         else if (wish != idle.end() ? wish->second : what.name == "motion" && movedNothing(what))
             continue;
         carried.push_back(*at);
@@ -78,8 +69,8 @@ std::optional<DrivenSpan> drivenSpan(
         } else if (what.name == kEndEntry) {
             if (span) {
                 span->to = std::min(span->to, time);
-                span->reason = fieldOf(what, "outcome") == "complete" ? std::string()
-                                                                      : fieldOf(what, "reason");
+                span->reason =
+                    what.field("outcome") == "complete" ? std::string() : what.field("reason");
             }
             break;
         }

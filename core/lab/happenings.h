@@ -2,6 +2,7 @@
 // read as what they should be: files are foreign.
 #pragma once
 
+#include "base/text.h"
 #include "capture/capture.h"
 #include "record/entry.h"
 
@@ -18,7 +19,6 @@ using capture::Nanos;
 /// By their time.
 using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
 
-std::string fieldOf(const record::Happening &happening, std::string_view key); ///< empty: none
 /// A finite number of a magnitude below 1e9; empty if it is anything else.
 std::optional<double> numberOf(const record::Happening &happening, std::string_view key);
 

@@ -88,7 +88,7 @@ private:
     {
         m_names.emplace_back(name);
         const auto number = numberOf(m_from, name);
-        if (!number && !fieldOf(m_from, name).empty())
+        if (!number && !m_from.field(name).empty())
             m_wrong = name;
         return number;
     }

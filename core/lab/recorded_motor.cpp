@@ -54,7 +54,7 @@ RecordedMotor recordedMotor(const record::Happening &from)
     RecordedMotor motor;
     eachField(motor, TakeFields(from));
     for (const Signal &signal : kSignals)
-        motor.*signal.recorded = fieldOf(from, signal.name);
+        motor.*signal.recorded = from.field(signal.name);
     return motor;
 }
 

@@ -30,7 +30,7 @@ void eachGain(const Plan &, SpeedRegulator &, Field &&)
 }
 
 template <class Plan>
-record::Happening entryOf(const Plan &plan, const Subject &subject, SpeedRegulator regulator = {})
+record::Happening entryOf(const Plan &plan, const Subject &subject, SpeedRegulator regulator)
 {
     record::Happening entry{Plan::kEntry, {}};
     putMotor(entry, subject);

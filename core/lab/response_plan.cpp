@@ -50,7 +50,7 @@ public:
 private:
     ResponsePlan m_plan;
     int m_motor;
-    Random m_draw;
+    Draw m_draw;
     std::optional<TimePoint> m_began;
     TimePoint m_due{};
     bool m_up = false, m_moved = false, m_over = false;

@@ -202,7 +202,7 @@ void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
         return abort("the motor was started all the same");
     if (!moves())
         return;
-    if (status.state == MotorState::FaultNow || status.state == MotorState::FaultOver) {
+    if (drive::hasFault(status.state)) {
         const auto &faults = status.faultsNow.empty() ? status.faultsPast : status.faultsNow;
         m_soFar = {End::Aborted, "the board reports a fault: " + namesOf(faults), {}};
         return finish();
@@ -275,7 +275,8 @@ void Runner::advance(TimePoint now)
             break;
         if (m_ran && m_byTorque)
             return ramp(static_cast<int>(std::lround(m_before_rpm)), wayTo(m_before_rpm), now);
-        if (m_ran ? steadyAt(m_before_rpm, now) : m_status->state == MotorState::Idle)
+        if (m_ran ? steadyAt(m_before_rpm, now) || (m_swings && hadItsTime(now))
+                  : m_status->state == MotorState::Idle)
             return restore(now);
         break;
     case Phase::Restoring:
@@ -486,7 +487,8 @@ void Runner::approach(TimePoint now)
 
 void Runner::work(TimePoint now)
 {
-    if (auto what = m_course->next({now, m_envelope.rpm(), m_envelope.amps(), m_answered})) {
+    if (auto what =
+            m_course->next({now, m_envelope.rpm(), m_envelope.amps(), m_answered, !m_swings})) {
         m_until = now + kAnswerWithin;
         const auto *to = std::get_if<drive::SpeedRamp>(&*what);
         const double rpm = m_envelope.rpm().value_or(0.0);
@@ -674,12 +676,16 @@ bool Runner::steadyAt(double rpm, TimePoint now)
     return now - m_settledAt >= kSteadyFor;
 }
 
-/// It had time to come to rest and did not, and this course does not need it.
-bool Runner::swingsThrough(TimePoint now) const
+/// A speed that has not come to rest by now swings.
+bool Runner::hadItsTime(TimePoint now) const { return now >= m_until - kReachesWithin / 4; }
+
+/// It did not come to rest, is where the course goes, and the course does not need more.
+bool Runner::swingsThrough(TimePoint now)
 {
     const double rpm = m_envelope.rpm().value_or(0.0);
-    return !m_conditions.steady && now >= m_until - kReachesWithin / 2
-        && rpm >= m_conditions.leastRpm && rpm <= m_conditions.mostRpm;
+    m_swings = !m_conditions.steady && hadItsTime(now) && rpm >= m_conditions.leastRpm
+        && rpm <= m_conditions.mostRpm;
+    return m_swings;
 }
 
 std::optional<TimePoint> Runner::nextTimeout() const

@@ -13,6 +13,7 @@
 #include "drive/start_target.h"
 #include "lab/envelope.h"
 #include "lab/experiment.h"
+#include "lab/outcome.h"
 
 #include <deque>
 #include <map>
@@ -91,7 +92,8 @@ private:
     void abort(const std::string &reason, const char *stopping = "every motor is being stopped");
     void finish();
     bool steadyAt(double rpm, TimePoint now);
-    bool swingsThrough(TimePoint now) const;
+    bool hadItsTime(TimePoint now) const;
+    bool swingsThrough(TimePoint now);
     bool near(std::optional<double> speed, double rpm) const;
     drive::StartTarget startTarget() const;
     bool isAsBefore(const drive::RegisterWrite &old) const;
@@ -113,6 +115,7 @@ private:
     TimePoint m_until{}; ///< the phase is over by then, or it has failed
     TimePoint m_settledAt{}; ///< the speed has been right since then
     bool m_settled = false;
+    bool m_swings = false; ///< and was not when the course began
 
     drive::WishId m_lastWish = kFirstWish;
     drive::WishId m_waiting = 0; ///< what the phase waits for; 0: it has ended

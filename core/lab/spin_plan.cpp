@@ -35,11 +35,6 @@ constexpr double kAway = 0.2; ///< of the way, beyond the upper speed
 constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
 
-bool byHall(const Subject &subject)
-{
-    return subject.nameOf(subject.registers.angle).starts_with("HALL");
-}
-
 class SpinCourse : public Course {
 public:
     SpinCourse(const SpinPlan &plan, const Subject &subject)
@@ -48,7 +43,9 @@ public:
         , m_sign(plan.highRpm < 0 ? -1.0 : 1.0)
         , m_nominal(subject.limits.nominalCurrentAmps)
         , m_draw(plan.seed)
-        , m_way_s(plan.fluxAmps > 0.0 || byHall(subject) ? kWay_s : kSlowWay_s)
+        , m_way_s(plan.fluxAmps > 0.0 || byHall(subject.nameOf(subject.registers.angle))
+                  ? kWay_s
+                  : kSlowWay_s)
     {
         if (plan.caps.maxCurrentAmps > 0.0)
             m_nominal = std::min(m_nominal, plan.caps.maxCurrentAmps);
@@ -60,7 +57,8 @@ public:
         m_due = moment.now + 20ms;
         if (!m_began) {
             m_began = moment.now;
-            m_hold = std::max(0.0, moment.amps.value_or(0.0) * m_sign);
+            if (moment.steady) // what flows while a speed swings holds none
+                m_hold = std::max(0.0, moment.amps.value_or(0.0) * m_sign);
             return turn(true, moment.now);
         }
         if (moment.now - *m_began >= m_plan.length)
@@ -116,7 +114,7 @@ private:
     int m_motor;
     double m_sign;
     double m_nominal; ///< A
-    Random m_draw;
+    Draw m_draw;
     double m_way_s;
     double m_hold = 0.0; ///< A that hold the first speed
     double m_push = 0.0; ///< A above it
@@ -139,7 +137,7 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
     const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
     return {.lowRpm = static_cast<int>(std::lround(low)),
         .highRpm = static_cast<int>(std::lround(high)),
-        .length = byHall(subject) ? kLength : kSlowLength,
+        .length = byHall(subject.nameOf(subject.registers.angle)) ? kLength : kSlowLength,
         .caps = caps};
 }
 
@@ -192,7 +190,7 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length,
-        .steady = false};
+        .steady = plan.fluxAmps > 0.0};
     if (plan.fluxAmps
         > 0.0) { // at the full rate of the control loop, which leaves room for no more
         conditions.recorded = {
@@ -201,7 +199,7 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         return conditions;
     }
     // Only an encoder can have been aligned aside, which that voltage tells; others are better served by a higher rate.
-    const bool aligned = subject.nameOf(registers.angle).starts_with("ENCODER");
+    const bool aligned = byEncoder(subject.nameOf(registers.angle));
     for (const drive::RegisterId id :
         {registers.voltage, aligned ? registers.voltageD : 0, registers.currentD})
         if (id != 0)

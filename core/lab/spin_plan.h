@@ -15,7 +15,7 @@ namespace lab {
 struct SpinPlan {
     static constexpr const char *kEntry = "spin plan"; ///< of its recording
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
-    milliseconds length{8000};
+    milliseconds length{8000}; ///< spinPlanFor() says a longer one for most motors
     milliseconds approach{500};
     double fluxAmps =
         0.0; ///< most along the magnets, to either side; each way has another. 0: none

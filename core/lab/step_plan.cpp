@@ -89,11 +89,11 @@ double jumpPerRpm(const Subject &subject, double gain, double exponent)
     return gain / std::exp2(exponent) / step * amps;
 }
 
-bool usable(Recorded<StepPlan> &found)
+bool usable(const Recorded<StepPlan> &found)
 {
-    StepPlan &plan = found.plan;
-    plan.repeat = std::min(plan.repeat, kMostRepeats);
-    return plan.fromRpm != plan.toRpm && plan.repeat >= 1 && plan.hold >= 1ms;
+    const StepPlan &plan = found.plan;
+    return plan.fromRpm != plan.toRpm && plan.repeat >= 1 && plan.repeat <= kMostRepeats
+        && plan.hold >= 1ms;
 }
 
 } // namespace lab

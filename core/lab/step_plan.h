@@ -46,6 +46,6 @@ std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject);
 double jumpPerRpm(const Subject &subject, double gain, double exponent);
 
 /// Whether the entry was one. More repetitions than there can be are as many.
-bool usable(Recorded<StepPlan> &found);
+bool usable(const Recorded<StepPlan> &found);
 
 } // namespace lab

@@ -54,7 +54,7 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
 bool Subject::seesRotor() const
 {
     const std::string speed = nameOf(registers.speed);
-    return speed.starts_with("ENCODER") || speed.starts_with("HALL");
+    return byEncoder(speed) || byHall(speed);
 }
 
 double Subject::leastObservedRpm() const

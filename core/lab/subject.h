@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lab {
@@ -23,6 +24,10 @@ struct Registers {
     drive::RegisterId startUp =
         0; ///< the stages of a start without a sensor; written, not recorded
 };
+
+/// What the angle's register is called tells its sensor.
+inline bool byHall(std::string_view angle) { return angle.starts_with("HALL"); }
+inline bool byEncoder(std::string_view angle) { return angle.starts_with("ENCODER"); }
 
 struct Subject {
     int motor = 1;

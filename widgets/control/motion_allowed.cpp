@@ -42,7 +42,7 @@ MotionAllowed startAllowed(const Device &device)
     if (!base.yes)
         return base;
     const auto state = device.status(device.motor()).state;
-    if (state == drive::MotorState::FaultNow || state == drive::MotorState::FaultOver)
+    if (drive::hasFault(state))
         return {false, Motion::tr("Acknowledge the faults first.")};
     if (state != drive::MotorState::Idle)
         return {false, Motion::tr("The motor has to be idle.")};

@@ -71,7 +71,7 @@ void RevUpStart::takeStatus(int motor)
     if (starting)
         return;
     using State = drive::MotorState;
-    if (status.state == State::FaultNow || status.state == State::FaultOver) {
+    if (drive::hasFault(status.state)) {
         QStringList names;
         for (const std::string &name :
             status.faultsNow.empty() ? status.faultsPast : status.faultsNow)

@@ -55,7 +55,7 @@ QString Experiments::obstacle() const
         return can.why;
     using drive::MotorState;
     const MotorState state = m_device.status(m_device.motor()).state;
-    if (state == MotorState::FaultNow || state == MotorState::FaultOver)
+    if (drive::hasFault(state))
         return tr("Acknowledge the faults first.");
     if (state != MotorState::Idle && state != MotorState::Running)
         return tr("The motor has to rest or to run.");

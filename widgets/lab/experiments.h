@@ -7,8 +7,8 @@
 #pragma once
 
 #include "lab/caps.h"
-#include "lab/course.h"
 #include "lab/happenings.h"
+#include "lab/outcome.h"
 #include "record/restore.h"
 #include "session/recording/recording_tap.h"
 #include "widgets/base/device.h"

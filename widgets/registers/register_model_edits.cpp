@@ -238,14 +238,6 @@ std::optional<catalog::Value> RegisterModel::known(catalog::RegisterId id) const
     return row && row->known == Known::Value ? std::optional(row->value) : std::nullopt;
 }
 
-std::optional<std::int64_t> knownWhole(const RegisterModel &model, std::string_view name)
-{
-    const auto id = model.idOf(name);
-    const auto value = id ? model.known(*id) : std::nullopt;
-    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
-    return whole ? std::optional(*whole) : std::nullopt;
-}
-
 std::optional<catalog::Value> RegisterModel::wanted(catalog::RegisterId id) const
 {
     const Edit *edit = editOf(id);
@@ -312,6 +304,14 @@ QString RegisterModel::editToolTip(const Row &row) const
     return editable(row.id, RawColumn)
         ? tr("Double-click its value or press F2 to edit it.").toHtmlEscaped()
         : QString();
+}
+
+std::optional<std::int64_t> knownWhole(const RegisterModel &model, std::string_view name)
+{
+    const auto id = model.idOf(name);
+    const auto value = id ? model.known(*id) : std::nullopt;
+    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
+    return whole ? std::optional(*whole) : std::nullopt;
 }
 
 } // namespace widgets

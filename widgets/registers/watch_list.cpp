@@ -48,7 +48,7 @@ void WatchList::send()
     const auto shown = [this](catalog::RegisterId id) {
         const auto catalog = m_device.catalog();
         const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
-        return info && info->perMotor ? catalog->withMotor(*info, m_device.motor()) : id;
+        return info ? catalog->withMotor(*info, m_device.motor()) : id;
     };
     for (const Named &source : m_sources) {
         for (const catalog::RegisterId id : source.registers()) {

@@ -237,8 +237,7 @@ void McbDrive::streamAgain()
 void McbDrive::onStatuses(const std::vector<MotorStatus> &statuses)
 {
     for (const MotorStatus &status : statuses) {
-        const bool fault =
-            status.state == MotorState::FaultNow || status.state == MotorState::FaultOver;
+        const bool fault = hasFault(status.state);
         if (fault && !std::exchange(m_faulty, fault))
             restSetPoints();
         m_faulty = fault;

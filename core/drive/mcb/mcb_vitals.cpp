@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kErrorDigits = 8;
 
-bool isFault(MotorState state)
-{
-    return state == MotorState::FaultNow || state == MotorState::FaultOver;
-}
-
 } // namespace
 
 std::optional<double> McbVitals::numberAt(std::uint16_t address) const
@@ -37,7 +32,7 @@ std::vector<RegisterId> McbVitals::idsToRead()
 std::vector<RegisterId> McbVitals::idsBehind()
 {
     const auto word = numberAt(mcbreg::kStatus);
-    const bool fault = word && isFault(mcbStateOf(static_cast<std::uint16_t>(*word)).state)
+    const bool fault = word && hasFault(mcbStateOf(static_cast<std::uint16_t>(*word)).state)
         && m_board.readable(mcbreg::kLastError);
     return fault && !std::exchange(m_errorAsked, true) ? std::vector{mcbIdOf(mcbreg::kLastError)}
                                                        : std::vector<RegisterId>();
@@ -58,7 +53,7 @@ std::optional<MotorStatus> McbVitals::statusOf(int) const
         // These drives have no observer: it is the speed of their encoder.
         status.speedMeasured = true;
     }
-    if (isFault(state.state)) {
+    if (hasFault(state.state)) {
         const auto code = static_cast<std::int32_t>(numberAt(mcbreg::kLastError).value_or(0.0));
         const std::string fault =
             "ERROR_0x" + hexDigits(static_cast<std::uint32_t>(code), kErrorDigits);

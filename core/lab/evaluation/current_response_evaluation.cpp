@@ -42,8 +42,8 @@ struct Span {
         if (any && !left && leaves)
             to = at;
         left = left || (any && !step && leaves);
-        if (over && fieldOf(what, "outcome") != "complete")
-            reason = fieldOf(what, "reason");
+        if (over && what.field("outcome") != "complete")
+            reason = what.field("reason");
     }
 };
 

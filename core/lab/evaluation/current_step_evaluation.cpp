@@ -31,8 +31,8 @@ public:
         m_last.reset();
         m_group = 0;
         over = over || ended;
-        if (ended && fieldOf(what, "outcome") != "complete")
-            reason = fieldOf(what, "reason");
+        if (ended && what.field("outcome") != "complete")
+            reason = what.field("reason");
     }
     std::vector<StepAsked> steps;
     std::string reason; ///< why it ended early; empty: it did not, or nothing says so
@@ -65,7 +65,7 @@ private:
     /// The motion log has when it was asked and answered, on the clock of the link.
     void takeAnswer(const record::Happening &motion)
     {
-        const std::string act = fieldOf(motion, "act");
+        const std::string act = motion.field("act");
         const auto asked = numberOf(motion, "asked s");
         const auto took = numberOf(motion, "took ms");
         constexpr Nanos kSecond = 1'000'000'000;

@@ -154,8 +154,7 @@ std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
     while (at != end && at->second.name != kEndEntry)
         ++at;
     const Nanos to = at == end ? std::numeric_limits<Nanos>::max() : at->first;
-    Plateaus plateaus(
-        rest.nominalAmps, rest.angle.starts_with("ENCODER") || rest.angle.starts_with("HALL"));
+    Plateaus plateaus(rest.nominalAmps, byEncoder(rest.angle) || byHall(rest.angle));
     for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
         plateaus.take(segment);
     constexpr double kLeastRatio = 1.3;
@@ -193,7 +192,7 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
         return "while it turned the current along the magnets hardly changed";
     rotorSpeeds(slices);
     Electrics &found = parts.found;
-    const bool hall = spin.angle.starts_with("HALL");
+    const bool hall = byHall(spin.angle);
     const auto fit = turningFit(slices, spin.nominalAmps,
         found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
     if (!fit)

@@ -32,7 +32,7 @@ double edgeOf(const Recorded<SpinPlan> &spin)
 {
     constexpr double kHalf = 30.0; // of a minute, in s
     const double turns = std::max(1, std::abs(spin.plan.lowRpm)) * spin.polePairs;
-    return spin.angle.starts_with("HALL") ? kEdge_s * std::ceil(kHalf / turns / kEdge_s) : kEdge_s;
+    return byHall(spin.angle) ? kEdge_s * std::ceil(kHalf / turns / kEdge_s) : kEdge_s;
 }
 
 /// How far Hall sensors are behind, as a share of the speed: root mean square. Between two of their edges the angle runs on by a
@@ -40,7 +40,7 @@ double edgeOf(const Recorded<SpinPlan> &spin)
 double hallLag(
     const Recorded<SpinPlan> &spin, std::span<const MechanicalInstant> instants, const Fit &fit)
 {
-    if (!spin.angle.starts_with("HALL") || instants.empty())
+    if (!byHall(spin.angle) || instants.empty())
         return 0.0;
     double squares = 0.0;
     for (const MechanicalInstant &one : instants) {
@@ -237,11 +237,14 @@ Result<Mechanics, std::string> evaluateMechanics(
     const auto flux = fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
     Aside aside;
     // An observer follows voltages itself; Hall sensors are where they were built in, and lag more than they are off.
-    if (flux && flux->d && plan->angle.starts_with("ENCODER")) {
+    if (flux && flux->d && byEncoder(plan->angle)) {
         aside = asideOf(*flux->d, told_wb);
         turnCurrents(segments, aside);
     }
-    MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s});
+    // Long stretches tell a fan from friction; in them the lag of Hall sensors is taken for inertia.
+    constexpr double kStretch_s = 1.0, kHallStretch_s = 0.5;
+    MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s,
+        byHall(plan->angle) ? kHallStretch_s : kStretch_s});
     for (const Segment &segment : segments)
         stretches.take(segment);
     const Rows &rows = stretches.rows;

@@ -8,7 +8,6 @@ namespace lab {
 
 namespace {
 
-constexpr double kStretch_s = 0.5; ///< in which all is integrated from its beginning
 constexpr double kRow_s = 10e-3;
 constexpr double kLeastStretch_s = 0.1; ///< between two gaps
 
@@ -79,7 +78,7 @@ void MechanicalRows::take(const Segment &segment)
     if (size <= 2 * edge)
         return;
     const double time = static_cast<double>(size - 2 * edge) * segment.step_s;
-    const auto parts = static_cast<std::size_t>(std::ceil(time / kStretch_s));
+    const auto parts = static_cast<std::size_t>(std::ceil(time / m_facts.stretch_s));
     const std::size_t length = (size - 2 * edge) / parts;
     if (length == 0)
         return; // samples so far apart are no board's, but a file may hold them

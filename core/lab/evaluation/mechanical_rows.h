@@ -14,6 +14,7 @@ struct MechanicalFacts {
     double polePairs = 1.0;
     double torquePerAmp = 0.0; ///< Nm
     double edge_s = 5e-3; ///< to either side of an instant, for its speed
+    double stretch_s = 1.0; ///< in which all is integrated from its beginning
 };
 
 /// Means over one window.

@@ -48,7 +48,7 @@ public:
             const double rpm = numberOf(what, "rpm").value_or(0.0);
             m_open = StepAsked{m_last, rpm, at, at, at};
             m_last = rpm;
-        } else if (what.name == "motion" && m_open && fieldOf(what, "act") == "SPEED_RAMP") {
+        } else if (what.name == "motion" && m_open && what.field("act") == "SPEED_RAMP") {
             const Nanos asked = capture::toNanos(numberOf(what, "asked s").value_or(0.0));
             const Nanos took = capture::toNanos(numberOf(what, "took ms").value_or(0.0) * 1e-3);
             m_open->answered = std::clamp(asked + took, m_open->asked, m_open->asked + kSecond);
@@ -56,8 +56,8 @@ public:
             || endsLink(what) || what.name == kEndEntry) {
             finish(at);
             over = over || what.name == kEndEntry;
-            if (over && fieldOf(what, "outcome") != "complete")
-                reason = fieldOf(what, "reason");
+            if (over && what.field("outcome") != "complete")
+                reason = what.field("reason");
         }
     }
     std::vector<Edge> edges;
@@ -255,7 +255,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(
             std::string("too little of it is without a gap: stretches of two seconds are needed"));
     SpeedResponse found;
-    const bool byEncoder = plan->angle.starts_with("ENCODER");
+    const bool byEncoder = lab::byEncoder(plan->angle);
     if (!byEncoder)
         found.notes.emplace_back(
             "above 10 Hz the motor's own response is not told: what is taken for the "

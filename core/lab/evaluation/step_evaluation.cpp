@@ -1,5 +1,6 @@
 #include "lab/evaluation/step_evaluation.h"
 
+#include "lab/subject.h"
 #include "scope/step_response.h"
 
 #include <algorithm>
@@ -308,7 +309,7 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
     constexpr double kLongestTurn_s = 20e-3;
     const double turn_s = kMinute_s
         / (std::max(1.0, std::min(std::abs(asked.from), std::abs(asked.to))) * facts.polePairs);
-    const bool hall = channels.angle->info().name.starts_with("HALL") && turn_s <= kLongestTurn_s;
+    const bool hall = byHall(channels.angle->info().name) && turn_s <= kLongestTurn_s;
     const double least_s = std::max(kLeastWindow_s, hall ? turn_s : 0.0);
     measureByAngle(
         run, *channels.angle, facts.polePairs, std::max(kSpeedWindow_s, least_s), asked.until);

@@ -22,7 +22,7 @@ public:
     {
         if (what.name == "speed ramp")
             takeRamp(at, what);
-        else if (what.name == "motion" && fieldOf(what, "act") == "SPEED_RAMP")
+        else if (what.name == "motion" && what.field("act") == "SPEED_RAMP")
             takeAnswer(what);
         else if (what.name == kEndEntry)
             takeEnd(at, what);
@@ -69,8 +69,8 @@ private:
     {
         end(at);
         over = true;
-        if (fieldOf(what, "outcome") != "complete")
-            reason = fieldOf(what, "reason");
+        if (what.field("outcome") != "complete")
+            reason = what.field("reason");
     }
     void end(Nanos at)
     {

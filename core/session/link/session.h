@@ -32,7 +32,7 @@
 #pragma once
 
 #include "drive/drive.h"
-#include "lab/course.h"
+#include "lab/outcome.h"
 #include "session/link/batcher.h"
 #include "session/link/dead_man.h"
 #include "session/link/driven_motors.h"

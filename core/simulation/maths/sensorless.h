@@ -17,7 +17,6 @@ public:
     void mediumTask() { m_speed.average(m_observer.bemf()); }
     bool converged(std::int16_t forced_dHz) { return m_speed.converged(forced_dHz); }
     void forceConvergence() { m_speed.forceConvergence(); }
-    void clear();
 
     std::int16_t angle() const { return m_angle; }
     std::int16_t speed_dHz() const { return m_speed.speed_dHz(); }
@@ -41,6 +40,8 @@ protected:
         , m_speed(speed)
     {
     }
+
+    void clear();
 
     StateObserver m_observer;
     SpeedEstimate m_speed;
@@ -79,6 +80,7 @@ public:
 
     explicit ObserverCordic(const Parameters &parameters);
 
+    using ObservedAngle::clear;
     /// The angle of this period's back-EMF, as far as the acceleration limit lets it; against the direction it stands.
     std::int16_t step(const ObserverInput &input);
 

@@ -217,7 +217,7 @@ private Q_SLOTS:
                 {{"motor", "1"}, {"A", decimalText(amps)}, {"ms", "0"}, {"wish", "0"}}};
         };
         constexpr Nanos kMilli = 1'000'000;
-        const Happenings happenings{{0, entryOf(plan, motor.experiment.subject)},
+        const Happenings happenings{{0, entryOf(plan, motor.experiment.subject, {})},
             {20 * kMilli, torque(plan.fromAmps)}, {48 * kMilli, torque(plan.toAmps)},
             {70 * kMilli, torque(plan.fromAmps)}, {70 * kMilli, torque(0.0)},
             {90 * kMilli, entryOfEnd(true, {})}};
@@ -352,7 +352,7 @@ private Q_SLOTS:
     {
         const LabBench bench;
         const CurrentStepPlan plan = planFor(bench, true, 0.05, -0.2);
-        const record::Happening entry = entryOf(plan, bench.experiment.subject);
+        const record::Happening entry = entryOf(plan, bench.experiment.subject, {});
         const auto read = recordedPlan<CurrentStepPlan>(entry);
         QVERIFY(read && read->plan == plan && read->referenceD == "I_D_REF");
         QVERIFY(!recordedPlan<CurrentStepPlan>({"step plan", entry.fields}));

@@ -234,7 +234,7 @@ private Q_SLOTS:
         const Subject &subject = bench.experiment.subject;
         const RestPlan plan = restPlanFor(subject, {});
         QVERIFY(objectionTo(plan, subject).empty());
-        QCOMPARE(recordedPlan<RestPlan>(entryOf(plan, subject))->plan, plan);
+        QCOMPARE(recordedPlan<RestPlan>(entryOf(plan, subject, {}))->plan, plan);
         RestPlan other = plan;
         other.highAmps = subject.limits.nominalCurrentAmps * 1.1;
         QVERIFY(!objectionTo(other, subject).empty());
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QVERIFY(!objectionTo(plan, blind).empty());
         SpinPlan turning = fluxPlanFor(subject, {});
         QVERIFY(objectionTo(turning, subject).empty());
-        QCOMPARE(recordedPlan<SpinPlan>(entryOf(turning, subject))->plan, turning);
+        QCOMPARE(recordedPlan<SpinPlan>(entryOf(turning, subject, {}))->plan, turning);
         turning.fluxAmps = subject.limits.nominalCurrentAmps;
         QVERIFY(!objectionTo(turning, subject).empty());
         const RestPlan bounded = restPlanFor(subject, {.maxCurrentAmps = 1.0});
@@ -263,12 +263,12 @@ private Q_SLOTS:
         const capture::Capture nothing;
         QVERIFY(!evaluateElectrics(nothing, {}));
         const auto rest =
-            evaluateElectrics(nothing, {{1, entryOf(restPlanFor(subject, {}), subject)}});
+            evaluateElectrics(nothing, {{1, entryOf(restPlanFor(subject, {}), subject, {})}});
         QVERIFY(!rest);
         QVERIFY2(rest.error().find("no two different currents") != std::string::npos,
             rest.error().c_str());
         const auto turning =
-            evaluateElectrics(nothing, {{1, entryOf(fluxPlanFor(subject, {}), subject)}});
+            evaluateElectrics(nothing, {{1, entryOf(fluxPlanFor(subject, {}), subject, {})}});
         QVERIFY(!turning && turning.error().find("never driven") != std::string::npos);
     }
 };
