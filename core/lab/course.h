@@ -49,9 +49,9 @@ class Course {
 public:
     struct Moment {
         TimePoint now;
-        std::optional<double> rpm, amps; ///< newest speed, and Iq over the newest packet
+        /// Newest speed, and Iq over the newest packet; where the speed swung when the course began, its mean until then.
+        std::optional<double> rpm, amps;
         bool answered = true; ///< what was asked for last
-        bool steady = true; ///< the speed was at rest when the course began
     };
 
     Course() = default;

@@ -260,6 +260,10 @@ void Runner::advance(TimePoint now)
             return;
         break;
     case Phase::Approaching:
+        if (const auto amps = m_envelope.amps(); amps && now >= m_until - kReachesWithin) {
+            m_ampSum += *amps;
+            ++m_ampCount;
+        }
         if (m_answered && (steadyAt(m_conditions.firstRpm, now) || swingsThrough(now))) {
             m_phase = Phase::Working;
             m_envelope.set(courseCaps(), now);
@@ -487,8 +491,9 @@ void Runner::approach(TimePoint now)
 
 void Runner::work(TimePoint now)
 {
-    if (auto what =
-            m_course->next({now, m_envelope.rpm(), m_envelope.amps(), m_answered, !m_swings})) {
+    const auto amps =
+        m_swings ? std::optional(m_ampSum / std::max(1, m_ampCount)) : m_envelope.amps();
+    if (auto what = m_course->next({now, m_envelope.rpm(), amps, m_answered})) {
         m_until = now + kAnswerWithin;
         const auto *to = std::get_if<drive::SpeedRamp>(&*what);
         const double rpm = m_envelope.rpm().value_or(0.0);

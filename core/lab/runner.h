@@ -116,6 +116,8 @@ private:
     TimePoint m_settledAt{}; ///< the speed has been right since then
     bool m_settled = false;
     bool m_swings = false; ///< and was not when the course began
+    double m_ampSum = 0.0; ///< of the means of the packets since the speed should have come to rest
+    int m_ampCount = 0;
 
     drive::WishId m_lastWish = kFirstWish;
     drive::WishId m_waiting = 0; ///< what the phase waits for; 0: it has ended

@@ -57,8 +57,7 @@ public:
         m_due = moment.now + 20ms;
         if (!m_began) {
             m_began = moment.now;
-            if (moment.steady) // what flows while a speed swings holds none
-                m_hold = std::max(0.0, moment.amps.value_or(0.0) * m_sign);
+            m_hold = std::max(0.0, moment.amps.value_or(0.0) * m_sign);
             return turn(true, moment.now);
         }
         if (moment.now - *m_began >= m_plan.length)
