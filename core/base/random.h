@@ -12,6 +12,7 @@ inline std::uint64_t splitmix64(std::uint64_t &state)
     return z ^ z >> 31;
 }
 
+/// Draws numbers; the same seed draws the same ones.
 class Draw {
 public:
     explicit Draw(std::uint64_t seed)

@@ -65,6 +65,7 @@ inline std::string hexOf(
     return text;
 }
 
+/// A row of a table of words.
 template <class T>
 struct Word {
     std::string_view text;

@@ -48,6 +48,16 @@ Measured measure(const PlantParameters &plant, std::string_view motor, std::uint
     return measure(options, seed, also);
 }
 
+/// An observer behind a rotor too heavy for its gains, on a supply that takes back.
+simulation::BoardOptions swingingBoard(double heavier)
+{
+    simulation::BoardOptions options;
+    options.plant = *simulation::findPreset("ipm48");
+    options.plant->motor.inertia_kgm2 *= heavier;
+    options.plant->inverter.supplyAbsorbs = true;
+    return options;
+}
+
 /// A hub motor with Hall sensors, as tests/data/invented/hub48.json at 300 rpm with ten pole pairs and 4e-3 kg m^2; another
 /// speed with magnets for it.
 PlantParameters hubMotor(double rpm, int polePairs, double inertia_kgm2, double brake)
@@ -280,10 +290,7 @@ private Q_SLOTS:
     void aLoopThatSwingsIsNotWaitedFor()
     {
         QFETCH(const double, heavier);
-        simulation::BoardOptions options;
-        options.plant = *simulation::findPreset("ipm48");
-        options.plant->motor.inertia_kgm2 *= heavier;
-        options.plant->inverter.supplyAbsorbs = true;
+        const simulation::BoardOptions options = swingingBoard(heavier);
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const Measured measured = measure(options, seed);
             QVERIFY2(measured.outcome.end == End::Complete && measured.outcome.reason.empty(),
@@ -298,10 +305,7 @@ private Q_SLOTS:
     /// It swung before, so nobody waits for it to come to rest afterwards: all that was measured would end with a Stop.
     void aMotorThatRanAndSwungGoesOnToDoSo()
     {
-        simulation::BoardOptions options;
-        options.plant = *simulation::findPreset("ipm48");
-        options.plant->motor.inertia_kgm2 *= 6.0;
-        options.plant->inverter.supplyAbsorbs = true;
+        const simulation::BoardOptions options = swingingBoard(6.0);
         LabBench bench(options);
         bench.experiment.plan = spinPlanFor(bench.experiment.subject, {});
         constexpr int kSetPoint_rpm = 2200;
