@@ -65,10 +65,12 @@ private:
 };
 
 /// The row of that index, in any table or tree, as it is shown, with tabs between columns: for the clipboard.
+/// Empty for an index of no table.
 inline QString rowText(const QModelIndex &row)
 {
     QStringList cells;
-    for (int column = 0; column < row.model()->columnCount(row.parent()); ++column)
+    const int columns = row.isValid() ? row.model()->columnCount(row.parent()) : 0;
+    for (int column = 0; column < columns; ++column)
         cells.append(row.siblingAtColumn(column).data().toString());
     return cells.join(QLatin1Char('\t'));
 }
