@@ -13,31 +13,10 @@ namespace drive {
 
 namespace {
 
-std::unique_ptr<Drive> makeMcp(const LineOptions &options, Search search)
-{
-    McpDriveConfig config;
-    config.baud = options.baud;
-    config.patience = options.patience;
-    config.hasty = search == Search::Hasty;
-    return makeMcpDrive(config);
-}
-
 template <fcp::Dialect dialect>
 std::unique_ptr<Drive> makeOlder(const LineOptions &options, Search search)
 {
-    FcpDriveConfig config;
-    config.baud = options.baud;
-    config.patience = options.patience;
-    if (search == Search::No)
-        config.dialect = dialect;
-    return makeFcpDrive(config);
-}
-
-std::unique_ptr<Drive> makeMcb(const LineOptions &options, Search)
-{
-    McbDriveConfig config;
-    config.patience = options.patience;
-    return makeMcbDrive(config);
+    return makeFcpDrive(options, search == Search::No ? std::optional(dialect) : std::nullopt);
 }
 
 std::unique_ptr<Drive> makeAuto(const LineOptions &options, Search)
@@ -60,7 +39,7 @@ std::span<const ProtocolRow> protocolTable()
     static constexpr std::array kRows{
         ProtocolRow{{Auto, "auto", "", "", true}, 0, {}, makeAuto},
         ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, {},
-            makeMcp, LinkReason::AskingNewer, "it answered a BEACON", true,
+            makeMcpDrive, LinkReason::AskingNewer, "it answered a BEACON", true,
             {LinkReason::NoAgreement, LinkReason::OtherProtocol}},
         ProtocolRow{{Fcp, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true}, 115200,
             {"legacy", "legacy-text"}, makeOlder<Dialect::Stm32>, LinkReason::AskingOlder, "",
@@ -68,7 +47,7 @@ std::span<const ProtocolRow> protocolTable()
         ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200,
             {"powerpc"}, makeOlder<Dialect::PowerPc>},
         ProtocolRow{{Mcb, "mcb", "MCB over SPI", "servo drives of Ingenia and Celera", false}, 0,
-            {"mcb"}, makeMcb},
+            {"mcb"}, makeMcbDrive},
     };
     return kRows;
 }

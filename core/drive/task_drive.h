@@ -49,13 +49,15 @@ protected:
     using Made = std::unique_ptr<WishTask<P>>;
 
     template <class... Args>
-    TaskDrive(const typename Link::Config &config, Duration reconnectEvery, Args... identification)
+    explicit TaskDrive(const typename Link::Config &config, Args... identification)
         : WishDrive(m_board)
         , m_link(config)
         , m_identification(m_board, identification...)
-        , m_reconnectEvery(reconnectEvery)
     {
     }
+
+    /// After a lost link, until disconnect().
+    static constexpr Duration kReconnectEvery = std::chrono::milliseconds(500);
 
     // What a protocol brings.
     /// For what commands and moves; nullptr: it is not there.
@@ -172,7 +174,6 @@ private:
     void close(TimePoint now);
     void tellLinkState();
 
-    Duration m_reconnectEvery;
     TimePoint m_closeBy;
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
     EndedWish m_ended;
@@ -247,7 +248,7 @@ void TaskDrive<P>::linkLost(LinkReason reason, TimePoint now)
     setArmed(false);
     cutAllWishes("link lost");
     forgetLink();
-    m_reconnectAt = now + m_reconnectEvery;
+    m_reconnectAt = now + kReconnectEvery;
 }
 
 template <class P>

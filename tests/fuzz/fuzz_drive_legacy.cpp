@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     static const fuzz::Target target{
-        .drive = [] { return drive::makeFcpDrive({}); },
+        .drive = [] { return drive::makeFcpDrive({.baud = 115200}); },
         .peer = [](unsigned which, int motors) -> std::unique_ptr<fuzz::Peer> {
             if (which == 3)
                 return std::make_unique<fuzz::NobodyThere>();

@@ -73,7 +73,7 @@ DEFECTS = [
     ("a lost link leaves it armed", CAMPAIGN, "armed", [
         ("core/drive/task_drive.h", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
     ("no pause before a payload", CAMPAIGN, "payload pause", [
-        ("core/drive/mcp/mcp_drive.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
+        ("core/aspep/controller.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
     ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [
         ("core/drive/wish_drive.h", "return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));", "return now == TimePoint{};")]),
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [

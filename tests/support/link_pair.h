@@ -78,16 +78,12 @@ public:
         , m_motors(simulation::buildOf(options).motors)
     {
         if (simulation::isFcpProfile(options.profile)) {
-            drive::FcpDriveConfig config;
-            config.baud = baud;
-            drive = std::make_unique<JudgedDrive>(drive::makeFcpDrive(config), judge);
+            drive = std::make_unique<JudgedDrive>(drive::makeFcpDrive({.baud = baud}), judge);
             m_framesAreRequests = true;
             judge.watch(std::make_unique<judge::WireFcp>(), fcpLine());
             return;
         }
-        drive::McpDriveConfig config;
-        config.baud = baud;
-        drive = std::make_unique<JudgedDrive>(drive::makeMcpDrive(config), judge);
+        drive = std::make_unique<JudgedDrive>(drive::makeMcpDrive({.baud = baud}), judge);
         judge.watch(
             std::make_unique<judge::WireMcp>(baud, board->truth(1).ampsPerDigit), mcpLine());
         if (!options.lies.empty())

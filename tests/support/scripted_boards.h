@@ -221,7 +221,10 @@ class ScriptedFcpBoard final : public ScriptedBoard, private simulation::FcpMach
 public:
     ScriptedFcpBoard() { powerOn(); }
 
-    std::unique_ptr<drive::Drive> makeDrive() const override { return drive::makeFcpDrive({}); }
+    std::unique_ptr<drive::Drive> makeDrive() const override
+    {
+        return drive::makeFcpDrive({.baud = 115200});
+    }
     bool needsExpert() const override { return true; }
     Duration late() const override { return std::chrono::milliseconds(1030); }
     bool take(const Bytes &output) override

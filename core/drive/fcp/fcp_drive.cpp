@@ -30,11 +30,11 @@ fcp::Request stopOf(int motor)
 
 class FcpDrive final : public TaskDrive<FcpProtocol> {
 public:
-    explicit FcpDrive(const FcpDriveConfig &config)
-        : TaskDrive({config.baud, config.patience}, config.reconnectEvery, config.dialect)
+    FcpDrive(const LineOptions &line, std::optional<fcp::Dialect> dialect)
+        : TaskDrive({line.baud, line.patience}, dialect)
     {
         constexpr double kBitsPerByte = 10.0;
-        m_board.bytesPerSecond = config.baud / kBitsPerByte;
+        m_board.bytesPerSecond = line.baud / kBitsPerByte;
     }
 
     std::vector<Output> stopScript() const override;
@@ -243,9 +243,9 @@ LinkCounters FcpDrive::counters() const
 
 } // namespace
 
-std::unique_ptr<Drive> makeFcpDrive(const FcpDriveConfig &config)
+std::unique_ptr<Drive> makeFcpDrive(const LineOptions &line, std::optional<fcp::Dialect> dialect)
 {
-    return std::make_unique<FcpDrive>(config);
+    return std::make_unique<FcpDrive>(line, dialect);
 }
 
 } // namespace drive

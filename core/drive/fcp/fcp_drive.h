@@ -7,7 +7,7 @@
 // Boards of this protocol send nothing by themselves: what is drawn is read over and over, as often as the line gives.
 #pragma once
 
-#include "drive/drive.h"
+#include "drive/protocol_table.h"
 #include "fcp/protocol.h"
 
 #include <memory>
@@ -15,14 +15,8 @@
 
 namespace drive {
 
-struct FcpDriveConfig {
-    std::uint32_t baud = 115200;
-    Duration patience{}; ///< added to the time-out of every reply
-    std::optional<fcp::Dialect> dialect; ///< that the user chose; empty: found out
-    Duration reconnectEvery =
-        std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
-};
-
-std::unique_ptr<Drive> makeFcpDrive(const FcpDriveConfig &config);
+/// @param dialect  that the user chose; empty: found out
+std::unique_ptr<Drive> makeFcpDrive(
+    const LineOptions &line, std::optional<fcp::Dialect> dialect = {});
 
 } // namespace drive

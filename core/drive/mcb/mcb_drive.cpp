@@ -38,16 +38,16 @@ LinkReason reasonOf(mcb::Master::Cause cause)
     }
 }
 
-mcb::Master::Config linkConfig(const McbDriveConfig &config)
+mcb::Master::Config linkConfig(const LineOptions &line)
 {
     mcb::Master::Config link;
-    link.patience = config.patience;
+    link.patience = line.patience;
     return link;
 }
 
 class McbDrive final : public TaskDrive<McbProtocol> {
 public:
-    explicit McbDrive(const McbDriveConfig &config);
+    explicit McbDrive(const LineOptions &line);
 
     void connect(TimePoint now) override
     {
@@ -120,8 +120,8 @@ private:
     std::uint64_t m_cyclesLost = 0; ///< as last told by the link
 };
 
-McbDrive::McbDrive(const McbDriveConfig &config)
-    : TaskDrive(linkConfig(config), config.reconnectEvery)
+McbDrive::McbDrive(const LineOptions &line)
+    : TaskDrive(linkConfig(line))
 {
     m_board.motorsCounted = true; // one, always
     // What a stop needs before anything was told.
@@ -480,9 +480,9 @@ LinkCounters McbDrive::counters() const
 
 } // namespace
 
-std::unique_ptr<Drive> makeMcbDrive(const McbDriveConfig &config)
+std::unique_ptr<Drive> makeMcbDrive(const LineOptions &line, Search)
 {
-    return std::make_unique<McbDrive>(config);
+    return std::make_unique<McbDrive>(line);
 }
 
 } // namespace drive

@@ -9,18 +9,12 @@
 // is one.
 #pragma once
 
-#include "drive/drive.h"
+#include "drive/protocol_table.h"
 
 #include <memory>
 
 namespace drive {
 
-struct McbDriveConfig {
-    Duration patience{}; ///< added to every time-out
-    Duration reconnectEvery =
-        std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
-};
-
-std::unique_ptr<Drive> makeMcbDrive(const McbDriveConfig &config);
+std::unique_ptr<Drive> makeMcbDrive(const LineOptions &line, Search search = Search::No);
 
 } // namespace drive

@@ -18,15 +18,14 @@ namespace {
 
 using Link = aspep::Controller;
 
-Link::Config linkConfig(const McpDriveConfig &config)
+Link::Config linkConfig(const LineOptions &line, Search search)
 {
     Link::Config link;
     constexpr int kHastyOffers = 3; // a third of a second each at 115200 baud
-    if (config.hasty)
+    if (search == Search::Hasty) // into silence a second of Beacons is enough
         link.firstSilentOffers = kHastyOffers;
-    link.baud = config.baud;
-    link.payloadPause = config.payloadPause;
-    link.patience = config.patience;
+    link.baud = line.baud;
+    link.patience = line.patience;
     return link;
 }
 
@@ -58,10 +57,10 @@ Bytes stopOf(int motor)
 
 class McpDrive final : public TaskDrive<McpProtocol> {
 public:
-    explicit McpDrive(const McpDriveConfig &config)
-        : TaskDrive(linkConfig(config), config.reconnectEvery)
+    McpDrive(const LineOptions &line, Search search)
+        : TaskDrive(linkConfig(line, search))
     {
-        m_board.baud = config.baud;
+        m_board.baud = line.baud;
     }
 
     std::vector<Output> stopScript() const override;
@@ -317,9 +316,9 @@ LinkCounters McpDrive::counters() const
 
 } // namespace
 
-std::unique_ptr<Drive> makeMcpDrive(const McpDriveConfig &config)
+std::unique_ptr<Drive> makeMcpDrive(const LineOptions &line, Search search)
 {
-    return std::make_unique<McpDrive>(config);
+    return std::make_unique<McpDrive>(line, search);
 }
 
 } // namespace drive

@@ -8,22 +8,12 @@
 // the heartbeat of a drive with a watchdog moves nothing.
 #pragma once
 
-#include "drive/drive.h"
+#include "drive/protocol_table.h"
 
 #include <memory>
 
 namespace drive {
 
-struct McpDriveConfig {
-    std::uint32_t baud = 1843200;
-    Duration payloadPause = std::chrono::microseconds(1500); ///< header to payload, on the wire
-    bool hasty =
-        false; ///< another protocol is tried next: into silence a second of Beacons is enough
-    Duration patience{}; ///< added to the time-out of every reply
-    Duration reconnectEvery =
-        std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
-};
-
-std::unique_ptr<Drive> makeMcpDrive(const McpDriveConfig &config);
+std::unique_ptr<Drive> makeMcpDrive(const LineOptions &line, Search search = Search::No);
 
 } // namespace drive

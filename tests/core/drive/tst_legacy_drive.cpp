@@ -122,9 +122,8 @@ void TestFcpDrive::theWrongDialectIsReadOnly()
     QFETCH(QByteArray, profile);
     QFETCH(bool, choosePowerPc);
     support::LinkPair pair(boardOf(profile.constData()));
-    FcpDriveConfig config;
-    config.dialect = choosePowerPc ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32;
-    pair.drive = makeFcpDrive(config);
+    pair.drive =
+        makeFcpDrive({.baud = 115200}, choosePowerPc ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32);
     pair.connect();
     QVERIFY(pair.runUntilIdentified());
     QVERIFY(!pair.identified->identity.knownFirmware);
@@ -370,9 +369,7 @@ void TestFcpDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
     }
     const auto runs = [&](int motor) { return bench.status[motor].state == MotorState::Running; };
     QVERIFY(bench.runUntil([&] { return runs(1) && runs(2); }, 10s));
-    FcpDriveConfig config;
-    config.baud = bench.baud;
-    bench.replaceDrive(makeFcpDrive(config));
+    bench.replaceDrive(makeFcpDrive({.baud = bench.baud}));
     bench.stops.clear();
     bench.requests.clear();
     bench.connect();

@@ -247,9 +247,7 @@ bool hasWord(const Session &session, StopWord word, int motor)
 /// A new drive on the same line, as after a port was opened again.
 void meetAnew(Session &session)
 {
-    McpDriveConfig config;
-    config.baud = session.baud;
-    session.replaceDrive(makeMcpDrive(config));
+    session.replaceDrive(makeMcpDrive({.baud = session.baud}));
     session.requests.clear();
     session.stops.clear();
     session.status.clear();
