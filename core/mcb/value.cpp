@@ -1,6 +1,8 @@
 #include "mcb/value.h"
 
-#include <algorithm>
+#include "catalog/limits.h"
+
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -12,20 +14,6 @@ using catalog::Access;
 
 constexpr unsigned kReadOnly = 3, kWriteOnly = 5, kReadWrite = 7;
 constexpr unsigned kTypeMask = 0x3F, kUnknownType = 0x3F;
-
-constexpr Access accessOf(unsigned code)
-{
-    switch (code) {
-    case kReadOnly:
-        return Access::Read;
-    case kWriteOnly:
-        return Access::Write;
-    case kReadWrite:
-        return Access::ReadWrite;
-    default:
-        return Access::None;
-    }
-}
 
 constexpr unsigned codeOf(Access access)
 {
@@ -42,39 +30,12 @@ constexpr unsigned codeOf(Access access)
     return 0;
 }
 
-/// Bytes of a number of that type; 0 for texts.
-constexpr std::size_t widthOf(Type type)
+constexpr Access accessOf(unsigned code)
 {
-    switch (type) {
-    case Type::Int16:
-    case Type::UInt16:
-        return 2;
-    case Type::Int32:
-    case Type::UInt32:
-    case Type::Float:
-        return 4;
-    case Type::Text:
-        break;
-    }
-    return 0;
-}
-
-struct Range {
-    std::int64_t least, greatest;
-};
-
-constexpr Range rangeOf(Type type)
-{
-    switch (type) {
-    case Type::Int16:
-        return {INT16_MIN, INT16_MAX};
-    case Type::UInt16:
-        return {0, UINT16_MAX};
-    case Type::Int32:
-        return {INT32_MIN, INT32_MAX};
-    default:
-        return {0, UINT32_MAX};
-    }
+    for (const Access access : {Access::Read, Access::Write, Access::ReadWrite})
+        if (codeOf(access) == code)
+            return access;
+    return Access::None;
 }
 
 std::uint8_t byteOf(std::uint16_t word, bool upper)
@@ -120,15 +81,14 @@ Result<Words, ValueError> encodeFloat(const catalog::Value &value)
     return wordsOfNumber(std::bit_cast<std::uint32_t>(static_cast<float>(number)), 4);
 }
 
-Result<Words, ValueError> encodeWhole(Type type, const catalog::Value &value)
+Result<Words, ValueError> encodeWhole(const Info &info, const catalog::Value &value)
 {
     const auto *number = std::get_if<std::int64_t>(&value);
     if (number == nullptr)
         return fail(ValueError::WrongKind);
-    const Range range = rangeOf(type);
-    if (*number < range.least || *number > range.greatest)
+    if (!catalog::typeLimits(valueTypeOf(info)).holds(static_cast<double>(*number)))
         return fail(ValueError::OutOfRange);
-    return wordsOfNumber(static_cast<std::uint64_t>(*number), widthOf(type));
+    return wordsOfNumber(static_cast<std::uint64_t>(*number), info.size);
 }
 
 Result<Words, ValueError> encodeText(
@@ -189,6 +149,13 @@ ConfigWords configOf(const Info &info)
         static_cast<std::uint16_t>(codeOf(info.access)), 0, 0};
 }
 
+catalog::ValueType valueTypeOf(const Info &info)
+{
+    using enum catalog::ValueType;
+    constexpr std::array kTypes{S16, U16, S32, U32, F32, Text};
+    return info.type ? kTypes[static_cast<std::size_t>(*info.type)] : Raw;
+}
+
 Words wordsOfNumber(std::uint64_t number, std::size_t bytes)
 {
     Words words;
@@ -223,7 +190,7 @@ Result<catalog::Value, ValueError> decodeValue(const Info &info, WordView words,
     }
     if (*info.type == Type::Text)
         return textOf(words, info.size, order);
-    if (info.size != widthOf(*info.type))
+    if (info.size != catalog::widthOf(valueTypeOf(info)))
         return fail(ValueError::WrongSize);
     const std::uint64_t bits = *numberOf(words, info.size);
     if (*info.type == Type::Float)
@@ -238,9 +205,9 @@ Result<Words, ValueError> encodeValue(
         return encodeRaw(info.size, value);
     if (*info.type == Type::Text)
         return encodeText(info.size, value, order);
-    if (info.size != widthOf(*info.type))
+    if (info.size != catalog::widthOf(valueTypeOf(info)))
         return fail(ValueError::WrongSize);
-    return *info.type == Type::Float ? encodeFloat(value) : encodeWhole(*info.type, value);
+    return *info.type == Type::Float ? encodeFloat(value) : encodeWhole(info, value);
 }
 
 } // namespace mcb

@@ -31,6 +31,9 @@ struct Info {
 Info infoOf(const ConfigWords &config);
 ConfigWords configOf(const Info &info);
 
+/// The type as every protocol has it; Raw where the text does not name it.
+catalog::ValueType valueTypeOf(const Info &info);
+
 /// How many words a value of so many bytes takes.
 constexpr std::size_t wordsOf(std::size_t bytes) { return (bytes + 1) / 2; }
 

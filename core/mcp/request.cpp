@@ -50,16 +50,8 @@ Result<Bytes, CodecError> encodeCommand(CommandId command, unsigned motor, ByteV
 
 int getOrder(RegisterId id)
 {
-    switch (id.type()) {
-    case 3:
-        return 0;
-    case 2:
-        return 1;
-    case 1:
-        return 2;
-    default:
-        return 3 + id.type();
-    }
+    const int type = id.type();
+    return type >= 1 && type <= 3 ? 3 - type : 3 + type;
 }
 
 bool isMotorCommand(std::uint16_t commandId)

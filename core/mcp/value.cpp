@@ -1,5 +1,8 @@
 #include "mcp/value.h"
 
+#include "catalog/limits.h"
+
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -9,29 +12,6 @@ namespace {
 
 using catalog::ValueType;
 
-struct Range {
-    std::int64_t low = 0;
-    std::int64_t high = 0;
-};
-
-Range rangeOf(ValueType type)
-{
-    switch (type) {
-    case ValueType::U8:
-        return {0, std::numeric_limits<std::uint8_t>::max()};
-    case ValueType::S8:
-        return {std::numeric_limits<std::int8_t>::min(), std::numeric_limits<std::int8_t>::max()};
-    case ValueType::U16:
-        return {0, std::numeric_limits<std::uint16_t>::max()};
-    case ValueType::S16:
-        return {std::numeric_limits<std::int16_t>::min(), std::numeric_limits<std::int16_t>::max()};
-    case ValueType::U32:
-        return {0, std::numeric_limits<std::uint32_t>::max()};
-    default:
-        return {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
-    }
-}
-
 std::uint32_t maskOf(std::size_t width)
 {
     return width >= 4 ? 0xFFFFFFFFU : (1U << (8 * width)) - 1;
@@ -39,8 +19,7 @@ std::uint32_t maskOf(std::size_t width)
 
 Result<Value, CodecError> integerBits(std::int64_t number, ValueType type)
 {
-    const Range range = rangeOf(type);
-    if (number < range.low || number > range.high)
+    if (!catalog::typeLimits(type).holds(static_cast<double>(number)))
         return fail(CodecError::OutOfRange);
     return Value{static_cast<std::uint32_t>(number) & maskOf(catalog::widthOf(type))};
 }
@@ -164,18 +143,9 @@ Result<Value, CodecError> bitsOf(const catalog::Value &value, ValueType type)
 
 ValueType plainType(RegisterId id)
 {
-    switch (id.type()) {
-    case 1:
-        return ValueType::U8;
-    case 2:
-        return ValueType::U16;
-    case 3:
-        return ValueType::U32;
-    case 4:
-        return ValueType::Text;
-    default:
-        return ValueType::Raw;
-    }
+    constexpr std::array kTypes{
+        ValueType::Raw, ValueType::U8, ValueType::U16, ValueType::U32, ValueType::Text};
+    return id.type() < kTypes.size() ? kTypes[id.type()] : ValueType::Raw;
 }
 
 } // namespace mcp

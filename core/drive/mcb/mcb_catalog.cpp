@@ -61,27 +61,6 @@ bool isDangerous(std::uint16_t address)
         || isMcbMappingRegister(address);
 }
 
-ValueType typeOf(const mcb::Info &info)
-{
-    if (!info.type)
-        return ValueType::Raw;
-    switch (*info.type) {
-    case mcb::Type::Int16:
-        return ValueType::S16;
-    case mcb::Type::UInt16:
-        return ValueType::U16;
-    case mcb::Type::Int32:
-        return ValueType::S32;
-    case mcb::Type::UInt32:
-        return ValueType::U32;
-    case mcb::Type::Float:
-        return ValueType::F32;
-    case mcb::Type::Text:
-        break;
-    }
-    return ValueType::Text;
-}
-
 std::string groupOf(std::uint16_t address)
 {
     const auto next = std::find_if(kGroups.begin(), kGroups.end(),
@@ -122,7 +101,7 @@ std::shared_ptr<const catalog::Catalog> mcbCatalogOf(
         info.id = RegisterId{address} << kMcbMotorBits;
         name(info, address);
         info.group = groupOf(address);
-        info.type = typeOf(told);
+        info.type = mcb::valueTypeOf(told);
         info.access = told.access;
         if (isMcbMappingRegister(address) && info.access == catalog::Access::ReadWrite)
             info.access = catalog::Access::Read;
