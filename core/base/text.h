@@ -80,3 +80,12 @@ const T *findWord(const Word<T> (&words)[N], std::string_view text)
         std::begin(words), std::end(words), [=](const Word<T> &one) { return one.text == text; });
     return at == std::end(words) ? nullptr : &at->meaning;
 }
+
+/// The first word that stands for the meaning; the last one of the table if none does.
+template <class T, std::size_t N>
+constexpr std::string_view wordFor(const Word<T> (&words)[N], T meaning)
+{
+    const auto at = std::find_if(std::begin(words), std::prev(std::end(words)),
+        [=](const Word<T> &one) { return one.meaning == meaning; });
+    return at->text;
+}

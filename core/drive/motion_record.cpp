@@ -49,86 +49,36 @@ std::string milliseconds(Duration time)
 
 std::string_view wordOf(MotionAct act)
 {
-    switch (act) {
-    case MotionAct::Arm:
-        return "ARM";
-    case MotionAct::Disarm:
-        return "DISARM";
-    case MotionAct::Limits:
-        return "LIMITS";
-    case MotionAct::Expert:
-        return "EXPERT_MODE";
-    case MotionAct::CurrentScale:
-        return "CURRENT_SCALE";
-    case MotionAct::Start:
-        return "START";
-    case MotionAct::Stop:
-        return "STOP";
-    case MotionAct::StopMotor:
-        return "STOP_MOTOR";
-    case MotionAct::StopRamp:
-        return "STOP_RAMP";
-    case MotionAct::AcknowledgeFaults:
-        return "FAULT_ACK";
-    case MotionAct::SpeedRamp:
-        return "SPEED_RAMP";
-    case MotionAct::TorqueRamp:
-        return "TORQUE_RAMP";
-    case MotionAct::CurrentReference:
-        return "CURRENT_REFERENCE";
-    case MotionAct::PositionRamp:
-        return "POSITION_RAMP";
-    case MotionAct::Write:
-        break;
-    }
-    return "WRITE";
+    using enum MotionAct;
+    static constexpr Word<MotionAct> kWords[] = {{"ARM", Arm}, {"DISARM", Disarm},
+        {"LIMITS", Limits}, {"EXPERT_MODE", Expert}, {"CURRENT_SCALE", CurrentScale},
+        {"START", Start}, {"STOP", Stop}, {"STOP_MOTOR", StopMotor}, {"STOP_RAMP", StopRamp},
+        {"FAULT_ACK", AcknowledgeFaults}, {"SPEED_RAMP", SpeedRamp}, {"TORQUE_RAMP", TorqueRamp},
+        {"CURRENT_REFERENCE", CurrentReference}, {"POSITION_RAMP", PositionRamp}, {"WRITE", Write}};
+    return wordFor(kWords, act);
 }
 
 std::string_view wordOf(Source source)
 {
-    switch (source) {
-    case Source::Person:
-        return "person";
-    case Source::CommandLine:
-        return "command line";
-    case Source::Script:
-        break;
-    }
-    return "script";
+    static constexpr Word<Source> kWords[] = {{"person", Source::Person},
+        {"command line", Source::CommandLine}, {"script", Source::Script}};
+    return wordFor(kWords, source);
 }
 
 std::string_view wordOf(Outcome outcome)
 {
-    switch (outcome) {
-    case Outcome::Ok:
-        return "ok";
-    case Outcome::Refused:
-        return "refused";
-    case Outcome::NotSent:
-        return "not sent";
-    case Outcome::Unknown:
-        break;
-    }
-    return "unknown";
+    static constexpr Word<Outcome> kWords[] = {{"ok", Outcome::Ok}, {"refused", Outcome::Refused},
+        {"not sent", Outcome::NotSent}, {"unknown", Outcome::Unknown}};
+    return wordFor(kWords, outcome);
 }
 
 std::string_view wordOf(StopWord word)
 {
-    switch (word) {
-    case StopWord::Requested:
-        return "requested";
-    case StopWord::Accepted:
-        return "accepted";
-    case StopWord::DriveIdle:
-        return "drive idle";
-    case StopWord::Standstill:
-        return "standstill measured";
-    case StopWord::MayCoast:
-        return "speed not measurable";
-    case StopWord::NotConfirmed:
-        break;
-    }
-    return "NOT confirmed";
+    using enum StopWord;
+    static constexpr Word<StopWord> kWords[] = {{"requested", Requested}, {"accepted", Accepted},
+        {"drive idle", DriveIdle}, {"standstill measured", Standstill},
+        {"speed not measurable", MayCoast}, {"NOT confirmed", NotConfirmed}};
+    return wordFor(kWords, word);
 }
 
 std::string motionLogHeading()

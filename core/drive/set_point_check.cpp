@@ -1,6 +1,7 @@
 #include "drive/set_point_check.h"
 
 #include "base/overloaded.h"
+#include "base/text.h"
 #include "drive/values.h"
 
 #include <algorithm>
@@ -20,15 +21,9 @@ double roundedDigits(const BoardFacts &board, int motor, double amps)
 
 std::string_view nameOf(LimitGap gap)
 {
-    switch (gap) {
-    case LimitGap::MaxSpeed:
-        return "greatest speed";
-    case LimitGap::MaxCurrent:
-        return "greatest current";
-    case LimitGap::NominalCurrent:
-        break;
-    }
-    return "nominal current";
+    static constexpr Word<LimitGap> kNames[] = {{"greatest speed", LimitGap::MaxSpeed},
+        {"greatest current", LimitGap::MaxCurrent}, {"nominal current", LimitGap::NominalCurrent}};
+    return wordFor(kNames, gap);
 }
 
 std::string unknown(const std::string &what, int motor)

@@ -1,24 +1,27 @@
 #include "mcb/error_code.h"
 
-namespace mcb {
+#include "base/text.h"
 
-bool isKnown(std::uint32_t code)
+namespace mcb {
+namespace {
+
+constexpr std::string_view kUnknown = "error";
+constexpr Word<ErrorCode> kMeanings[] = {{"access not supported", ErrorCode::AccessNotSupported},
+    {"no such register", ErrorCode::NoSuchRegister},
+    {"cannot be mapped", ErrorCode::CannotBeMapped}, {"too much mapped", ErrorCode::TooMuchMapped},
+    {"general error", ErrorCode::General}, {"bad cyclic index", ErrorCode::BadCyclicIndex},
+    {"cyclic state not reachable", ErrorCode::CyclicNotReachable},
+    {"mapping refused", ErrorCode::MappingRefused}, {"invalid command", ErrorCode::InvalidCommand},
+    {"CRC error", ErrorCode::BadCrc}, {kUnknown, {}}};
+
+} // namespace
+
+std::string_view meaningOf(std::uint32_t code)
 {
-    switch (static_cast<ErrorCode>(code)) {
-    case ErrorCode::AccessNotSupported:
-    case ErrorCode::NoSuchRegister:
-    case ErrorCode::CannotBeMapped:
-    case ErrorCode::TooMuchMapped:
-    case ErrorCode::General:
-    case ErrorCode::BadCyclicIndex:
-    case ErrorCode::CyclicNotReachable:
-    case ErrorCode::MappingRefused:
-    case ErrorCode::InvalidCommand:
-    case ErrorCode::BadCrc:
-        return true;
-    }
-    return false;
+    return wordFor(kMeanings, static_cast<ErrorCode>(code));
 }
+
+bool isKnown(std::uint32_t code) { return meaningOf(code) != kUnknown; }
 
 std::uint32_t errorCodeOf(const ConfigWords &config)
 {

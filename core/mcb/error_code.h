@@ -4,6 +4,8 @@
 
 #include "mcb/frame.h"
 
+#include <string_view>
+
 namespace mcb {
 
 /// Codes that the text names; a drive may send any other number.
@@ -20,6 +22,8 @@ enum class ErrorCode : std::uint32_t {
     BadCrc = 0x08010040, ///< the slave saw one
 };
 
+/// "no such register"; "error" for every code that is none of those above.
+std::string_view meaningOf(std::uint32_t code);
 /// True for the codes above.
 bool isKnown(std::uint32_t code);
 

@@ -3,9 +3,6 @@
 #include "base/text.h"
 
 namespace drive {
-
-using mcb::ErrorCode;
-
 namespace {
 
 void addFrames(Bytes &bytes, std::uint16_t address, mcb::WordView words)
@@ -14,33 +11,6 @@ void addFrames(Bytes &bytes, std::uint16_t address, mcb::WordView words)
         const Bytes one = mcb::encodeFrame(frame);
         bytes.insert(bytes.end(), one.begin(), one.end());
     }
-}
-
-std::string_view meaningOf(std::uint32_t code)
-{
-    switch (static_cast<ErrorCode>(code)) {
-    case ErrorCode::AccessNotSupported:
-        return "access not supported";
-    case ErrorCode::NoSuchRegister:
-        return "no such register";
-    case ErrorCode::CannotBeMapped:
-        return "cannot be mapped";
-    case ErrorCode::TooMuchMapped:
-        return "too much mapped";
-    case ErrorCode::General:
-        return "general error";
-    case ErrorCode::BadCyclicIndex:
-        return "bad cyclic index";
-    case ErrorCode::CyclicNotReachable:
-        return "cyclic state not reachable";
-    case ErrorCode::MappingRefused:
-        return "mapping refused";
-    case ErrorCode::InvalidCommand:
-        return "invalid command";
-    case ErrorCode::BadCrc:
-        return "CRC error";
-    }
-    return "error";
 }
 
 } // namespace
@@ -69,7 +39,7 @@ std::string mcbWordOf(std::uint32_t code)
 {
     if (code == kOtherValueRead)
         return "another value is read back";
-    return std::string(meaningOf(code)) + " (0x" + hexDigits(code, 8) + ")";
+    return std::string(mcb::meaningOf(code)) + " (0x" + hexDigits(code, 8) + ")";
 }
 
 } // namespace drive
