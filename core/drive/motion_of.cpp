@@ -14,6 +14,11 @@ std::string inTime(std::chrono::milliseconds duration)
     return " in " + std::to_string(duration.count()) + " ms";
 }
 
+std::string limitText(double limit, const char *unit)
+{
+    return limit > 0.0 ? shortNumber(limit) + unit : std::string("none");
+}
+
 std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &write)
 {
     if (const auto *bytes = std::get_if<Bytes>(&write.value))
@@ -29,76 +34,58 @@ struct Begin {
     const catalog::Catalog &catalog;
     MotionRecord record;
 
+    bool begin(MotionAct act, int motor, std::string detail = {})
+    {
+        record.act = act;
+        record.motor = motor;
+        record.detail = std::move(detail);
+        return true;
+    }
+
     bool operator()(const Command &command)
     {
-        record.motor = command.motor;
         switch (command.action) {
         case MotorAction::Start:
-            record.act = MotionAct::Start;
-            break;
+            return begin(MotionAct::Start, command.motor);
         case MotorAction::StopMotor:
-            record.act = MotionAct::StopMotor;
-            break;
+            return begin(MotionAct::StopMotor, command.motor);
         case MotorAction::StopRamp:
-            record.act = MotionAct::StopRamp;
-            break;
+            return begin(MotionAct::StopRamp, command.motor);
         case MotorAction::AcknowledgeFaults:
-            record.act = MotionAct::AcknowledgeFaults;
             break;
         }
-        return true;
+        return begin(MotionAct::AcknowledgeFaults, command.motor);
     }
     bool operator()(const SpeedRamp &ramp)
     {
-        record.act = MotionAct::SpeedRamp;
-        record.motor = ramp.motor;
-        record.detail = std::to_string(ramp.rpm) + " rpm" + inTime(ramp.duration);
-        return true;
+        return begin(MotionAct::SpeedRamp, ramp.motor,
+            std::to_string(ramp.rpm) + " rpm" + inTime(ramp.duration));
     }
     bool operator()(const TorqueRamp &ramp)
     {
-        record.act = MotionAct::TorqueRamp;
-        record.motor = ramp.motor;
-        record.detail = shortNumber(ramp.amps) + " A" + inTime(ramp.duration);
-        return true;
+        return begin(MotionAct::TorqueRamp, ramp.motor,
+            shortNumber(ramp.amps) + " A" + inTime(ramp.duration));
     }
     bool operator()(const CurrentReference &reference)
     {
-        record.act = MotionAct::CurrentReference;
-        record.motor = reference.motor;
-        record.detail = "Iq " + shortNumber(reference.iqAmps) + " A, Id "
-            + shortNumber(reference.idAmps) + " A";
-        return true;
+        return begin(MotionAct::CurrentReference, reference.motor,
+            "Iq " + shortNumber(reference.iqAmps) + " A, Id " + shortNumber(reference.idAmps)
+                + " A");
     }
     bool operator()(const PositionRamp &ramp)
     {
-        record.act = MotionAct::PositionRamp;
-        record.motor = ramp.motor;
-        record.detail = shortNumber(ramp.radians) + " rad" + inTime(ramp.duration);
-        return true;
+        return begin(MotionAct::PositionRamp, ramp.motor,
+            shortNumber(ramp.radians) + " rad" + inTime(ramp.duration));
     }
     bool operator()(const UserLimits &limits)
     {
-        const auto text = [](double limit, const char *unit) {
-            return limit > 0.0 ? shortNumber(limit) + unit : std::string("none");
-        };
-        record.act = MotionAct::Limits;
-        record.detail = text(limits.maxSpeedRpm, " rpm") + ", " + text(limits.maxCurrentAmps, " A");
-        return true;
+        return begin(MotionAct::Limits, 0,
+            limitText(limits.maxSpeedRpm, " rpm") + ", " + limitText(limits.maxCurrentAmps, " A"));
     }
-    bool operator()(const ExpertMode &expert)
-    {
-        record.act = MotionAct::Expert;
-        record.motor = expert.motor;
-        return true;
-    }
+    bool operator()(const ExpertMode &expert) { return begin(MotionAct::Expert, expert.motor); }
     bool operator()(const CurrentScale &scale)
     {
-        record.act = MotionAct::CurrentScale;
-        record.motor = scale.motor;
-        record.detail = scale.fullScaleAmps > 0.0 ? shortNumber(scale.fullScaleAmps) + " A"
-                                                  : std::string("none");
-        return true;
+        return begin(MotionAct::CurrentScale, scale.motor, limitText(scale.fullScaleAmps, " A"));
     }
     bool operator()(const Write &write)
     {
