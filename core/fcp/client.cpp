@@ -82,7 +82,7 @@ void Client::send(const Request &request, TimePoint now)
 {
     auto frame = encodeRequest(request);
     if (!frame || !canSend()) {
-        m_events.emplace_back(NoAnswer{false, "cannot be sent"});
+        m_events.emplace_back(NoAnswer{false}); // it cannot be sent
         return;
     }
     m_framer.reset();
@@ -113,7 +113,7 @@ void Client::leaveUrgent(TimePoint now)
     put(encodeRequest(request).value_or(Bytes()), now);
     m_output.back().dropsEarlier = true;
     if (m_state == State::Waiting) {
-        settle("cut short by a stop", now);
+        settle(now);
         if (now >= *m_unanswered + kAnswerTime + m_config.patience)
             recover(now); // urgent requests that come one after the other hide no silence
     }
@@ -186,7 +186,7 @@ void Client::take(Framer::Step step, TimePoint now)
             m_state = State::Settling;
             rest(kSettle, now);
         } else if (m_state == State::Waiting) {
-            settle("a damaged answer", now);
+            settle(now); // a damaged answer
         } // while recovering: noise
         return;
     }
@@ -202,39 +202,34 @@ void Client::onReply(const Reply &reply, TimePoint now)
     const auto *ack = std::get_if<Ack>(&reply);
     if (ack != nullptr && !fits(m_request->command, ack->data, m_dialect)) {
         ++m_stats.bad;
-        return settle("an answer that fits nothing", now);
+        return settle(now);
     }
     const bool urgent = std::exchange(m_urgentOpen, false);
     m_suspected = false;
     m_request.reset();
     m_state = m_strayFrames ? State::Settling : State::Ready;
     rest(kFillPause, now);
-    if (const auto *nack = std::get_if<Nack>(&reply)) {
-        ++m_stats.nacks;
-        if (wasDamaged(*nack)) {
-            if (!urgent)
-                m_events.emplace_back(NoAnswer{false, "damaged on its way"});
-        } else {
-            m_events.emplace_back(Answer{reply, m_asked, true});
-        }
-    } else {
-        m_events.emplace_back(Answer{reply, m_asked, true});
-    }
+    const auto *nack = std::get_if<Nack>(&reply);
+    m_stats.nacks += nack != nullptr ? 1 : 0;
+    if (nack == nullptr || !wasDamaged(*nack))
+        m_events.emplace_back(Answer{reply, m_asked});
+    else if (!urgent)
+        m_events.emplace_back(NoAnswer{false});
 }
 
-void Client::endRequest(NoAnswer end)
+void Client::endRequest()
 {
     if (!m_request)
         return;
     m_request.reset();
     if (!std::exchange(m_urgentOpen, false))
-        m_events.emplace_back(end);
+        m_events.emplace_back(NoAnswer{});
 }
 
 /// What was asked is not answered any more; the line has to come to rest.
-void Client::settle(const char *why, TimePoint now)
+void Client::settle(TimePoint now)
 {
-    endRequest({std::nullopt, why});
+    endRequest();
     m_framer.reset();
     m_state = State::Settling;
     rest(kSettle, now);
@@ -334,7 +329,7 @@ void Client::onReplyWhileRecovering(const Reply &reply, TimePoint now)
 void Client::answerTimeOver(TimePoint now)
 {
     ++m_stats.timeouts;
-    endRequest({std::nullopt, "no answer"});
+    endRequest();
     recover(now);
     if (m_urgent)
         leaveUrgent(now);
@@ -365,7 +360,7 @@ void Client::handleTimeout(TimePoint now)
         ++m_stats.bad;
         m_framer.reset();
         if (m_state == State::Waiting)
-            return settle("an answer that breaks off", now);
+            return settle(now); // it breaks off
     }
     if (now < m_deadline)
         return;

@@ -55,12 +55,10 @@ public:
     struct Answer {
         Reply reply; ///< Ack or Nack
         TimePoint asked; ///< when its request had left
-        bool sure = true; ///< false: it may belong to an earlier request
     };
     /// There will be no answer, or none that fits. `executed` false: the board said that it did not understand.
     struct NoAnswer {
         std::optional<bool> executed;
-        const char *why = "no answer";
     };
     struct Restarted { }; ///< the board said that it has just started
     struct Suspect { }; ///< asked, and nothing heard for a while
@@ -118,8 +116,8 @@ private:
     void take(Framer::Step step, TimePoint now);
     void onReply(const Reply &reply, TimePoint now);
     void onReplyWhileRecovering(const Reply &reply, TimePoint now);
-    void settle(const char *why, TimePoint now);
-    void endRequest(NoAnswer end);
+    void settle(TimePoint now);
+    void endRequest();
     void recover(TimePoint now);
     void silence(TimePoint now);
     void rest(Duration howLong, TimePoint now);

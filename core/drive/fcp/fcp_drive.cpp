@@ -117,7 +117,7 @@ void FcpDrive::onAnswer(const Link::Answer &event, TimePoint now)
     if (m_task != nullptr)
         passAnswer(event.reply, now);
     else
-        onStopAnswer(event.sure && std::holds_alternative<fcp::Ack>(event.reply), now);
+        onStopAnswer(std::holds_alternative<fcp::Ack>(event.reply), now);
 }
 
 /// Whatever was known of it is void, and this board is not armed.
