@@ -17,6 +17,8 @@ double lower(double known, double user) { return user > 0.0 ? std::min(known, us
 
 } // namespace
 
+double plausible(double value, double ceiling) { return known(value, ceiling) ? value : 0.0; }
+
 std::vector<LimitGap> gapsIn(const MotorLimits &limits)
 {
     std::vector<LimitGap> gaps;

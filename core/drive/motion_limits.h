@@ -18,6 +18,9 @@ namespace drive {
 // Beyond these a number is a misread structure, not a motor.
 constexpr double kHighestRpm = 500000.0, kHighestAmps = 5000.0;
 
+/// What a board tells of itself; 0 where it is not finite, not positive or beyond a ceiling.
+double plausible(double value, double ceiling);
+
 /// A limit that a board should tell and did not.
 enum class LimitGap : std::uint8_t { MaxSpeed, MaxCurrent, NominalCurrent };
 std::vector<LimitGap> gapsIn(const MotorLimits &limits);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_messages.h"
+#include "drive/motion_limits.h"
 #include "mcb/dictionary.h"
 
 #include <algorithm>
@@ -36,11 +37,6 @@ constexpr std::array kStates{
     StateRow{0x4F, 0x0F, {MotorState::FaultNow, "FAULT_REACTION_ACTIVE", 0x0F}},
     StateRow{0x4F, 0x08, {MotorState::FaultOver, "FAULT", 0x08}},
 };
-
-double plausible(double value, double ceiling)
-{
-    return std::isfinite(value) && value > 0.0 && value <= ceiling ? value : 0.0;
-}
 
 } // namespace
 

@@ -15,11 +15,6 @@ constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp 
 constexpr double kRpmPerTenthHz = 6.0;
 constexpr std::uint32_t kVersion64 = 0x060400;
 
-double plausible(double value, double ceiling)
-{
-    return std::isfinite(value) && value > 0.0 && value <= ceiling ? value : 0.0;
-}
-
 bool isSixStep(const MotorDescription &motor)
 {
     constexpr std::uint8_t kSixStep = 1;
