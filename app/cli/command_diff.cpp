@@ -21,7 +21,7 @@ QString textOf(const Entry *entry)
     if (entry == nullptr)
         return QStringLiteral("-");
     if (const auto *bytes = std::get_if<Bytes>(&entry->value))
-        return hexOf(*bytes);
+        return bytesText(*bytes);
     if (const auto *text = std::get_if<std::string>(&entry->value))
         return QString::fromStdString(*text).simplified();
     const QString number = QString::number(entry->shown.value_or(std::nan("")), 'g', 7);

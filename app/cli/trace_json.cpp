@@ -1,5 +1,6 @@
 #include "trace_json.h"
 
+#include "base/text.h"
 #include "session/files/json_text.h"
 #include "values.h"
 
@@ -10,21 +11,10 @@ using session::JsonText;
 
 namespace {
 
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8); }
-
-QString hexOf(ByteView bytes)
-{
-    return QString::fromLatin1(QByteArray::fromRawData(
-        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-                                   .toHex());
-}
-
 QString nameOf(const TraceRegister &reg)
 {
-    return reg.name.empty() ? idText(reg.id.bits) : text(reg.name);
+    return reg.name.empty() ? idText(reg.id.bits) : utf8Text(reg.name);
 }
-
-qint64 whole(std::uint64_t number) { return static_cast<qint64>(number); }
 
 class ItemWriter {
 public:
@@ -37,32 +27,32 @@ public:
     void operator()(const TraceInvalid &item)
     {
         m_json.member("type", "invalid");
-        m_json.member("reason", text(item.reason));
+        m_json.member("reason", item.reason);
     }
     void operator()(const TraceBeacon &item)
     {
         m_json.member("type", "BEACON");
-        m_json.member("version", whole(item.version));
-        m_json.member("crc", whole(item.crc));
-        m_json.member("rxs_max", whole(item.rxsMax));
-        m_json.member("txs_max", whole(item.txsMax));
-        m_json.member("txa_max", whole(item.txaMax));
+        m_json.member("version", item.version);
+        m_json.member("crc", item.crc);
+        m_json.member("rxs_max", item.rxsMax);
+        m_json.member("txs_max", item.txsMax);
+        m_json.member("txa_max", item.txaMax);
     }
     void operator()(const TracePing &item)
     {
         m_json.member("type", "PING");
-        m_json.member("c", whole(item.c));
-        m_json.member("c2", whole(item.c2));
-        m_json.member("n", whole(item.n));
-        m_json.member("n2", whole(item.n2));
-        m_json.member("liid", whole(item.liid));
-        m_json.member("number", whole(item.number));
+        m_json.member("c", item.c);
+        m_json.member("c2", item.c2);
+        m_json.member("n", item.n);
+        m_json.member("n2", item.n2);
+        m_json.member("liid", item.liid);
+        m_json.member("number", item.number);
     }
     void operator()(const TraceError &item)
     {
         m_json.member("type", "ERROR");
-        m_json.member("code", whole(item.code));
-        m_json.member("code2", whole(item.code2));
+        m_json.member("code", item.code);
+        m_json.member("code2", item.code2);
     }
     void operator()(const TraceRequest &item);
     void operator()(const TraceResponse &item);
@@ -81,12 +71,12 @@ private:
 void ItemWriter::operator()(const TraceRequest &item)
 {
     m_json.member("type", "REQUEST");
-    m_json.member("length", whole(item.length));
+    m_json.member("length", item.length);
     if (!item.hasCommand)
         return;
-    m_json.member("command", whole(item.command));
-    m_json.member("command_name", text(item.commandName));
-    m_json.member("motor", whole(item.motor));
+    m_json.member("command", item.command);
+    m_json.member("command_name", item.commandName);
+    m_json.member("motor", item.motor);
     if (item.command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister))
         registers(item.registers, "registers", "names");
     if (!item.writes.empty())
@@ -98,42 +88,40 @@ void ItemWriter::operator()(const TraceRequest &item)
 void ItemWriter::operator()(const TraceResponse &item)
 {
     m_json.member("type", "RESPONSE");
-    m_json.member("length", whole(item.length));
-    m_json.member("status", whole(item.status));
-    m_json.member("status_name", text(item.statusName));
-    m_json.member("data", hexOf(item.data));
+    m_json.member("length", item.length);
+    m_json.member("status", item.status);
+    m_json.member("status_name", item.statusName);
+    m_json.member("data", hexOf(item.data, "", kLowerHex));
     if (item.values)
         values("values", *item.values);
     if (item.registerStatus) {
-        m_json.key(QStringLiteral("register_status"));
-        m_json.beginArray();
+        m_json.beginArray("register_status");
         for (const std::uint8_t status : *item.registerStatus) {
             const std::string_view name = statusName(status);
             if (name.empty())
-                m_json.value(whole(status));
+                m_json.value(status);
             else
-                m_json.value(text(name));
+                m_json.value(name);
         }
         m_json.endArray();
     }
     if (item.version)
-        m_json.member("version", whole(*item.version));
+        m_json.member("version", *item.version);
 }
 
 void ItemWriter::operator()(const TraceAsync &item)
 {
     m_json.member("type", "ASYNC");
-    m_json.member("length", whole(item.length));
-    m_json.member("timestamp", whole(item.timestamp));
-    m_json.member("mark", whole(item.mark));
-    m_json.member("async_id", whole(item.asyncId));
+    m_json.member("length", item.length);
+    m_json.member("timestamp", item.timestamp);
+    m_json.member("mark", item.mark);
+    m_json.member("async_id", item.asyncId);
     m_json.member("decoded", item.decoded);
     if (!item.decoded)
         return;
     m_json.member("partial", item.partial);
     registers(item.fast, "hf_ids", "hf_names");
-    m_json.key(QStringLiteral("hf"));
-    m_json.beginArray();
+    m_json.beginArray("hf");
     for (const std::vector<std::int32_t> &samples : item.fastSamples) {
         m_json.beginArray();
         for (const std::int32_t sample : samples)
@@ -143,34 +131,30 @@ void ItemWriter::operator()(const TraceAsync &item)
     m_json.endArray();
     if (!item.slow.empty())
         registers(item.slow, "mf_ids", "mf_names");
-    m_json.key(QStringLiteral("mf"));
-    m_json.beginArray();
+    m_json.beginArray("mf");
     for (const TraceSlowGroup &group : item.slowGroups) {
         m_json.beginObject();
-        m_json.member("block", whole(group.block));
-        m_json.key(QStringLiteral("values"));
-        m_json.beginArray();
+        m_json.member("block", group.block);
+        m_json.beginArray("values");
         for (const std::int64_t number : group.values)
             m_json.value(qint64{number});
         m_json.endArray();
         m_json.endObject();
     }
     m_json.endArray();
-    m_json.member("hf_blocks", whole(item.fastBlocks));
+    m_json.member("hf_blocks", item.fastBlocks);
     if (item.lostTicks)
-        m_json.member("lost_ticks", whole(*item.lostTicks));
+        m_json.member("lost_ticks", *item.lostTicks);
 }
 
 void ItemWriter::registers(
     const std::vector<TraceRegister> &list, const char *idKey, const char *nameKey)
 {
-    m_json.key(QString::fromLatin1(idKey));
-    m_json.beginArray();
+    m_json.beginArray(idKey);
     for (const TraceRegister &reg : list)
         m_json.value(idText(reg.id.bits));
     m_json.endArray();
-    m_json.key(QString::fromLatin1(nameKey));
-    m_json.beginArray();
+    m_json.beginArray(nameKey);
     for (const TraceRegister &reg : list)
         m_json.value(nameOf(reg));
     m_json.endArray();
@@ -178,8 +162,7 @@ void ItemWriter::registers(
 
 void ItemWriter::ids(const char *key, const std::vector<RegisterId> &list)
 {
-    m_json.key(QString::fromLatin1(key));
-    m_json.beginArray();
+    m_json.beginArray(key);
     for (const RegisterId id : list)
         m_json.value(idText(id.bits));
     m_json.endArray();
@@ -187,21 +170,19 @@ void ItemWriter::ids(const char *key, const std::vector<RegisterId> &list)
 
 void ItemWriter::configuration(const DatalogConfig &config)
 {
-    m_json.key(QStringLiteral("datalog"));
-    m_json.beginObject();
-    m_json.member("buffer_size", whole(config.bufferSize));
-    m_json.member("hf_rate", whole(config.fastRate));
-    m_json.member("mf_rate", whole(config.slowRate));
+    m_json.beginObject("datalog");
+    m_json.member("buffer_size", config.bufferSize);
+    m_json.member("hf_rate", config.fastRate);
+    m_json.member("mf_rate", config.slowRate);
     ids("hf_ids", config.fast);
     ids("mf_ids", config.slow);
-    m_json.member("mark", whole(config.mark));
+    m_json.member("mark", config.mark);
     m_json.endObject();
 }
 
 void ItemWriter::values(const char *key, const std::vector<TraceValue> &list)
 {
-    m_json.key(QString::fromLatin1(key));
-    m_json.beginArray();
+    m_json.beginArray(key);
     for (const TraceValue &entry : list)
         value(entry);
     m_json.endArray();
@@ -217,20 +198,19 @@ void ItemWriter::value(const TraceValue &entry)
     else if (const auto *real = std::get_if<double>(&entry.value))
         m_json.member("value", *real);
     else if (const auto *string = std::get_if<std::string>(&entry.value))
-        m_json.member("value", text(*string));
+        m_json.member("value", *string);
     else
-        m_json.member("raw", hexOf(std::get<Bytes>(entry.value)));
+        m_json.member("raw", hexOf(std::get<Bytes>(entry.value), "", kLowerHex));
     if (!entry.fields.empty()) {
-        m_json.key(QStringLiteral("fields"));
-        m_json.beginObject();
+        m_json.beginObject("fields");
         for (const Field &field : entry.fields) {
-            m_json.key(text(field.name));
+            m_json.key(utf8Text(field.name));
             if (const auto *integer = std::get_if<std::int64_t>(&field.value))
                 m_json.value(qint64{*integer});
             else if (const auto *real = std::get_if<double>(&field.value))
                 m_json.value(*real);
             else
-                m_json.value(text(std::get<std::string>(field.value)));
+                m_json.value(std::get<std::string>(field.value));
         }
         m_json.endObject();
     }

@@ -98,7 +98,7 @@ QString valueText(const Catalog &catalog, RegisterId id, const Value &value, Dig
                     : text + QLatin1Char(' ') + utf8Text(scale.unit);
             },
             [](const std::string &text) { return plainText(text); },
-            [](const Bytes &bytes) { return hexOf(bytes); },
+            [](const Bytes &bytes) { return bytesText(bytes); },
         },
         value);
 }
@@ -130,7 +130,7 @@ QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value,
                 object[QStringLiteral("value")] = number * scale.factor;
             },
             [&](const std::string &text) { object[QStringLiteral("value")] = plainText(text); },
-            [&](const Bytes &bytes) { object[QStringLiteral("value")] = hexOf(bytes); },
+            [&](const Bytes &bytes) { object[QStringLiteral("value")] = bytesText(bytes); },
         },
         value);
     object[QStringLiteral("unit")] = utf8Text(scale.unit);
@@ -201,11 +201,9 @@ Outcome<std::vector<RegisterId>> resolveNames(const Catalog &catalog, const QStr
     return ids;
 }
 
-QString hexOf(const Bytes &bytes)
+QString bytesText(const Bytes &bytes)
 {
-    return QString::fromLatin1(QByteArray(
-        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-                                   .toHex(' '));
+    return QString::fromStdString(hexOf(bytes, " ", kLowerHex));
 }
 
 QString utf8Text(std::string_view utf8) { return QString::fromUtf8(utf8); }

@@ -29,7 +29,7 @@ Outcome<std::vector<catalog::RegisterId>> resolveNames(
     const catalog::Catalog &catalog, const QStringList &names);
 
 QString utf8Text(std::string_view utf8);
-QString hexOf(const Bytes &bytes); ///< "12 34"
+QString bytesText(const Bytes &bytes); ///< "12 34"
 QString idText(catalog::RegisterId id); ///< "0x08D1"
 
 } // namespace cli

@@ -77,12 +77,12 @@ void putFirmware(JsonText &json, const simulation::Traits &traits, const Build &
 void putLink(JsonText &json, const BoardOptions &options)
 {
     json.beginObject("link");
-    json.member("baud", std::uint64_t{options.baud});
-    json.member("request_bytes", std::uint64_t{options.rxMax});
-    json.member("response_bytes", std::uint64_t{options.txSyncMax});
-    json.member("datalog_bytes", std::uint64_t{options.txAsyncMax});
+    json.member("baud", options.baud);
+    json.member("request_bytes", options.rxMax);
+    json.member("response_bytes", options.txSyncMax);
+    json.member("datalog_bytes", options.txAsyncMax);
     json.member("datalogSignals", options.streams);
-    json.member("firstTimestamp", std::uint64_t{options.firstTimestamp});
+    json.member("firstTimestamp", options.firstTimestamp);
     json.member("dataCrc", options.dataCrc);
     json.member("protocolVersion", options.version);
     json.member("linkId", options.linkId);
@@ -128,7 +128,7 @@ void putLies(JsonText &json, const BoardOptions &options)
         const simulation::LieInfo &info = simulation::lies()[static_cast<std::size_t>(choice.lie)];
         json.beginObject();
         json.member("name", info.name);
-        json.member("oneIn", std::uint64_t{choice.oneIn > 0 ? choice.oneIn : info.oneIn});
+        json.member("oneIn", choice.oneIn > 0 ? choice.oneIn : info.oneIn);
         json.endObject();
     }
     json.endArray();

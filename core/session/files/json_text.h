@@ -41,6 +41,7 @@ public:
     void value(std::string_view text);
     void value(const char *text) { value(std::string_view(text)); }
     void value(int number) { value(qint64{number}); }
+    void value(std::uint32_t number) { value(qint64{number}); }
     void value(qint64 number);
     void value(std::uint64_t number);
     void value(double number); ///< null if it is not finite: JSON has no word for that
