@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "catalog/catalog.h"
 #include "commands.h"
 #include "trace_json.h"
@@ -23,25 +24,8 @@ mcp::TraceLookup lookupOf(const catalog::Catalog &catalog)
     };
 }
 
-std::optional<mcp::TraceDirection> directionOf(const QString &word)
-{
-    if (word == QLatin1String("C>P"))
-        return mcp::TraceDirection::FromController;
-    if (word == QLatin1String("P>C"))
-        return mcp::TraceDirection::FromPerformer;
-    if (word == QLatin1String("--"))
-        return mcp::TraceDirection::Event;
-    return std::nullopt;
-}
-
-/// The bytes that a line's `hex` spells; none if it is no string of whole bytes. fromHex() would pass over what is wrong.
-std::optional<QByteArray> bytesOf(const QJsonValue &hex)
-{
-    QByteArray digits = hex.toString(QStringLiteral("?")).toLatin1();
-    digits.replace(' ', QByteArray());
-    const QByteArray bytes = QByteArray::fromHex(digits);
-    return bytes.size() * 2 == digits.size() ? std::optional(bytes) : std::nullopt;
-}
+constexpr Word<mcp::TraceDirection> kDirections[] = {{"C>P", mcp::TraceDirection::FromController},
+    {"P>C", mcp::TraceDirection::FromPerformer}, {"--", mcp::TraceDirection::Event}};
 
 Outcome<int> runDecode(const Arguments &arguments, Output &out)
 {
@@ -64,18 +48,17 @@ Outcome<int> runDecode(const Arguments &arguments, Output &out)
         if (number == 1 && document.isObject() && !line.contains(QLatin1String("dir")))
             continue; // the header
         const QString word = line.value(QLatin1String("dir")).toString();
-        const auto direction = directionOf(word);
-        const bool event = direction == mcp::TraceDirection::Event;
-        const auto content = event ? QByteArray() : bytesOf(line.value(QLatin1String("hex")));
-        if (!direction || !content)
+        const auto *direction = findWord(kDirections, word.toStdString());
+        const bool event = direction != nullptr && *direction == mcp::TraceDirection::Event;
+        const QString hex = line.value(QLatin1String("hex")).toString(QStringLiteral("?"));
+        const auto bytes = event ? Bytes() : bytesIn(hex.toStdString());
+        if (direction == nullptr || !bytes)
             return failure(kFileError,
                 QStringLiteral("%1, line %2 is no recorded packet; a packet is a JSON object with "
                                "dir (C>P, P>C or --), hex and t_ms.")
                     .arg(path, QString::number(number)));
-        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(content->constData()),
-            static_cast<std::size_t>(content->size()));
         const double time_ms = line.value(QLatin1String("t_ms")).toDouble();
-        out.json(traceJson(decoder.next(*direction, bytes), packet++, time_ms, word));
+        out.json(traceJson(decoder.next(*direction, *bytes), packet++, time_ms, word));
     }
     if (packet == 0)
         return failure(kFileError, QStringLiteral("%1 holds no recorded packet.").arg(path));

@@ -146,14 +146,12 @@ Outcome<Value> parseValue(const Catalog &catalog, RegisterId id, const QString &
     if (info->type == ValueType::Text)
         return Value(text.toStdString());
     if (info->type == ValueType::Raw) {
-        QString hex = text;
-        hex.remove(QLatin1Char(' '));
-        const QByteArray bytes = QByteArray::fromHex(hex.toLatin1());
-        if (bytes.isEmpty() || bytes.size() * 2 != hex.size())
+        auto bytes = bytesIn(text.toStdString());
+        if (!bytes || bytes->empty())
             return failure(kUsage,
                 QStringLiteral("%1 is a structure: write it as hexadecimal bytes, such as 01FF.")
                     .arg(name));
-        return Value(Bytes(bytes.begin(), bytes.end()));
+        return Value(std::move(*bytes));
     }
     const std::optional<double> number = numberOf(text);
     if (!number)

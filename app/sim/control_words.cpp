@@ -40,25 +40,6 @@ std::optional<std::string> loadMotor(std::string_view words, simulation::Simulat
     return std::nullopt;
 }
 
-std::optional<Bytes> hexBytes(std::string_view text)
-{
-    Bytes bytes;
-    std::string digits;
-    for (const char c : text) {
-        if (c != ' ')
-            digits.push_back(c);
-    }
-    if (digits.empty() || digits.size() % 2 != 0)
-        return std::nullopt;
-    for (std::size_t i = 0; i < digits.size(); i += 2) {
-        const auto value = numberIn<std::uint8_t>(std::string_view(digits).substr(i, 2), 16);
-        if (!value)
-            return std::nullopt;
-        bytes.push_back(*value);
-    }
-    return bytes;
-}
-
 } // namespace
 
 Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoard &board)
@@ -92,8 +73,8 @@ Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoa
             return fail(std::string("corrupt takes a number of bytes"));
         board.corruptAfter(*bytes);
     } else if (word == "inject") {
-        const auto bytes = hexBytes(rest);
-        if (!bytes)
+        const auto bytes = bytesIn(rest);
+        if (!bytes || bytes->empty())
             return fail(std::string("inject takes bytes in hexadecimal digits"));
         board.inject(*bytes);
     } else if (!word.empty()) {

@@ -65,6 +65,21 @@ inline std::string hexOf(
     return text;
 }
 
+/// The bytes that pairs of digits spell, with blanks anywhere; empty if there is anything else.
+inline std::optional<Bytes> bytesIn(std::string_view hex)
+{
+    std::string digits(hex);
+    std::erase(digits, ' ');
+    Bytes bytes;
+    for (std::string_view rest = digits; !rest.empty(); rest.remove_prefix(2)) {
+        const auto byte = numberIn<std::uint8_t>(rest.substr(0, 2), 16);
+        if (!byte || rest.size() < 2)
+            return std::nullopt;
+        bytes.push_back(*byte);
+    }
+    return bytes;
+}
+
 /// A row of a table of words.
 template <class T>
 struct Word {

@@ -1,5 +1,6 @@
 #include "session/files/snapshot_json.h"
 
+#include "base/text.h"
 #include "catalog/limits.h"
 #include "mcp/structure_fields.h"
 #include "session/files/json_text.h"
@@ -28,10 +29,7 @@ constexpr qsizetype kMostRegisters = 10'000;
 constexpr char kSnapshotFormat[] = "rotorscope-snapshot";
 constexpr std::array kTypeWords{"u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
 
-QString hexOf(const char *data, std::size_t size)
-{
-    return QString::fromLatin1(QByteArray(data, static_cast<qsizetype>(size)).toHex(' '));
-}
+QString spelt(ByteView bytes) { return QString::fromStdString(hexOf(bytes, " ", kLowerHex)); }
 
 /// JSON has no word for NaN.
 QJsonValue finite(double number)
@@ -68,10 +66,11 @@ void putValue(QJsonObject &object, const Entry &entry)
     } else if (const auto *text = std::get_if<std::string>(&entry.value)) {
         object[raw] = QString::fromStdString(*text);
         if (QString::fromStdString(*text).toStdString() != *text)
-            object[keyOf("bytes")] = hexOf(text->data(), text->size());
+            object[keyOf("bytes")] =
+                spelt({reinterpret_cast<const std::uint8_t *>(text->data()), text->size()});
     } else {
         const auto &bytes = std::get<Bytes>(entry.value);
-        object[raw] = hexOf(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+        object[raw] = spelt(bytes);
         if (const QJsonObject fields = fieldsJson(entry, bytes); !fields.isEmpty())
             object[keyOf("fields")] = fields;
     }
@@ -123,16 +122,6 @@ QByteArray compact(const QJsonObject &object)
 using Problem = SnapshotProblem;
 using Read = Result<Value, Problem>;
 
-std::optional<Bytes> bytesOfHex(const QString &text)
-{
-    QByteArray digits = text.toLatin1();
-    digits.replace(' ', "");
-    const QByteArray bytes = QByteArray::fromHex(digits);
-    if (bytes.size() * 2 != digits.size())
-        return std::nullopt;
-    return Bytes(bytes.begin(), bytes.end());
-}
-
 Read wholeOf(const QJsonValue &raw, ValueType type)
 {
     const double number = raw.toDouble(std::numeric_limits<double>::quiet_NaN());
@@ -164,8 +153,8 @@ Read valueOf(const QJsonObject &object, ValueType type)
         return fail(Problem::NoText);
     if (type == ValueType::Text && !object.contains(keyOf("bytes")))
         return Value(raw.toString().toStdString());
-    const auto bytes =
-        bytesOfHex(type == ValueType::Text ? object[keyOf("bytes")].toString() : raw.toString());
+    const QJsonValue hex = type == ValueType::Text ? object[keyOf("bytes")] : raw;
+    const auto bytes = bytesIn(hex.toString().toStdString());
     if (!bytes)
         return fail(Problem::NotBytes);
     if (type == ValueType::Text)
