@@ -336,16 +336,8 @@ std::optional<std::string> applyNamed(
     return "there is no option " + quoted(name) + "; see --help";
 }
 
-std::optional<Protocol> protocolOf(std::string_view word)
-{
-    if (word == "mcp")
-        return Protocol::Mcp;
-    if (word == "mcb")
-        return Protocol::Mcb;
-    if (word == "legacy" || word == "powerpc")
-        return Protocol::Fcp;
-    return std::nullopt;
-}
+constexpr Word<Protocol> kProtocols[] = {{"mcp", Protocol::Mcp}, {"mcb", Protocol::Mcb},
+    {"legacy", Protocol::Fcp}, {"powerpc", Protocol::Fcp}};
 
 constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
 constexpr std::array kOfServos{
@@ -370,9 +362,9 @@ std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
 }
 
 /// They need nothing else.
-constexpr std::pair<std::string_view, Action> kListings[] = {
-    {"--list-profiles", Action::ListProfiles}, {"--list-options", Action::ListOptions},
-    {"--list-motors", Action::ListMotors}, {"--list-liars", Action::ListLiars}};
+constexpr Word<Action> kListings[] = {{"--list-profiles", Action::ListProfiles},
+    {"--list-options", Action::ListOptions}, {"--list-motors", Action::ListMotors},
+    {"--list-liars", Action::ListLiars}};
 
 } // namespace
 
@@ -384,14 +376,14 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     for (const std::string_view word : words) {
         if (word == "--help" || word == "-h")
             options.action = Action::Help;
-        for (const auto &[name, action] : kListings)
-            if (word == name && options.action == Action::Serve)
-                options.action = action;
+        if (const auto *listing = findWord(kListings, word);
+            listing != nullptr && options.action == Action::Serve)
+            options.action = *listing;
     }
     if (options.action != Action::Serve)
         return options;
-    const auto protocol = words.empty() ? std::nullopt : protocolOf(words[0]);
-    if (!protocol)
+    const auto *protocol = words.empty() ? nullptr : findWord(kProtocols, words[0]);
+    if (protocol == nullptr)
         return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
                                 "[OPTION]...; see --help"));
     options.protocol = *protocol;
