@@ -203,20 +203,6 @@ void Simulator::readWords()
     }
 }
 
-Result<std::unique_ptr<sim::Port>, std::string> openPort(const sim::Options &options)
-{
-    if (options.tcp) {
-        auto port = sim::TcpPort::open(*options.tcp);
-        if (!port)
-            return fail(port.error());
-        return std::move(*port);
-    }
-    auto terminal = sim::PseudoTerminal::open();
-    if (!terminal)
-        return fail(terminal.error());
-    return std::move(*terminal);
-}
-
 int serve(const sim::Options &options)
 {
     const auto served = sim::makeServed(options);
@@ -224,7 +210,7 @@ int serve(const sim::Options &options)
         sayError(served.error());
         return kUsage;
     }
-    auto port = openPort(options);
+    const auto port = options.tcp ? sim::TcpPort::open(*options.tcp) : sim::PseudoTerminal::open();
     if (!port) {
         sayError(port.error());
         return kNoPort;

@@ -47,7 +47,7 @@ bool makeRaw(const char *path)
 
 PseudoTerminal::~PseudoTerminal() { ::close(m_master); }
 
-Result<std::unique_ptr<PseudoTerminal>, std::string> PseudoTerminal::open()
+Result<std::unique_ptr<Port>, std::string> PseudoTerminal::open()
 {
     const int master = posix_openpt(O_RDWR | O_NOCTTY);
     if (master < 0)

@@ -12,7 +12,7 @@ namespace sim {
 class PseudoTerminal final : public Port {
 public:
     /// Opens one; a sentence if the system has none.
-    static Result<std::unique_ptr<PseudoTerminal>, std::string> open();
+    static Result<std::unique_ptr<Port>, std::string> open();
     ~PseudoTerminal() override;
 
     std::string address() const override { return m_path; }

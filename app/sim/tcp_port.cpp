@@ -44,7 +44,7 @@ Guess guess(const Bytes &first)
 
 } // namespace
 
-Result<std::unique_ptr<TcpPort>, std::string> TcpPort::open(std::uint16_t number)
+Result<std::unique_ptr<Port>, std::string> TcpPort::open(std::uint16_t number)
 {
     const auto refused = [number](const char *what) {
         return fail("cannot " + std::string(what) + " 127.0.0.1:" + std::to_string(number) + ": "

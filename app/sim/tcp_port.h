@@ -14,7 +14,7 @@ class TcpPort final : public Port {
 public:
     /// @param number  0: a free one is chosen
     /// @return the listening port, or a sentence
-    static Result<std::unique_ptr<TcpPort>, std::string> open(std::uint16_t number);
+    static Result<std::unique_ptr<Port>, std::string> open(std::uint16_t number);
     ~TcpPort() override;
 
     std::string address() const override { return "127.0.0.1:" + std::to_string(m_number); }
