@@ -7,6 +7,8 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <array>
+
 namespace cli {
 
 namespace {
@@ -16,58 +18,24 @@ using motor::MotorWarning;
 
 constexpr int kDigits = 7; ///< boards hold these numbers in 32 bits
 
+// Each in the order of its enumeration.
+constexpr std::array kQuantityNames{"pole_pairs", "rs", "ld", "lq", "flux", "current", "max_speed",
+    "bus_voltage", "inertia", "friction", "dry_friction"};
+constexpr std::array kWarningWords{"the pole pairs are no whole number from 1 to 50",
+    "the resistance is missing or no motor's", "an inductance is missing or no motor's",
+    "the flux is missing or no motor's", "the current is missing or no motor's",
+    "Ld is greater than Lq, perhaps swapped", "L / R is outside 10 us to 1 s",
+    "the motor's current is more than the drive can measure",
+    "the greatest speed needs flux weakening"};
+
 QString nameOf(MotorQuantity quantity)
 {
-    switch (quantity) {
-    case MotorQuantity::PolePairs:
-        return QStringLiteral("pole_pairs");
-    case MotorQuantity::Resistance:
-        return QStringLiteral("rs");
-    case MotorQuantity::InductanceD:
-        return QStringLiteral("ld");
-    case MotorQuantity::InductanceQ:
-        return QStringLiteral("lq");
-    case MotorQuantity::Flux:
-        return QStringLiteral("flux");
-    case MotorQuantity::NominalCurrent:
-        return QStringLiteral("current");
-    case MotorQuantity::MaxSpeed:
-        return QStringLiteral("max_speed");
-    case MotorQuantity::BusVoltage:
-        return QStringLiteral("bus_voltage");
-    case MotorQuantity::Inertia:
-        return QStringLiteral("inertia");
-    case MotorQuantity::DryFriction:
-        return QStringLiteral("dry_friction");
-    case MotorQuantity::ViscousFriction:
-        break;
-    }
-    return QStringLiteral("friction");
+    return QLatin1String(kQuantityNames.at(static_cast<std::size_t>(quantity)));
 }
 
 QString wordOf(MotorWarning warning)
 {
-    switch (warning) {
-    case MotorWarning::PolePairsMissing:
-        return QStringLiteral("the pole pairs are no whole number from 1 to 50");
-    case MotorWarning::ResistanceImplausible:
-        return QStringLiteral("the resistance is missing or no motor's");
-    case MotorWarning::InductanceImplausible:
-        return QStringLiteral("an inductance is missing or no motor's");
-    case MotorWarning::FluxImplausible:
-        return QStringLiteral("the flux is missing or no motor's");
-    case MotorWarning::NominalCurrentImplausible:
-        return QStringLiteral("the current is missing or no motor's");
-    case MotorWarning::LdAboveLq:
-        return QStringLiteral("Ld is greater than Lq, perhaps swapped");
-    case MotorWarning::TimeConstantImplausible:
-        return QStringLiteral("L / R is outside 10 us to 1 s");
-    case MotorWarning::NominalCurrentBeyondDrive:
-        return QStringLiteral("the motor's current is more than the drive can measure");
-    case MotorWarning::SpeedBeyondBaseSpeed:
-        break;
-    }
-    return QStringLiteral("the greatest speed needs flux weakening");
+    return QLatin1String(kWarningWords.at(static_cast<std::size_t>(warning)));
 }
 
 QJsonValue jsonOf(const std::optional<double> &value)

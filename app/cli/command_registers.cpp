@@ -16,17 +16,8 @@ using catalog::Streaming;
 
 const char *wordOf(Access access)
 {
-    switch (access) {
-    case Access::None:
-        return "-";
-    case Access::Read:
-        return "R";
-    case Access::Write:
-        return "W";
-    case Access::ReadWrite:
-        return "RW";
-    }
-    return "-";
+    static const char *const words[] = {"-", "R", "W", "RW"};
+    return words[static_cast<std::size_t>(access)];
 }
 
 const char *wordOf(catalog::ValueType type)

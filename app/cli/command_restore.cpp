@@ -11,19 +11,10 @@ namespace {
 
 const char *wordOf(snapshots::NotRestored why)
 {
-    switch (why) {
-    case snapshots::NotRestored::NotOnBoard:
-        return "not on this board";
-    case snapshots::NotRestored::OtherType:
-        return "something else in this firmware";
-    case snapshots::NotRestored::Moves:
-        return "moves a motor";
-    case snapshots::NotRestored::MotorMoves:
-        return "the motor is not idle";
-    case snapshots::NotRestored::ReadsDifferently:
-        return "firmware reads it in another form than it writes";
-    }
-    return "";
+    static const char *const words[] = {"not on this board", "something else in this firmware",
+        "moves a motor", "the motor is not idle",
+        "firmware reads it in another form than it writes"};
+    return words[static_cast<std::size_t>(why)];
 }
 
 Outcome<int> checkHardware(const Desk &desk, const snapshots::Snapshot &snapshot)

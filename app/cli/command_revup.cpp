@@ -1,6 +1,7 @@
 // revup: the stages of the start-up, what is wrong with them, and others in their place.
 #include "motor/rev_up.h"
 #include "motor_facts.h"
+#include "session/files/json_text.h"
 #include "session/files/rev_up_json.h"
 #include "snapshot_work.h"
 #include "write_report.h"
@@ -33,17 +34,16 @@ auto badStage(const QString &word)
 /// @param digits  of the current, where they are known better than the amperes
 Outcome<motor::RevUpStage> stageOf(double rpm, double digits, double ms, const QString &word)
 {
-    const auto whole = [](double value, double least, double most) {
-        return value >= least && value <= most && value == std::nearbyint(value);
-    };
     constexpr double kMostRpm = 32767;
     if (rpm > kMostRpm || rpm < -kMostRpm)
         return usage(QStringLiteral("The speed of \"%1\" is larger than a stage holds, %2 rpm.")
                          .arg(word, QString::number(kMostRpm)));
-    if (!whole(rpm, -kMostRpm, kMostRpm) || !whole(digits, -32768, 32767) || !whole(ms, 0, 65535))
+    const auto speed = session::wholeIn<std::int32_t>(rpm, -kMostRpm, kMostRpm);
+    const auto current = session::wholeIn<std::int16_t>(digits, -32768, 32767);
+    const auto duration = session::wholeIn<std::uint16_t>(ms, 0, 65535);
+    if (!speed || !current || !duration)
         return badStage(word);
-    return motor::RevUpStage{static_cast<std::int32_t>(rpm), static_cast<std::int16_t>(digits),
-        static_cast<std::uint16_t>(ms)};
+    return motor::RevUpStage{*speed, *current, *duration};
 }
 
 Outcome<RevUp> stagesOfWords(const QStringList &words, double ampsPerDigit)

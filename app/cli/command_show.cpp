@@ -6,25 +6,23 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <array>
+
 namespace cli {
 
 namespace {
 
 using session::RecordingReport;
 
+// Each in the order of its enumeration.
+constexpr std::array kEndingWords{"stopped", "disk full", "write failed"};
+constexpr std::array kKindWords{"fast", "slow", "polled"};
+
 QString endingWord(const RecordingReport &report)
 {
-    if (!report.ending)
-        return QStringLiteral("interrupted");
-    switch (report.ending->reason) {
-    case record::End::Reason::Stopped:
-        return QStringLiteral("stopped");
-    case record::End::Reason::DiskFull:
-        return QStringLiteral("disk full");
-    case record::End::Reason::WriteFailed:
-        break;
-    }
-    return QStringLiteral("write failed");
+    return QLatin1String(report.ending
+            ? kEndingWords.at(static_cast<std::size_t>(report.ending->reason))
+            : "interrupted");
 }
 
 QString startText(const RecordingReport &report)
@@ -46,15 +44,7 @@ QString happeningText(const record::Happening &happening)
 
 QString kindWord(capture::ChannelInfo::Kind kind)
 {
-    switch (kind) {
-    case capture::ChannelInfo::Kind::Fast:
-        return QStringLiteral("fast");
-    case capture::ChannelInfo::Kind::Slow:
-        return QStringLiteral("slow");
-    case capture::ChannelInfo::Kind::Polled:
-        break;
-    }
-    return QStringLiteral("polled");
+    return QLatin1String(kKindWords.at(static_cast<std::size_t>(kind)));
 }
 
 QJsonObject json(const OpenedRecording &opened)

@@ -10,6 +10,8 @@
 #include <QFile>
 #include <QTimer>
 
+#include <array>
+
 namespace cli {
 
 using namespace std::chrono_literals;
@@ -45,38 +47,15 @@ Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
 
 QString csvErrorText(const capture::CsvError &error)
 {
-    using What = capture::CsvError::What;
-    QString what;
-    switch (error.what) {
-    case What::NoHeading:
-        what = QStringLiteral("there is no heading with the names of signals");
-        break;
-    case What::NoSignals:
-        what = QStringLiteral("there is one column only");
-        break;
-    case What::TooManyColumns:
-        what = QStringLiteral("there are too many columns");
-        break;
-    case What::LineTooLong:
-        what = QStringLiteral("the line is too long for a line of numbers");
-        break;
-    case What::OtherNumberOfFields:
-        what = QStringLiteral("the line has another number of fields than the heading");
-        break;
-    case What::NoNumber:
-        what = QStringLiteral("\"%1\" is no number").arg(QString::fromStdString(error.field));
-        break;
-    case What::NoTime:
-        what = QStringLiteral("\"%1\" is no time").arg(QString::fromStdString(error.field));
-        break;
-    case What::TimeRunsBack:
-        what = QStringLiteral("the time %1 is before the one above it")
-                   .arg(QString::fromStdString(error.field));
-        break;
-    case What::NoRows:
-        what = QStringLiteral("there is a heading and nothing else");
-        break;
-    }
+    // In the order of the enumeration; %1 is what stands there.
+    constexpr std::array kWords{"there is no heading with the names of signals",
+        "there is one column only", "there are too many columns",
+        "the line is too long for a line of numbers",
+        "the line has another number of fields than the heading", "\"%1\" is no number",
+        "\"%1\" is no time", "the time %1 is before the one above it",
+        "there is a heading and nothing else"};
+    QString what = QLatin1String(kWords.at(static_cast<std::size_t>(error.what)));
+    what.replace(QLatin1String("%1"), QString::fromStdString(error.field));
     const QString line = QString::number(error.line);
     return error.column == 0
         ? QStringLiteral("line %1: %2").arg(line, what)

@@ -6,51 +6,24 @@
 #include "session/files/whole_file.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cli {
 
 namespace {
 
-QString wordsOf(session::SnapshotProblem problem)
-{
-    using Problem = session::SnapshotProblem;
-    switch (problem) {
-    case Problem::NotJson:
-        return QStringLiteral("it is no JSON");
-    case Problem::NotASnapshot:
-        return QStringLiteral("it is no snapshot");
-    case Problem::NewerVersion:
-        return QStringLiteral("it is of a newer version than this program knows");
-    case Problem::NoRegisters:
-        return QStringLiteral("it has no list of registers");
-    case Problem::TooManyRegisters:
-        return QStringLiteral("it has more registers than any board");
-    case Problem::NoName:
-        return QStringLiteral("has no name");
-    case Problem::NoMotor:
-        return QStringLiteral("has no motor from 0 to 7");
-    case Problem::NoId:
-        return QStringLiteral("has no id");
-    case Problem::NoType:
-        return QStringLiteral("has no known type");
-    case Problem::NumberDoesNotFit:
-        return QStringLiteral("has a raw number that does not fit its type");
-    case Problem::NoNumber:
-        return QStringLiteral("has neither bits nor a raw number");
-    case Problem::NoText:
-        return QStringLiteral("has no raw text");
-    case Problem::NotBytes:
-        return QStringLiteral("has bytes that are no hexadecimal digits");
-    case Problem::Twice:
-        return QStringLiteral("is there twice");
-    }
-    return {};
-}
+/// In the order of the enumeration; from the sixth on they are of one register.
+constexpr std::array kProblemWords{"it is no JSON", "it is no snapshot",
+    "it is of a newer version than this program knows", "it has no list of registers",
+    "it has more registers than any board", "has no name", "has no motor from 0 to 7", "has no id",
+    "has no known type", "has a raw number that does not fit its type",
+    "has neither bits nor a raw number", "has no raw text",
+    "has bytes that are no hexadecimal digits", "is there twice"};
 
 /// One sentence without a full stop.
 QString wordsOf(const session::SnapshotFileError &error)
 {
-    QString what = wordsOf(error.problem);
+    QString what = QLatin1String(kProblemWords.at(static_cast<std::size_t>(error.problem)));
     if (error.problem == session::SnapshotProblem::NotJson)
         what += QStringLiteral(" from line %1 on (%2)")
                     .arg(QString::number(error.line), error.parserText);

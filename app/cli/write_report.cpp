@@ -1,5 +1,6 @@
 #include "write_report.h"
 
+#include "drive/motion_record.h"
 #include "sentences.h"
 
 #include <QJsonArray>
@@ -7,21 +8,6 @@
 namespace cli {
 
 namespace {
-
-const char *outcomeWord(drive::Outcome outcome)
-{
-    switch (outcome) {
-    case drive::Outcome::Ok:
-        return "ok";
-    case drive::Outcome::Refused:
-        return "refused";
-    case drive::Outcome::NotSent:
-        return "not sent";
-    case drive::Outcome::Unknown:
-        return "unknown";
-    }
-    return "unknown";
-}
 
 QString nameOf(const Desk &desk, drive::RegisterId id)
 {
@@ -43,7 +29,7 @@ QJsonObject jsonOf(const Desk &desk, const drive::WriteResult &result, Digits di
 {
     QJsonObject object{{QStringLiteral("name"), nameOf(desk, result.id)},
         {QStringLiteral("id"), idText(result.id)},
-        {QStringLiteral("outcome"), QLatin1String(outcomeWord(result.outcome))},
+        {QStringLiteral("outcome"), utf8Text(wordOf(result.outcome))},
         {QStringLiteral("reason"), plainText(result.reason)},
         {QStringLiteral("verified"),
             result.verified ? QJsonValue(*result.verified) : QJsonValue()}};
@@ -69,8 +55,8 @@ QString lineOf(const Desk &desk, const drive::WriteResult &result, Digits digits
         return sent && result.outcome == drive::Outcome::Ok ? line + reasonText(result.reason)
                                                             : line;
     return line
-        + QStringLiteral(" (%1)").arg(sent ? QStringLiteral("written, not read back")
-                                           : QLatin1String(outcomeWord(result.outcome)));
+        + QStringLiteral(" (%1)").arg(
+            sent ? QStringLiteral("written, not read back") : utf8Text(wordOf(result.outcome)));
 }
 
 /// One sentence about a list that came to no good end because the answers ended.

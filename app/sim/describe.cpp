@@ -21,15 +21,8 @@ using session::JsonText;
 
 std::string_view familyName(simulation::Family family)
 {
-    switch (family) {
-    case simulation::Family::Foc:
-        return "FOC";
-    case simulation::Family::SixStep:
-        return "six-step";
-    case simulation::Family::Hso:
-        return "HSO/ZeST";
-    }
-    return {};
+    constexpr std::array<std::string_view, 3> kNames{"FOC", "six-step", "HSO/ZeST"};
+    return kNames[static_cast<std::size_t>(family)];
 }
 
 std::string_view sensorName(simulation::SpeedSensor sensor)

@@ -1,7 +1,7 @@
 #include "record/replay_drive.h"
 
-#include "base/text.h"
 #include "drive/board_facts.h"
+#include "record/drive_entries.h"
 
 #include <algorithm>
 #include <charconv>
@@ -55,13 +55,10 @@ std::vector<std::string> wordsOf(const std::string &text)
 
 drive::MotorState stateOf(const std::string &word)
 {
-    using drive::MotorState;
-    constexpr Word<MotorState> kWords[] = {{"idle", MotorState::Idle},
-        {"starting", MotorState::Starting}, {"running", MotorState::Running},
-        {"stopping", MotorState::Stopping}, {"fault now", MotorState::FaultNow},
-        {"fault over", MotorState::FaultOver}};
-    const MotorState *state = findWord(kWords, word);
-    return state == nullptr ? MotorState::Unknown : *state;
+    const auto *known = std::find(kMotorStateWords.begin(), kMotorStateWords.end(), word);
+    return known != kMotorStateWords.end()
+        ? static_cast<drive::MotorState>(known - kMotorStateWords.begin())
+        : drive::MotorState::Unknown;
 }
 
 /// A block cut to what a board tells at a time, with the time from the block's to each part's.
