@@ -235,6 +235,17 @@ void EventRecorder::acted(const drive::MotionRecord &record)
 {
     if (record.act == drive::MotionAct::AcknowledgeFaults && record.outcome == drive::Outcome::Ok)
         m_acknowledged[record.motor] = record.ended;
+    // What a person asks for is noted as it is asked for; an experiment asks without the Device.
+    if (record.source == drive::Source::Person)
+        return;
+    QString text = motionActText(record.act);
+    if (!record.detail.empty())
+        text += QLatin1Char(' ') + deviceText(record.detail);
+    if (record.motor > 0)
+        text = named(record.motor, text);
+    if (record.outcome != drive::Outcome::Ok)
+        text = tr("%1 (%2)", "a command and how it ended").arg(text, outcomeText(record.outcome));
+    noteExperiment(record.asked, text);
 }
 
 /// Whether what it tells of the past came since the faults of before were acknowledged.

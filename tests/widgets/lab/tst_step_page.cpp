@@ -365,9 +365,14 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
         QVERIFY2(bench.said().contains(QLatin1String("Interrupted: ")), qPrintable(bench.said()));
         const auto &events = bench.rig.workbench.events().events();
-        QVERIFY(std::any_of(events.begin(), events.end(), [](const widgets::ScopeEvent &event) {
-            return event.text.contains(QLatin1String("Experiment: Interrupted: "));
-        }));
+        const auto noted = [&](const char *text) {
+            return std::any_of(events.begin(), events.end(), [&](const widgets::ScopeEvent &event) {
+                return event.text.contains(QLatin1String(text));
+            });
+        };
+        QVERIFY(noted("Experiment: Start"));
+        QVERIFY(noted("Experiment: Speed ramp 1500 rpm in 0 ms"));
+        QVERIFY(noted("Experiment: Interrupted: "));
         const int setPoints = bench.world.counts().setPoints;
         const auto since = bench.rig.workbench.now();
         QTRY_VERIFY(bench.rig.workbench.now() > since + 500ms);

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void cleanup() { m_rig.reset(); }
 
     void aCommandIsNotedAndHowItEnded();
+    void whatAnExperimentAsksForIsNotedAtItsTime();
     void aWriteTellsOldAndNewValue();
     void statesAndFaultsHaveTheirOwnTime();
     void aFaultThatIsOverWhenTheBoardIsAskedIsNoted();
@@ -107,6 +108,29 @@ void TestScopeEvents::aCommandIsNotedAndHowItEnded()
     QCOMPARE(noted().last(), QStringLiteral("Command Ramp to -1500 rpm in 250 ms"));
     m_rig->device().submit(drive::Read{{facts::kSpeed}}); // asks only
     QCOMPARE(noted().size(), 2);
+}
+
+void TestScopeEvents::whatAnExperimentAsksForIsNotedAtItsTime()
+{
+    drive::MotionRecord record;
+    record.act = drive::MotionAct::SpeedRamp;
+    record.motor = 1;
+    record.detail = "1500 rpm in 200 ms";
+    record.asked = TimePoint(1500ms);
+    record.ended = TimePoint(1700ms);
+    facts::feed(m_rig->device(), {record}); // a person's, which was noted as it was asked for
+    QCOMPARE(noted(), QStringList());
+    record.source = drive::Source::Script;
+    facts::feed(m_rig->device(), {record});
+    QCOMPARE(
+        noted(), QStringList{QStringLiteral("Command Experiment: Speed ramp 1500 rpm in 200 ms")});
+    QCOMPARE(log().find(lastId())->seconds, 1.5);
+    record.act = drive::MotionAct::Start;
+    record.detail.clear();
+    record.outcome = drive::Outcome::Refused;
+    facts::feed(m_rig->device(), {record});
+    QVERIFY2(noted().last().startsWith(QStringLiteral("Command Experiment: Start (")),
+        qPrintable(noted().last()));
 }
 
 void TestScopeEvents::aWriteTellsOldAndNewValue()
