@@ -2563,6 +2563,22 @@
         <translation>keine Grenze</translation>
     </message>
     <message>
+        <source>%1 times the nominal current</source>
+        <translation>das %1-fache des Nennstroms</translation>
+    </message>
+    <message>
+        <source>%1 times the greatest current of the board</source>
+        <translation>das %1-fache des größten Stroms des Boards</translation>
+    </message>
+    <message>
+        <source>your own limit of the current</source>
+        <translation>Ihre eigene Grenze des Stroms</translation>
+    </message>
+    <message>
+        <source>The limits in the control panel bound what is asked for, these caps what is measured: up to %1 beyond the plan, and %2.</source>
+        <translation>Die Grenzen in der Steuerung gelten für das Verlangte, diese hier für das Gemessene: bis zu %1 über den Plan hinaus, und %2.</translation>
+    </message>
+    <message>
         <source>It rests.</source>
         <translation>Er steht.</translation>
     </message>

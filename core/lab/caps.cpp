@@ -9,7 +9,6 @@ namespace {
 /// What they leave room for is in the comment of each.
 constexpr double kAboveBoard =
     1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
-constexpr double kCurrentAboveBoard = 1.25; ///< its current loop does, too
 
 /// Zero: not known.
 double lowerKnown(double one, double other)
@@ -41,6 +40,18 @@ Caps capsOf(const Experiment &experiment, double before_rpm)
         lowerKnown(lowerKnown(board.maxCurrentAmps, board.nominalCurrentAmps) * kCurrentAboveBoard,
             conditions.user.maxCurrentAmps);
     return caps;
+}
+
+CurrentBound currentBoundOf(const Experiment &experiment)
+{
+    const double most = capsOf(experiment, 0.0).mostAmps;
+    const drive::MotorLimits &board = experiment.subject.limits;
+    if (!(most > 0.0))
+        return CurrentBound::None;
+    if (most == conditionsOf(experiment).user.maxCurrentAmps)
+        return CurrentBound::User;
+    return most == board.nominalCurrentAmps * kCurrentAboveBoard ? CurrentBound::Nominal
+                                                                 : CurrentBound::Board;
 }
 
 bool covers(const Caps &agreed, const Caps &wanted)

@@ -11,6 +11,17 @@ namespace lab {
 /// @param before_rpm  the set-point of a motor that runs, which passes it on its way back; 0: it stands
 Caps capsOf(const Experiment &experiment, double before_rpm);
 
+/// What the board's or the motor's own current is multiplied by: a current loop overshoots there.
+inline constexpr double kCurrentAboveBoard = 1.25;
+/// Which current the bound of it follows from.
+enum class CurrentBound : std::uint8_t {
+    None, ///< there is no bound
+    Nominal, ///< the motor's, times kCurrentAboveBoard
+    Board, ///< the greatest that the board tells, times the same
+    User,
+};
+CurrentBound currentBoundOf(const Experiment &experiment);
+
 /// Whatever the plan: what the board tells, and never more than the user allows.
 double allowedRpm(const Experiment &experiment);
 

@@ -102,6 +102,33 @@ QString mostAmpsText(const lab::Caps &caps)
                                : PlanQuestion::tr("no bound", "of the current");
 }
 
+QString currentBoundText(const lab::Experiment &experiment)
+{
+    const QString factor = numberText(lab::kCurrentAboveBoard, 2);
+    switch (lab::currentBoundOf(experiment)) {
+    case lab::CurrentBound::Nominal:
+        return PlanQuestion::tr("%1 times the nominal current").arg(factor);
+    case lab::CurrentBound::Board:
+        return PlanQuestion::tr("%1 times the greatest current of the board").arg(factor);
+    case lab::CurrentBound::User:
+        return PlanQuestion::tr("your own limit of the current");
+    case lab::CurrentBound::None:
+        break;
+    }
+    return PlanQuestion::tr("no bound", "of the current");
+}
+
+/// Why the caps are not the limits that stand beside the set-points.
+QString capsFrom(const std::vector<lab::Experiment> &experiments)
+{
+    double margin_rpm = 0.0;
+    for (const lab::Experiment &experiment : experiments)
+        margin_rpm = std::max(margin_rpm, lab::conditionsOf(experiment).margin_rpm);
+    return PlanQuestion::tr("The limits in the control panel bound what is asked for, these caps "
+                            "what is measured: up to %1 beyond the plan, and %2.")
+        .arg(rpmText(margin_rpm), currentBoundText(experiments.front()));
+}
+
 bool beginsAtSpeed(const lab::Conditions &conditions)
 {
     return conditions.beginning == lab::Beginning::AtSpeed;
@@ -269,6 +296,7 @@ Confirmation planQuestion(
         PlanQuestion::tr("This will move motor %1 by itself. Go on?").arg(first.subject.motor);
     question.lines =
         experiments.size() == 1 ? wordsOfOne(first, before) : wordsOfAll(experiments, before);
+    question.lines.append(capsFrom(experiments));
     question.lines.append(PlanQuestion::tr("The like within these caps is not asked about again "
                                            "until disarmed. Esc stops every motor at any time."));
     question.yesName = "experimentConfirm";

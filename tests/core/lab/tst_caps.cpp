@@ -51,6 +51,17 @@ private Q_SLOTS:
         experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 3.0}};
         QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5); // a person cannot raise it
     }
+    void whatBoundsTheCurrentIsKnown()
+    {
+        using lab::CurrentBound;
+        lab::Experiment experiment = steps(1000, 1500);
+        QVERIFY(lab::currentBoundOf(experiment) == CurrentBound::Board);
+        experiment.subject.limits.nominalCurrentAmps = 2.0;
+        QVERIFY(lab::currentBoundOf(experiment) == CurrentBound::Nominal);
+        experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 2.4}};
+        QVERIFY(lab::currentBoundOf(experiment) == CurrentBound::User);
+        QVERIFY(lab::currentBoundOf(lab::Experiment{}) == CurrentBound::None);
+    }
     void whoeverAgreedToMoreAgreedToLess()
     {
         const lab::Caps agreed = capsOf(steps(1000, 1500), 0.0);

@@ -133,8 +133,9 @@ private Q_SLOTS:
         QVERIFY(bench.asks());
         auto *dialog = bench.find<QMessageBox>("experimentQuestion");
         const QString words = dialog->informativeText();
-        for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250"})
-            QVERIFY2(words.contains(QLatin1String(word)), qPrintable(words));
+        for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250",
+                 "up to 250\u202frpm beyond the plan, and 1.25 times the nominal current."})
+            QVERIFY2(words.contains(QString::fromUtf8(word)), qPrintable(words));
         QVERIFY(dialog->findChild<widgets::PlanPicture *>()->isVisible());
         QTest::keyClick(dialog, Qt::Key_Return); // Enter does not say yes
         QTRY_VERIFY(!bench.asks());
