@@ -1,5 +1,7 @@
 #include "widgets/base/si_text.h"
 
+#include "widgets/base/value_text.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -34,6 +36,12 @@ const Prefix &prefixFor(double value)
     return *best;
 }
 
+/// The point; less than 1 where zeros follow it.
+int digitsBefore(double value)
+{
+    return value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+}
+
 } // namespace
 
 QString plainNumberText(double value, int significant)
@@ -42,9 +50,7 @@ QString plainNumberText(double value, int significant)
         return QStringLiteral("\u2013");
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const int before =
-        value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-    const int decimals = std::clamp(significant - before, 0, 12);
+    const int decimals = std::clamp(significant - digitsBefore(value), 0, 12);
     QString text = locale.toString(value + 0.0, 'f', decimals);
     const QString point = locale.decimalPoint();
     if (text.contains(point)) {
@@ -56,14 +62,22 @@ QString plainNumberText(double value, int significant)
     return text;
 }
 
-QString siText(double value, const QString &unit)
+QString siText(double value, const QString &unit, double place)
 {
     if (!std::isfinite(value))
         return QStringLiteral("\u2013");
+    if (place > 0.0)
+        value = std::round(value / place) * place; // which may be of the next prefix
     const bool prefixed = std::any_of(
         kPrefixed.begin(), kPrefixed.end(), [&](const auto *known) { return unit == known; });
     const Prefix &prefix = prefixed ? prefixFor(value) : kPrefixes[3];
-    const QString number = plainNumberText(value / prefix.factor, kSignificant);
+    const double shown = value / prefix.factor;
+    // Zeros at its end count where the place is known.
+    const QString number = place > 0.0 && value != 0.0
+        ? numberText(shown,
+            std::clamp(static_cast<int>(std::round(-std::log10(place / prefix.factor))), 0,
+                std::max(0, kSignificant - digitsBefore(shown))))
+        : plainNumberText(shown, kSignificant);
     return unit.isEmpty() ? number
                           : number + QChar(0x202f) + QString::fromUtf16(prefix.sign) + unit;
 }

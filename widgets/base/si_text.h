@@ -10,7 +10,8 @@ constexpr double kMilli = 1e3; ///< milliseconds in a second, millihenry in a he
 
 /// @param unit  SI without prefix, e.g. "H"; units that take no prefix (rpm, V/krpm) keep theirs. Five
 ///              significant digits; a dash for what is not finite.
-QString siText(double value, const QString &unit);
+/// @param place  the last decimal place that is shown, in the unit; 0: whatever there is
+QString siText(double value, const QString &unit, double place = 0.0);
 
 /// The number alone, short and in the locale's manner, as an entry field may hold it: no exponent, no group marks.
 QString plainNumberText(double value, int significant = 5);

@@ -34,6 +34,15 @@ constexpr std::array<Shown, MotorFindings::kRows> kShown{{
 
 const QString kNone = QStringLiteral("\u2013");
 
+/// @param place  the last one that counts, in SI units; 0: whatever there is
+QString figure(std::size_t row, const std::optional<double> &value, double place = 0.0)
+{
+    const Shown &shown = kShown[row];
+    return value
+        ? siText(*value * shown.factor, QString::fromUtf16(shown.unit), place * shown.factor)
+        : kNone;
+}
+
 QString notesText(const std::vector<std::string> &notes)
 {
     QStringList all;
@@ -81,11 +90,11 @@ void MotorFindings::take(const lab::Mechanics &found)
             + QLatin1Char(' ') + notesText(found.notes));
     set(Viscous, found.viscous_nms, {});
     set(Dry, found.dry_nm, {});
-    const double most = found.fan_nms2.high.value_or(0.0) * kShown[Fan].factor;
     set(Fan, found.fan ? std::optional(found.fan_nms2) : std::nullopt,
-        found.fan
-            ? tr("a motor file does not hold it")
-            : tr("none seen; at most %1").arg(siText(most, QString::fromUtf16(kShown[Fan].unit))));
+        found.fan ? tr("a motor file does not hold it")
+                  : tr("none seen; at most %1")
+                        .arg(figure(Fan, found.fan_nms2.high.value_or(0.0),
+                            lab::lastPlaceOf(found.fan_nms2))));
     cellsChanged();
 }
 
@@ -155,10 +164,9 @@ QString MotorFindings::name(Row row) const
     return {};
 }
 
-QString MotorFindings::figure(Row row, const std::optional<double> &value) const
+QString MotorFindings::measuredFigure(Row row, const std::optional<double> &value) const
 {
-    const Shown &shown = kShown[row];
-    return value ? siText(*value * shown.factor, QString::fromUtf16(shown.unit)) : kNone;
+    return figure(row, value, lab::lastPlaceOf(*m_rows[row].value));
 }
 
 QString MotorFindings::text(Row row, int column) const
@@ -169,11 +177,12 @@ QString MotorFindings::text(Row row, int column) const
     case QuantityColumn:
         return name(row);
     case MeasuredColumn:
-        return figure(row, finding.value ? std::optional(finding.value->value) : std::nullopt);
+        return finding.value ? measuredFigure(row, finding.value->value) : kNone;
     case IntervalColumn:
         return finding.value && finding.value->low && finding.value->high
             ? tr("%1 to %2", "least and greatest value")
-                  .arg(figure(row, finding.value->low), figure(row, finding.value->high))
+                  .arg(measuredFigure(row, finding.value->low),
+                      measuredFigure(row, finding.value->high))
             : kNone;
     case BoardColumn:
         return figure(row, member != nullptr ? m_board.*member : std::nullopt);

@@ -46,7 +46,8 @@ private:
     };
     std::size_t rowsHeld() const override { return kRows; }
     QString text(Row row, int column) const;
-    QString figure(Row row, const std::optional<double> &value) const;
+    /// With as many digits as the interval of what was measured lets count.
+    QString measuredFigure(Row row, const std::optional<double> &value) const;
     QString name(Row row) const;
     void set(Row row, const std::optional<lab::Estimate> &value, const QString &note);
 

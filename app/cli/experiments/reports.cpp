@@ -2,6 +2,7 @@
 
 #include "session/files/finding_json.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -61,10 +62,25 @@ void print(const lab::MeasuredSteps &series, Output &out)
             meanText(series.settling_s, kMilli, 1), meanText(series.peakIq_a, 1.0, 2), {}}));
 }
 
+/// @param place  the last decimal one that is told; 0: four digits
+QString digitsText(double value, double place)
+{
+    constexpr int kDigits = 4, kMost = 9;
+    if (!(place > 0.0) || std::abs(value) < place / 2.0)
+        return QString::number(place > 0.0 ? 0.0 : value, 'g', kDigits);
+    const auto last = static_cast<int>(std::round(std::log10(place)));
+    const double rounded = std::round(value / place) * place;
+    const auto first = static_cast<int>(std::floor(std::log10(std::abs(rounded)) + 1e-9));
+    constexpr int kLeastFixed = -4; // as printf's %g has it
+    return first < kLeastFixed
+        ? QString::number(rounded, 'e', std::clamp(first - last, 0, kMost))
+        : QString::number(rounded, 'f', std::clamp(-last, 0, kMost - kLeastFixed));
+}
+
 QString line(const char *name, const lab::Estimate &estimate, const char *unit)
 {
-    constexpr int kDigits = 4;
-    const auto text = [](double value) { return QString::number(value, 'g', kDigits); };
+    const double place = lab::lastPlaceOf(estimate);
+    const auto text = [place](double value) { return digitsText(value, place); };
     return QStringLiteral("%1 %2 %3 (%4 to %5)")
         .arg(QString::fromLatin1(name).leftJustified(17), text(estimate.value),
             QString::fromUtf8(unit), text(estimate.low.value_or(0.0)),

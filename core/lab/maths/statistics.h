@@ -15,6 +15,10 @@ struct Estimate {
     bool operator==(const Estimate &) const = default;
 };
 
+/// The last decimal place that a person is shown of it, e.g. 0.001: that of the second digit of half of the interval. 0: the
+/// interval is not known, or has no width.
+double lastPlaceOf(const Estimate &estimate);
+
 /// What an interval of 95 % has to either side, in standard errors that were taken from so many degrees of freedom.
 double studentOf(std::size_t freedom);
 

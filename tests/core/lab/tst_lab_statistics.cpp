@@ -64,6 +64,15 @@ private Q_SLOTS:
         QVERIFY(!meanOfBoth({}, {}));
         QVERIFY(!meanOfBoth(std::vector{1.0}, std::vector{3.0})->low);
     }
+    void digitsFollowTheInterval()
+    {
+        QCOMPARE(lastPlaceOf({0.3521, 0.3398, 0.3644}), 1e-3);
+        QCOMPARE(lastPlaceOf({2.4e-5, 2.3e-5, 2.5e-5}), 1e-7);
+        QCOMPARE(lastPlaceOf({500.0, 100.0, 900.0}), 10.0);
+        QCOMPARE(lastPlaceOf({0.0, 0.0, 0.04}), 1e-3); // what cannot be below 0
+        QCOMPARE(lastPlaceOf({3.5, {}, {}}), 0.0);
+        QCOMPARE(lastPlaceOf({3.5, 3.5, 3.5}), 0.0);
+    }
     void whatStandsApartIsNamed()
     {
         const std::vector<double> values{10.0, 10.1, 9.9, 10.05, 9.95, 12.0};

@@ -1,6 +1,7 @@
 // The identification of a motor through the real window: what is asked, what stands in the table beside board and motor file,
 // and that figures come into the motor description only when they are wanted, and out again.
 #include "simulation/plant/presets.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/lab/identify_page.h"
 #include "widgets/lab/lab_window.h"
@@ -38,6 +39,33 @@ class TestIdentifyPage : public QObject {
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void theDigitsThatAreShownFollowTheInterval()
+    {
+        Findings findings;
+        lab::Electrics windings;
+        windings.rs_ohm = {0.351234, 0.339876, 0.362592};
+        windings.ld_h = {0.99961e-3, 0.98761e-3, 1.01161e-3};
+        findings.take(windings);
+        lab::Mechanics mechanics;
+        mechanics.inertia_kgm2 = {2.40004e-5, 2.38765e-5, 2.41243e-5};
+        mechanics.viscous_nms = {0.0, 0.0, 4.1234e-5};
+        mechanics.fan_nms2 = {0.0, 0.0, 1.23456e-6};
+        findings.take(mechanics);
+        const auto cell = [&](int row, int column) {
+            return findings.index(row, column).data().toString().replace(QChar(0x202f), u' ');
+        };
+        using F = Findings;
+        QCOMPARE(cell(F::Resistance, F::MeasuredColumn), QStringLiteral("351 m\u03a9"));
+        QCOMPARE(
+            cell(F::Resistance, F::IntervalColumn), QStringLiteral("340 m\u03a9 to 363 m\u03a9"));
+        QCOMPARE(cell(F::Ld, F::MeasuredColumn), QStringLiteral("1.000 mH"));
+        QCOMPARE(cell(F::Ld, F::IntervalColumn), QStringLiteral("988 \u00b5H to 1.012 mH"));
+        QCOMPARE(cell(F::Inertia, F::MeasuredColumn), QStringLiteral("240.0 g cm\u00b2"));
+        QCOMPARE(cell(F::Viscous, F::IntervalColumn), QStringLiteral("0 N m s to 41 \u00b5N m s"));
+        QVERIFY2(cell(F::Fan, F::NoteColumn).contains(QStringLiteral("at most 1.23 \u00b5N")),
+            qPrintable(cell(F::Fan, F::NoteColumn)));
+        QCOMPARE(findings.measured().rs_ohm, std::optional(0.351234)); // what is kept is not cut
+    }
     void bothAreMeasuredAndUsedAndTakenBack()
     {
         LabWindow bench("servo24");
@@ -90,8 +118,8 @@ private Q_SLOTS:
         const QString none = QStringLiteral("\u2013");
         QCOMPARE(file(Findings::Inertia), none);
         bench.press("identifyUse");
-        QCOMPARE(file(Findings::Inertia),
-            bench.cell("identifyTable", Findings::Inertia, Findings::MeasuredColumn));
+        QCOMPARE(file(Findings::Inertia), // to its last digit
+            widgets::siText(*measured.inertia_kgm2 * 1e7, QStringLiteral("g cm\u00b2")));
         auto *form = bench.rig.window.findChild<widgets::MotorForm *>();
         QVERIFY(form->model().hasFile());
         QVERIFY(bench.find<QPushButton>("motorBack")->isEnabled());
