@@ -2682,6 +2682,15 @@
         </translation>
     </message>
     <message>
+        <source>digits</source>
+        <comment>unit of a raw number</comment>
+        <translation>Digits</translation>
+    </message>
+    <message>
+        <source>32767 digits are the full scale of the current sensor, which this board does not tell.</source>
+        <translation>32767 Digits sind der Vollausschlag des Stromsensors, den dieses Board nicht nennt.</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>nein</translation>
     </message>

@@ -1,6 +1,7 @@
 #include "widgets/base/reading_text.h"
 
 #include "widgets/base/axis_ticks.h"
+#include "widgets/base/value_text.h"
 
 #include <QCoreApplication>
 
@@ -65,7 +66,7 @@ QString readingText(
     if (!value)
         return Readings::tr("no sample");
     const QString number = withMinus(valueLabel(*value, step, locale));
-    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
+    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unitText(unit);
 }
 
 } // namespace widgets

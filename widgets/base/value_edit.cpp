@@ -3,6 +3,7 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/setpoint_text.h"
+#include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
 #include <QToolTip>
@@ -37,8 +38,9 @@ ValueEdit::ValueEdit(QWidget *parent)
     setAlignment(Qt::AlignRight);
 }
 
-void ValueEdit::setPlain(const QString &unit, double step)
+void ValueEdit::setPlain(const QString &ofValue, double step)
 {
+    const QString unit = unitText(ofValue); // as it is shown, and typed
     const bool same = !m_time && unit == m_unit && step == m_step;
     m_time = false;
     m_unit = unit;

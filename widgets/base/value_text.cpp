@@ -34,7 +34,7 @@ QString bytesText(const Bytes &bytes)
 
 QString withUnit(const QString &number, const std::string &unit)
 {
-    const QString text = deviceText(unit);
+    const QString text = unitText(unit);
     return text.isEmpty() || text == QLatin1String("-") ? number : number + QChar(0x202f) + text;
 }
 
@@ -104,6 +104,26 @@ QString numberText(double value, int decimals)
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(value, 'f', decimals);
+}
+
+QString unitText(const QString &unit)
+{
+    for (const char *raw : {"s16A", "s16V", "s16degree"})
+        if (unit == QLatin1String(raw))
+            return QObject::tr("digits", "unit of a raw number");
+    return deviceText(unit);
+}
+
+QString unitText(std::string_view unit)
+{
+    return unitText(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+}
+
+QString unitHelp(std::string_view unit)
+{
+    return unit == "s16A" ? QObject::tr("32767 digits are the full scale of the current sensor, "
+                                        "which this board does not tell.")
+                          : QString();
 }
 
 double rawNumber(const catalog::Value &value)

@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QComboBox>
@@ -32,7 +33,7 @@ QString valuesOf(const FaultRecord &record)
     for (const capture::ChannelInfo &info : record.samples->channels())
         if (const auto value = record.samples->valueAt(info.id, record.seconds))
             values.append(QStringLiteral("%1 %2").arg(
-                deviceText(info.name), siText(*value, deviceText(info.unit))));
+                deviceText(info.name), siText(*value, unitText(info.unit))));
     return values.join(QStringLiteral(", "));
 }
 

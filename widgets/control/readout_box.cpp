@@ -1,7 +1,6 @@
 #include "widgets/control/readout_box.h"
 
 #include "drive/set_points/shaft_position.h"
-#include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
@@ -27,7 +26,7 @@ QString steadyText(const RegisterModel &registers, std::optional<catalog::Regist
     // A number without a step of its own: as many digits as a meter has.
     const double size = std::abs(*value);
     const int decimals = size < 10.0 ? 2 : size < 100.0 ? 1 : 0;
-    const QString unit = deviceText(catalog->readScale(*id).unit);
+    const QString unit = unitText(catalog->readScale(*id).unit);
     return numberText(*value, decimals) + (unit.isEmpty() ? QString() : QChar(0x202f) + unit);
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/value_text.h"
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
@@ -232,7 +233,7 @@ void MathPanel::check()
     else if (result.unit.isEmpty())
         says = tr("Valid, unit not known or a plain number");
     else
-        says = tr("Valid, unit %1").arg(result.unit);
+        says = tr("Valid, unit %1").arg(unitText(result.unit));
     const bool fine = result.fine() && named && !full;
     const bool empty = m_formula->text().trimmed().isEmpty();
     // A sign as well as words, so that it is seen without reading.

@@ -3,6 +3,7 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/row_table.h"
+#include "widgets/base/value_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -155,7 +156,7 @@ QString whyNotText(scope::WhyNot why)
 QString measuredText(double value, scope::UnitKind unit, const capture::ChannelInfo &channel,
     double step, const QLocale &locale)
 {
-    const QString own = QString::fromStdString(channel.unit);
+    const QString own = unitText(channel.unit);
     switch (unit) {
     case scope::UnitKind::Channel: // a tenth of a digit means something in a mean
         return readingText(value, step / 10.0, own, locale);

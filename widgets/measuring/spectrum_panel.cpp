@@ -1,10 +1,10 @@
 #include "widgets/measuring/spectrum_panel.h"
 
-#include "widgets/base/device_text.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
+#include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/base/whole_spin.h"
 #include "widgets/measuring/measure_text.h"
@@ -356,7 +356,7 @@ void SpectrumPanel::showMean()
     SpectrumPlot::Picture picture;
     picture.spectrum = mean;
     picture.peaks = m_answer.peaks;
-    picture.unit = info ? deviceText(info->unit) : QString();
+    picture.unit = info ? unitText(info->unit) : QString();
     picture.orders = orders(picture.peaks.empty() ? 0.0 : picture.peaks.front().hertz);
     picture.decibels = m_scale->currentIndex() == Decibels;
     m_peaks->show(picture.peaks, picture.unit, picture.orders);

@@ -331,7 +331,7 @@ QString XyPanel::labelOf(capture::ChannelId channel, const QString &instead) con
 {
     const auto info = m_capture.info(channel);
     const QString name = instead.isEmpty() ? m_scope.nameOf(channel) : instead;
-    const QString unit = info ? deviceText(info->unit) : QString();
+    const QString unit = info ? unitText(info->unit) : QString();
     return unit.isEmpty() ? name : tr("%1 in %2", "a signal and its unit").arg(name, unit);
 }
 

@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "catalog/names.h"
 #include "drive/motion_limits.h"
-#include "widgets/base/device_text.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
@@ -90,8 +89,9 @@ Result<QString, EntryError> withoutUnit(const QString &text, const EntryRules &r
         return text;
     const QString rest = match.captured(2).trimmed();
     const QString unit = QString::fromStdString(rules.scale.unit);
-    if (!unit.isEmpty() && rest.compare(unit, Qt::CaseInsensitive) == 0)
-        return match.captured(1);
+    for (const QString &known : {unit, unitText(unit)})
+        if (!known.isEmpty() && rest.compare(known, Qt::CaseInsensitive) == 0)
+            return match.captured(1);
     const bool looksLikeUnit =
         rest.front().isLetter() || rest.front() == QLatin1Char('%') || rest.front() == QChar(0xb0);
     static const QRegularExpression kExponent(QStringLiteral("^[eEpPxX][-+0-9]"));
@@ -335,7 +335,7 @@ QString entryErrorText(EntryError error, const EntryRules &rules)
     case EntryError::OtherUnit:
         return Entry::tr("The unit here is %1.")
             .arg(rules.scale.unit.empty() ? Entry::tr("none", "no unit")
-                                          : deviceText(rules.scale.unit));
+                                          : unitText(rules.scale.unit));
     case EntryError::OutOfRange: {
         const int decimals = decimalsFor(rules.scale.factor);
         const QString least = numberText(rules.limits.least * rules.scale.factor, decimals);

@@ -10,6 +10,17 @@
 #include <QPalette>
 
 namespace widgets {
+namespace {
+
+/// What a register is, and what a digit of it is worth where its unit does not say that.
+QString helpOf(const catalog::RegisterInfo &info, const catalog::Scale &scale)
+{
+    QStringList parts{registerHelpText(info), unitHelp(scale.unit)};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace
 
 QVariant RegisterModel::data(const QModelIndex &index, int role) const
 {
@@ -141,7 +152,7 @@ QString RegisterModel::details(catalog::RegisterId id) const
         row->info->meaning == catalog::Meaning::Number && catalog::isInteger(row->info->type);
     if (rules && number) {
         const int decimals = decimalsFor(row->scale.factor);
-        const QString unit = deviceText(row->scale.unit);
+        const QString unit = unitText(row->scale.unit);
         const QString range =
             tr("%1 to %2", "least and greatest value")
                 .arg(numberText(rules->limits.least * row->scale.factor, decimals),
@@ -150,7 +161,7 @@ QString RegisterModel::details(catalog::RegisterId id) const
             unit.isEmpty() || unit == QLatin1String("-") ? range : range + QChar(0x202f) + unit);
     }
     const QString head = parts.join(QStringLiteral(" \u00b7 "));
-    const QString help = registerHelpText(*row->info);
+    const QString help = helpOf(*row->info, row->scale);
     return help.isEmpty() ? head : head + QLatin1Char('\n') + help;
 }
 
@@ -169,7 +180,7 @@ QVariant RegisterModel::editText(const Row &row, int column) const
 QString RegisterModel::toolTip(const Row &row) const
 {
     const QString name = deviceToolTip(m_catalog->nameOf(row.id));
-    const QString help = registerHelpText(*row.info).toHtmlEscaped();
+    const QString help = helpOf(*row.info, row.scale).toHtmlEscaped();
     QString state;
     if (row.known == Known::Value && row.stale)
         state = tr("This value is old: it is not being read.");

@@ -3,6 +3,7 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/base/value_text.h"
 #include "widgets/scope/drawing/axis_ticker.h"
 #include "widgets/scope/drawing/waveform_plottable.h"
 #include "widgets/scope/trace_legend.h"
@@ -465,7 +466,7 @@ void PlotStack::labelAxis(const ScopePlot &plot, const ValueAxis &axis) const
     std::set<QString> units;
     for (const Trace &trace : plot.traces) {
         if (trace.valueAxis == axis.axis)
-            units.insert(QString::fromStdString(trace.info.unit));
+            units.insert(unitText(trace.info.unit));
     }
     QString label = QStringList(units.begin(), units.end()).join(QStringLiteral(" / "));
     if (units.size() == 1) {

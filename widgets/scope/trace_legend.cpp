@@ -2,6 +2,7 @@
 
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/base/value_text.h"
 
 #include <cmath>
 
@@ -72,7 +73,7 @@ std::vector<TraceLegend::Entry> TraceLegend::entries() const
                 + paddedReading(
                     trace, isOld(trace, m_capture) ? std::nullopt : last, mParentPlot->locale());
         if (!trace.info.unit.empty())
-            text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
+            text += QChar(QChar::Nbsp) + unitText(trace.info.unit);
         const double wide = QFontMetricsF(font).horizontalAdvance(text) + kLegendMark + 3 * kSpace;
         const double room = at.y() > 0.0 ? width : width - note;
         if (at.x() > kSpace && at.x() + wide > room)

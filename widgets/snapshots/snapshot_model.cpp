@@ -105,7 +105,7 @@ QString SnapshotModel::text(const Row &row, int column) const
     case BColumn:
         return snapshotValueText(difference.b);
     case UnitColumn: {
-        const QString unit = deviceText(difference.either().unit);
+        const QString unit = unitText(difference.either().unit);
         return unit == QLatin1String("-") ? QString() : unit;
     }
     case ARawColumn:

@@ -75,6 +75,20 @@ void TestCurrentScale::theScaleIsAskedForUsedAndRemembered()
         QVERIFY(rig.find<QToolButton>("changeCurrentScale")->isVisible());
         QVERIFY(rig.find<QLabel>("limits")->text().contains(QLatin1String("Current scale: not")));
         QVERIFY(unitOf(rig, "I_Q_REF") != "A");
+        // The unit of files and of the command line, in words.
+        const auto &registers = rig.workbench.registers();
+        const auto iqRef = *rig.workbench.device().catalog()->resolve("I_Q_REF");
+        QCOMPARE(unitOf(rig, "I_Q_REF"), std::string("s16A"));
+        QCOMPARE(registers.describe(iqRef, std::int64_t{100}), QStringLiteral("100\u202fdigits"));
+        QVERIFY(
+            registers.details(iqRef).contains(QLatin1String("32767 digits are the full scale")));
+        QVERIFY(registers.indexOf(iqRef)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QLatin1String("32767 digits are the full scale")));
+        const auto typed = registers.readEntry(
+            iqRef, widgets::RegisterModel::ValueColumn, QStringLiteral("100 digits"));
+        QVERIFY(typed && *typed == catalog::Value(std::int64_t{100}));
         const auto iq = *rig.workbench.device().catalog()->resolve("I_Q_MEAS");
         rig.window.selection()->add(iq, 0);
         auto &capture = rig.workbench.capture();

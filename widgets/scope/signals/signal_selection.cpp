@@ -1,6 +1,7 @@
 #include "widgets/scope/signals/signal_selection.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_view.h"
 
@@ -190,7 +191,7 @@ void SignalSelection::fillFileSignals(QMenu &menu)
     for (const capture::ChannelInfo &info : all) {
         QString text = deviceText(info.name);
         if (!info.unit.empty())
-            text += QStringLiteral(" [%1]").arg(deviceText(info.unit));
+            text += QStringLiteral(" [%1]").arg(unitText(info.unit));
         if (info.kind == Kind::Polled)
             text = tr("%1, read one by one", "a signal").arg(text);
         QAction *action = menu.addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
