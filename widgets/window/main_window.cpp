@@ -595,13 +595,17 @@ void MainWindow::paintEvent(QPaintEvent *event)
     });
 }
 
-/// Qt makes the tabs of docks when it needs them, and gives them no name.
+/// Qt makes the tabs of docks when it needs them, gives them no name, and cuts the words of many until they are all alike:
+/// they scroll instead.
 void MainWindow::childEvent(QChildEvent *event)
 {
     QMainWindow::childEvent(event);
     auto *tabs = qobject_cast<QTabBar *>(event->child());
-    if (event->type() == QEvent::ChildPolished && tabs)
-        tabs->setAccessibleName(tr("Tools"));
+    if (event->type() != QEvent::ChildPolished || tabs == nullptr)
+        return;
+    tabs->setAccessibleName(tr("Tools"));
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
 }
 
 } // namespace widgets

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTabWidget>
 
 class TestToolDocks : public QObject {
@@ -118,6 +119,32 @@ private Q_SLOTS:
         close->trigger();
         QCOMPARE(open(), 0);
         QVERIFY(!close->isEnabled());
+    }
+
+    /// Their tabs scroll.
+    void namesOfManyToolsAreNotCut()
+    {
+        m_rig->window.resize(1280, 720);
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        for (const char *name :
+            {"eventDockOpen", "recordDockOpen", "measureDockOpen", "spectrumDockOpen",
+                "mathDockOpen", "xyDockOpen", "snapshotsDockOpen", "revUpDockOpen", "rampDockOpen",
+                "motorDockOpen", "notesDockOpen", "motionLogDockOpen", "stepDockOpen",
+                "identifyDockOpen", "responseDockOpen", "tourDockOpen", "runBookDockOpen"})
+            m_rig->find<QAction>(name)->trigger();
+        QTabBar *tabs = nullptr;
+        for (auto *bar :
+            m_rig->window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+            if (bar->isVisible() && bar->count() > 10)
+                tabs = bar;
+        QVERIFY(tabs);
+        for (int i = 0; i < tabs->count(); ++i) {
+            tabs->setCurrentIndex(i);
+            const QString name = tabs->tabText(i);
+            QTRY_VERIFY2(tabs->tabRect(i).width() > tabs->fontMetrics().horizontalAdvance(name),
+                qPrintable(name));
+            QVERIFY2(tabs->rect().contains(tabs->tabRect(i).center()), qPrintable(name));
+        }
     }
 
     void everyToolCanFloatAndEachHasItsStop()
