@@ -7,9 +7,11 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -35,9 +37,10 @@ Colors colorsOf(Banner::Kind kind, bool dark)
 
 } // namespace
 
-Banner::Banner(QWidget *over, QWidget *window)
+Banner::Banner(QWidget *over, std::function<int()> free, QWidget *window)
     : QFrame(window)
     , m_over(over)
+    , m_free(std::move(free))
     , m_mark(new QLabel(this))
     , m_text(wrappedLabel("bannerText", this))
     , m_close(new QToolButton(this))
@@ -65,14 +68,23 @@ void Banner::place()
 {
     const int width = m_over->width();
     const int height = std::min(layout()->totalHeightForWidth(width), m_over->height());
-    setGeometry(QRect(m_over->mapTo(parentWidget(), QPoint()), QSize(width, height)));
+    const int top = std::clamp(m_free(), 0, m_over->height() - height);
+    setGeometry(QRect(m_over->mapTo(parentWidget(), QPoint(0, top)), QSize(width, height)));
     raise();
+}
+
+void Banner::follow()
+{
+    if (isVisible())
+        place();
 }
 
 bool Banner::eventFilter(QObject *watched, QEvent *event)
 {
-    if ((event->type() == QEvent::Resize || event->type() == QEvent::Move) && isVisible())
+    if ((event->type() == QEvent::Resize || event->type() == QEvent::Move) && isVisible()) {
         place();
+        QTimer::singleShot(0, this, &Banner::follow); // when what is in it has its new size
+    }
     return QFrame::eventFilter(watched, event);
 }
 

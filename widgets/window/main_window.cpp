@@ -250,8 +250,13 @@ QWidget *MainWindow::makeTop()
     m_frame = new QWidget(top);
     m_frame->setFixedHeight(3);
     m_frame->setAutoFillBackground(true);
-    // Over the plots: what one is about to click stays where it is.
-    auto *banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")), this);
+    // Over the plots: what one is about to click stays where it is. Below the legend of the first one.
+    auto *plots = m_scope->findChild<QWidget *>(QStringLiteral("scopePlot"));
+    auto *banner = new Banner(
+        plots,
+        [this, plots] { return plots->mapFrom(m_scope, m_scope->plotRect(0).topLeft()).y(); },
+        this);
+    connect(m_scope, &ScopeView::drawn, banner, &Banner::follow);
     m_news = new LinkNews(
         m_device, [this] { return m_connectBar->connecting(); },
         [this] { return m_leaving->wereAtRest(); }, *banner, this);

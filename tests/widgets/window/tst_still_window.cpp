@@ -180,11 +180,16 @@ private Q_SLOTS:
             m_rig->window.resize(1100, 700); // it goes along
             settle();
             QCOMPARE(banner->width(), plot->width());
-            QCOMPARE(banner->pos(), plot->mapTo(&m_rig->window, QPoint()));
+            const auto belowTheLegend = [&] {
+                const auto *scope = m_rig->window.scope();
+                return QPoint(plot->mapTo(&m_rig->window, QPoint()).x(),
+                    scope->mapTo(&m_rig->window, scope->plotRect(0).topLeft()).y());
+            };
+            QTRY_COMPARE(banner->pos(), belowTheLegend());
             auto *dock = m_rig->find<QDockWidget>("registerDock");
             dock->hide(); // the picture is elsewhere now
             settle();
-            QCOMPARE(banner->pos(), plot->mapTo(&m_rig->window, QPoint()));
+            QTRY_COMPARE(banner->pos(), belowTheLegend());
             dock->show();
             settle();
             m_rig->window.resize(1280, 720);
