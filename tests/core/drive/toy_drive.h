@@ -224,7 +224,7 @@ private:
 class ToyDrive final : public TaskDrive<Protocol> {
 public:
     ToyDrive()
-        : TaskDrive({}, 500ms)
+        : TaskDrive({})
     {
     }
     std::vector<Output> stopScript() const override { return {{encode(kStop)}}; }
