@@ -37,7 +37,6 @@ public:
 
     /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log
     void collect(std::vector<Event> &events, TimePoint now);
-    bool contains(const Task<P> *task) const;
 
 private:
     using Queue = std::deque<std::unique_ptr<WishTask<P>>>;
@@ -126,16 +125,6 @@ void WishQueue<P>::collectFrom(Queue &queue, std::vector<Event> &events, TimePoi
             events.emplace_back(task->ended());
     }
     std::erase_if(queue, [](const auto &task) { return task->finished(); });
-}
-
-template <class P>
-bool WishQueue<P>::contains(const Task<P> *task) const
-{
-    const auto holds = [&](const Queue &queue) {
-        return std::any_of(
-            queue.begin(), queue.end(), [&](const auto &one) { return one.get() == task; });
-    };
-    return holds(m_acting) || holds(m_reading);
 }
 
 } // namespace drive
