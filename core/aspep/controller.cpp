@@ -22,12 +22,6 @@ constexpr Duration kRestAfterNack =
 /// parses the line by lengths agrees on where packets start.
 constexpr std::size_t kShortTail = 12;
 
-void earliest(std::optional<TimePoint> &due, std::optional<TimePoint> other)
-{
-    if (other && (!due || *other < *due))
-        due = other;
-}
-
 } // namespace
 
 Controller::Controller(Config config)

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 using Duration = std::chrono::nanoseconds;
 
@@ -29,6 +30,13 @@ constexpr double toSeconds(Duration duration)
 constexpr Duration fromSeconds(double seconds)
 {
     return Duration(static_cast<Duration::rep>(seconds * 1e9 + (seconds < 0 ? -0.5 : 0.5)));
+}
+
+/// Makes `due` the earlier one of both; empty: never.
+constexpr void earliest(std::optional<TimePoint> &due, std::optional<TimePoint> other)
+{
+    if (other && (!due || *other < *due))
+        due = other;
 }
 
 /// How long `bytes` take on an asynchronous line with 10 bits a byte (1 start, 8 data, 1 stop).

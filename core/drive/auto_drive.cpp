@@ -94,8 +94,7 @@ public:
     {
         auto due = m_drive->nextTimeout();
         for (const auto &other : {m_tryAgainAt, m_turnEnds, m_stop.nextAlarm()})
-            if (other && (!due || *other < *due))
-                due = other;
+            earliest(due, other);
         return due;
     }
     void submit(Wish wish, TimePoint now) override

@@ -149,7 +149,7 @@ std::optional<TimePoint> StopSequence::nextStop(bool connected, TimePoint now) c
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
         if (wantsStop(motor, connected))
-            due = std::min(due.value_or(motor.nextStop), motor.nextStop);
+            earliest(due, motor.nextStop);
     if (due && !connected && std::max(*due, now) >= blindUntil())
         return std::nullopt;
     return due;
@@ -159,10 +159,8 @@ std::optional<TimePoint> StopSequence::nextAlarm() const
 {
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
-        if (!motor.idle && !motor.alarmed) {
-            const TimePoint alarm = motor.begun + kConfirmWithin;
-            due = std::min(due.value_or(alarm), alarm);
-        }
+        if (!motor.idle && !motor.alarmed)
+            earliest(due, motor.begun + kConfirmWithin);
     return due;
 }
 

@@ -255,25 +255,21 @@ template <class P>
 std::optional<TimePoint> TaskDrive<P>::nextTimeout() const
 {
     std::optional<TimePoint> due = m_link.nextTimeout();
-    const auto consider = [&](std::optional<TimePoint> at) {
-        if (at && (!due || *at < *due))
-            due = at;
-    };
-    consider(nextOwn());
+    earliest(due, nextOwn());
     if (m_reconnectAt)
-        consider(m_stop.active() && !reconnectsBlind()
-                ? std::max(*m_reconnectAt, m_stop.blindUntil())
-                : *m_reconnectAt);
+        earliest(due,
+            m_stop.active() && !reconnectsBlind() ? std::max(*m_reconnectAt, m_stop.blindUntil())
+                                                  : *m_reconnectAt);
     if (m_mode == Mode::Closing)
-        consider(m_closeBy);
+        earliest(due, m_closeBy);
     if (m_stop.active()) {
-        consider(m_stop.nextAlarm());
-        consider(nextStop());
+        earliest(due, m_stop.nextAlarm());
+        earliest(due, nextStop());
     }
     // What is due already and was not sent waits for something else, which has its own timer.
     const auto considerLater = [&](std::optional<TimePoint> at) {
         if (at && *at > m_workedAt)
-            consider(at);
+            earliest(due, at);
     };
     if (linkIsFree() && m_mode == Mode::Open) {
         considerLater(m_vitals.due());

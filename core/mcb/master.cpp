@@ -397,25 +397,22 @@ std::optional<TimePoint> Master::nextTimeout() const
     if (m_exchange)
         return exchangeDue();
     std::optional<TimePoint> due;
-    const auto consider = [&due](TimePoint at) {
-        if (!due || at < *due)
-            due = at;
-    };
-    if (m_operation && m_operation->sent == 0 && m_operation->request.leaveBy)
-        consider(*m_operation->request.leaveBy);
+    if (m_operation && m_operation->sent == 0)
+        earliest(due, m_operation->request.leaveBy);
     if (m_hasLine && !m_ready && m_readyBy) {
-        consider(*m_readyBy);
+        earliest(due, m_readyBy);
         return due;
     }
-    if (m_operation && m_operation->deadline)
-        consider(*m_operation->deadline);
+    if (m_operation)
+        earliest(due, m_operation->deadline);
     if (m_hasLine && !m_ready)
         return due;
     if (m_state == State::Cyclic)
-        consider(betweenCycles() ? m_notBefore
-                                 : std::max(m_notBefore, m_cycleStart + m_nextTick * m_period));
+        earliest(due,
+            betweenCycles() ? m_notBefore
+                            : std::max(m_notBefore, m_cycleStart + m_nextTick * m_period));
     else if (m_operation || m_drain > 0 || m_state != State::Config)
-        consider(m_notBefore);
+        earliest(due, m_notBefore);
     return due;
 }
 

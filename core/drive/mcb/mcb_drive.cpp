@@ -280,10 +280,10 @@ std::optional<TimePoint> McbDrive::nextStop() const
     const auto later = [this](std::optional<TimePoint> at) {
         return at && *at > m_workedAt ? at : std::nullopt;
     };
-    const auto next = later(TaskDrive::nextStop());
-    const auto blind =
-        later(m_stopWaits ? std::optional(*m_stopWaits + StopSequence::kRepeat) : std::nullopt);
-    return next && blind ? std::min(*next, *blind) : next ? next : blind;
+    auto next = later(TaskDrive::nextStop());
+    if (m_stopWaits)
+        earliest(next, later(*m_stopWaits + StopSequence::kRepeat));
+    return next;
 }
 
 void McbDrive::sendStop(TimePoint now)
