@@ -98,8 +98,7 @@ Scale Catalog::scaleOf(RegisterId id, double rpmPerDigit) const
     const RegisterInfo *info = find(id);
     if (info == nullptr)
         return {};
-    const auto motor = static_cast<std::size_t>(std::clamp(motorOf(id), 1, m_motors));
-    const Scales &scales = m_scales[motor - 1];
+    const Scales &scales = this->scales(motorOf(id));
     const double fixedPoint = std::ldexp(1.0, -info->fractionBits);
     switch (info->quantity) {
     case Quantity::Current:
@@ -129,14 +128,12 @@ const Scales &Catalog::scales(int motor) const
 
 Scale Catalog::readScale(RegisterId id) const
 {
-    const auto motor = static_cast<std::size_t>(std::clamp(motorOf(id), 1, m_motors));
-    return scaleOf(id, m_scales.empty() ? 0.0 : m_scales[motor - 1].rpmPerReadDigit);
+    return scaleOf(id, scales(motorOf(id)).rpmPerReadDigit);
 }
 
 Scale Catalog::streamScale(RegisterId id) const
 {
-    const auto motor = static_cast<std::size_t>(std::clamp(motorOf(id), 1, m_motors));
-    Scale scale = scaleOf(id, m_scales.empty() ? 0.0 : m_scales[motor - 1].rpmPerSpeedDigit);
+    Scale scale = scaleOf(id, scales(motorOf(id)).rpmPerSpeedDigit);
     const RegisterInfo *info = find(id);
     if (info != nullptr && info->streamsUpperHalf)
         scale.factor *= 65536.0;

@@ -26,12 +26,6 @@ struct Scales {
     bool operator==(const Scales &) const = default;
 };
 
-/// A register of a motor, named for people: NAME or NAME@MOTOR.
-struct RegisterName {
-    std::string name;
-    int motor = 0; ///< 0: not said
-};
-
 class Catalog {
 public:
     Catalog() = default;
