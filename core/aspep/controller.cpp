@@ -29,14 +29,6 @@ Controller::Controller(Config config)
 {
 }
 
-Controller::State Controller::state() const { return m_state; }
-
-const Beacon &Controller::agreed() const { return m_agreed; }
-
-const Controller::Stats &Controller::stats() const { return m_stats; }
-
-std::uint8_t Controller::linkId() const { return m_linkId; }
-
 Duration Controller::responseTimeout() const
 {
     if (m_state == State::Negotiating && !m_heardBytes && m_attempts > m_config.attempts)
@@ -492,9 +484,5 @@ void Controller::endRequest(std::optional<bool> executed)
     if (std::exchange(m_requestOpen, false))
         m_events.push_back(NoResponse{executed});
 }
-
-std::vector<Output> Controller::takeOutput() { return std::exchange(m_output, {}); }
-
-std::vector<Controller::Event> Controller::takeEvents() { return std::exchange(m_events, {}); }
 
 } // namespace aspep

@@ -137,14 +137,14 @@ public:
     void handleSent(
         TimePoint now); ///< all output taken so far has left: reply time-outs count from here
 
-    [[nodiscard]] std::vector<Output> takeOutput();
-    [[nodiscard]] std::vector<Event> takeEvents();
+    [[nodiscard]] std::vector<Output> takeOutput() { return std::exchange(m_output, {}); }
+    [[nodiscard]] std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
     [[nodiscard]] std::optional<TimePoint> nextTimeout() const;
 
-    State state() const;
-    const Beacon &agreed() const; ///< meaningful from Connected on
-    const Stats &stats() const;
-    std::uint8_t linkId() const; ///< LIID of the last Ping reply
+    State state() const { return m_state; }
+    const Beacon &agreed() const { return m_agreed; } ///< meaningful from Connected on
+    const Stats &stats() const { return m_stats; }
+    std::uint8_t linkId() const { return m_linkId; } ///< LIID of the last Ping reply
     Duration responseTimeout() const; ///< from baud rate and negotiated sizes
 
 private:
