@@ -34,11 +34,8 @@ private:
 
 std::optional<double> shownOf(const Value &value, double factor)
 {
-    if (const auto *whole = std::get_if<std::int64_t>(&value))
-        return static_cast<double>(*whole) * factor;
-    if (const auto *number = std::get_if<double>(&value))
-        return *number * factor;
-    return std::nullopt;
+    const auto number = catalog::asNumber(value);
+    return number ? std::optional(*number * factor) : std::nullopt;
 }
 
 } // namespace
