@@ -68,15 +68,10 @@ std::string refuseTorqueControl(const BoardFacts &board)
 
 std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach)
 {
-    switch (mode) {
-    case ControlMode::Speed:
+    if (mode == ControlMode::Speed)
         return {};
-    case ControlMode::Torque:
-        return refuseTorqueControl(board);
-    case ControlMode::Other:
-        break;
-    }
-    return refuseUnbounded(board, motor, reach);
+    return mode == ControlMode::Torque ? refuseTorqueControl(board)
+                                       : refuseUnbounded(board, motor, reach);
 }
 
 std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach)

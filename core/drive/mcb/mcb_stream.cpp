@@ -85,10 +85,8 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
 
 void McbStreamControl::ended()
 {
-    if (m_block.slow.empty())
-        m_blockSince.reset();
-    else
-        add(std::exchange(m_block, {}));
+    if (!m_block.slow.empty())
+        m_events.emplace_back(std::exchange(m_block, {}));
     m_blockSince.reset();
     m_layout.reset();
     m_running = false;
@@ -128,7 +126,7 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
     const capture::Tick apart = group.tick - m_lastTick - m_layout->fastStep;
     const bool gap = std::exchange(m_broken, false) || lostFrames > 0 || apart > kUnbroken / kTick;
     if (gap && !m_block.slow.empty())
-        add(std::exchange(m_block, {}));
+        m_events.emplace_back(std::exchange(m_block, {}));
     if (m_block.slow.empty()) {
         m_block.stream = m_layout->id;
         m_block.firstTick = group.tick;
@@ -139,8 +137,6 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
     m_block.slow.push_back(std::move(group));
 }
 
-void McbStreamControl::add(capture::SampleBlock block) { m_events.emplace_back(std::move(block)); }
-
 std::optional<TimePoint> McbStreamControl::nextFlush() const
 {
     return m_blockSince ? std::optional(*m_blockSince + kBlockTime) : std::nullopt;
@@ -150,7 +146,7 @@ void McbStreamControl::flush(TimePoint now)
 {
     if (!m_blockSince || now < *m_blockSince + kBlockTime)
         return;
-    add(std::exchange(m_block, {}));
+    m_events.emplace_back(std::exchange(m_block, {}));
     m_blockSince.reset();
 }
 

@@ -46,7 +46,6 @@ private:
     /// @param told  the type of each signal
     void begin(const Stream &stream, const std::vector<RegisterId> &ids,
         const std::map<std::uint16_t, mcb::Info> &told);
-    void add(capture::SampleBlock block);
 
     const McbFacts &m_board;
     Stream m_wanted;

@@ -24,17 +24,14 @@ bool sizeFits(const McpFacts &board, RegisterId id, const Value &value)
     if (!board.knownFirmware)
         return true;
     const mcp::RegisterId which = mcp::RegisterId{static_cast<std::uint16_t>(id)}.withMotor(0);
-    if (which == mcp::reg::kGlobalConfig)
-        return mcp::decodeGlobalConfig(*raw).has_value();
-    if (which == mcp::reg::kMotorConfig)
-        return mcp::decodeMotorConfig(*raw).has_value();
-    if (which == mcp::reg::kApplicationConfig)
-        return mcp::decodeApplicationConfig(*raw).has_value();
-    if (which == mcp::reg::kFocFwConfig)
-        return mcp::decodeFirmwareConfig(*raw).has_value();
-    if (which == mcp::reg::kScaleConfig)
-        return mcp::decodeScaleConfig(*raw).has_value();
-    return true;
+    const auto fits = [&](mcp::RegisterId structure, auto decode) {
+        return which != structure || decode(*raw).has_value();
+    };
+    return fits(mcp::reg::kGlobalConfig, mcp::decodeGlobalConfig)
+        && fits(mcp::reg::kMotorConfig, mcp::decodeMotorConfig)
+        && fits(mcp::reg::kApplicationConfig, mcp::decodeApplicationConfig)
+        && fits(mcp::reg::kFocFwConfig, mcp::decodeFirmwareConfig)
+        && fits(mcp::reg::kScaleConfig, mcp::decodeScaleConfig);
 }
 
 } // namespace
