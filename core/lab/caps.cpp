@@ -10,13 +10,12 @@ namespace {
 constexpr double kAboveBoard =
     1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
 
-/// Zero: not known.
+} // namespace
+
 double lowerKnown(double one, double other)
 {
     return one > 0.0 && other > 0.0 ? std::min(one, other) : std::max(one, other);
 }
-
-} // namespace
 
 double allowedRpm(const Experiment &experiment)
 {

@@ -7,6 +7,8 @@
 
 namespace lab {
 
+/// Of two bounds, of which 0 is one that nobody knows.
+double lowerKnown(double one, double other);
 /// From the first command to the last.
 /// @param before_rpm  the set-point of a motor that runs, which passes it on its way back; 0: it stands
 Caps capsOf(const Experiment &experiment, double before_rpm);

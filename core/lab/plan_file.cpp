@@ -1,6 +1,6 @@
 #include "lab/plan_file.h"
 
-#include "drive/motion_limits.h"
+#include "lab/caps.h"
 #include "lab/plan_fields.h"
 
 #include <algorithm>
@@ -64,13 +64,10 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
     if (!plan)
         return plan;
     // Of a file's bounds and the user's the lower ones count.
-    const auto lower = [](double one, double other) {
-        return one > 0.0 && other > 0.0 ? std::min(one, other) : std::max(one, other);
-    };
     drive::UserLimits &own =
         std::visit([](auto &of) -> drive::UserLimits & { return of.caps; }, *plan);
-    own = {
-        lower(own.maxSpeedRpm, caps.maxSpeedRpm), lower(own.maxCurrentAmps, caps.maxCurrentAmps)};
+    own = {lowerKnown(own.maxSpeedRpm, caps.maxSpeedRpm),
+        lowerKnown(own.maxCurrentAmps, caps.maxCurrentAmps)};
     return plan;
 }
 

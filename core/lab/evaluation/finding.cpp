@@ -21,12 +21,8 @@ Found found(Result<T, std::string> result)
 Result<Finding, std::string> findingIn(const capture::Capture &capture, const Happenings &all)
 {
     for (const auto &[at, what] : all) {
-        if (recordedPlan<StepPlan>(what)) {
-            auto series = stepSeries(capture, all);
-            if (!series)
-                return fail(series.error());
-            return Finding(std::in_place_type<MeasuredSteps>, std::move(*series));
-        }
+        if (recordedPlan<StepPlan>(what))
+            return found(Result<MeasuredSteps, std::string>(stepSeries(capture, all)));
         if (recordedPlan<CurrentStepPlan>(what))
             return found(currentSteps(capture, all));
         const auto spin = recordedPlan<SpinPlan>(what);

@@ -34,7 +34,6 @@ struct StepAsked {
 
 struct StepFacts {
     double polePairs = 0.0; ///< 0: not known; the speed signal is taken then
-    double speedStepRpm = 0.0; ///< what the speed signal resolves
     double jumpPerRpm = 0.0; ///< A/rpm; 0: not known
 };
 

@@ -192,7 +192,7 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     StepSeries series;
     series.plan = plan->plan;
-    const StepFacts facts{plan->polePairs, plan->speedStepRpm, plan->regulator.proportional};
+    const StepFacts facts{plan->polePairs, plan->regulator.proportional};
     const Nanos hold = std::chrono::nanoseconds(plan->plan.hold).count();
     for (const StepAsked &asked : finder.steps) {
         const auto cut = cutShort(asked, *channels.speed, hold);

@@ -127,7 +127,7 @@ struct Recording {
     }
 };
 
-constexpr StepFacts kFacts{kPolePairs, 6.0, kJump};
+constexpr StepFacts kFacts{kPolePairs, kJump};
 
 #define VERIFY_NEAR(value, expected, within)                                                       \
     QVERIFY2(std::abs((value) - (expected)) <= (within),                                           \
