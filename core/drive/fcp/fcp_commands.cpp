@@ -69,7 +69,7 @@ std::string FcpCommandTask::refuseStart() const
         std::string why;
         const auto number = asNumber(reading.value);
         if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
-            if (const auto stages = revUpStages(*raw))
+            if (const auto stages = motor::revUpOfBytes(*raw))
                 why = refuseStages(m_board, m_command.motor, *stages);
         } else if (number && fcpNumber(reading.id) == kControlMode) {
             if (*number != static_cast<double>(kTorqueModeNumber))

@@ -151,15 +151,4 @@ Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &val
     return fcp::encodeValue(which, Value(*whole), which.writeBytes);
 }
 
-std::optional<std::vector<fcp::RevUpStage>> revUpStages(ByteView raw)
-{
-    if (raw.size() != fcp::kStageBytes * fcp::kRevUpStages)
-        return std::nullopt;
-    std::vector<fcp::RevUpStage> stages;
-    for (std::size_t i = 0; i < fcp::kRevUpStages; ++i)
-        if (auto stage = fcp::decodeRevUp(raw.subspan(i * fcp::kStageBytes, fcp::kStageBytes)))
-            stages.push_back(*stage);
-    return stages;
-}
-
 } // namespace drive

@@ -45,8 +45,4 @@ std::optional<Value> fcpValue(const fcp::Register &which, ByteView data);
 /// The bytes of a write in the full width that firmware reads. Fails with the reason.
 Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &value);
 
-/// The stages in the raw register: five times s32 rpm, s16 digits, u16 ms, as they come in answers; empty if it has
-/// another length.
-std::optional<std::vector<fcp::RevUpStage>> revUpStages(ByteView raw);
-
 } // namespace drive

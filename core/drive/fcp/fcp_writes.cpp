@@ -23,15 +23,14 @@ std::string refuseAddress(const FcpFacts &board, RegisterId id)
 
 } // namespace
 
-std::string refuseStages(
-    const FcpFacts &board, int motor, const std::vector<fcp::RevUpStage> &stages)
+std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages)
 {
     const double amps = board.ampsPerDigit(motor);
-    for (const fcp::RevUpStage &stage : stages) {
+    for (const motor::RevUpStage &stage : stages) {
         if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
             return why;
         if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.torque * amps); !why.empty())
+            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
                 return why;
     }
     return {};
@@ -62,12 +61,12 @@ std::string FcpWriteTask::plan(const RegisterWrite &write)
     readBefore();
     if (isFcpRevUp(id)) {
         const auto *raw = std::get_if<Bytes>(&write.value);
-        const auto stages = raw != nullptr ? revUpStages(*raw) : std::nullopt;
-        if (!stages)
+        const auto stages = motor::revUpOfBytes(raw != nullptr ? *raw : Bytes());
+        if (!stages || stages->size() != fcp::kRevUpStages)
             return "takes 40 bytes";
         std::uint8_t stage = 0;
-        for (const fcp::RevUpStage &one : *stages)
-            this->write({fcpMotor(id), fcp::SetRevUp{stage++, one}});
+        for (const auto &[speed_rpm, torque, duration_ms] : *stages)
+            this->write({fcpMotor(id), fcp::SetRevUp{stage++, {speed_rpm, torque, duration_ms}}});
         return refuseStages(m_board, motor, *stages);
     }
     const fcp::Register *which = fcp::findRegister(m_board.dialect, fcpNumber(id));

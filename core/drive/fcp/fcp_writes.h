@@ -4,12 +4,12 @@
 
 #include "drive/fcp/fcp_protocol.h"
 #include "drive/stepwise_write.h"
+#include "motor/rev_up.h"
 
 namespace drive {
 
 /// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
-std::string refuseStages(
-    const FcpFacts &board, int motor, const std::vector<fcp::RevUpStage> &stages);
+std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages);
 
 class FcpWriteTask final : public StepwiseWrite<FcpProtocol> {
 public:
