@@ -3,7 +3,9 @@
 
 #include "drive/reader.h"
 #include "drive/task.h"
-#include "drive/watch_round.h"
+
+#include <algorithm>
+#include <set>
 
 namespace drive {
 
@@ -15,51 +17,111 @@ public:
     {
     }
 
-    void watch(const Watch &watch, TimePoint now)
+    void watch(const Watch &watch, TimePoint now);
+    void restart(TimePoint now); ///< a new connection: absent registers are asked again, once
+    /// When the next round begins; nothing if there is none.
+    std::optional<TimePoint> due() const
     {
-        m_reader.clear();
-        m_round.watch(watch, now);
-    }
-    void restart(TimePoint now) ///< a new connection
-    {
-        m_reader.clear();
-        m_round.restart(now);
-    }
-    std::optional<TimePoint> due() const { return m_round.due(); }
-
-    std::optional<typename P::Request> nextRequest(TimePoint now) override
-    {
-        if (m_reader.finished())
-            m_reader.start(m_round.begin(now));
-        return m_reader.nextRequest();
-    }
-    void onResponse(const typename P::Answer &response, TimePoint now) override
-    {
-        if (m_reader.finished())
-            return; // the list was changed while this one was asked
-        for (Reading &reading : m_reader.onResponse(response, now))
-            m_round.take(std::move(reading));
-        m_round.planNext(leastPeriod(now), now);
-    }
-    void onNoResponse(std::optional<bool>, TimePoint now) override
-    {
-        if (m_reader.finished())
-            return;
-        m_reader.onNoResponse();
-        m_round.planNext(leastPeriod(now), now);
+        return m_active ? std::optional<TimePoint>(m_due) : std::nullopt;
     }
 
-    std::vector<Reading> takeReadings() { return m_round.takeReadings(); }
+    std::optional<typename P::Request> nextRequest(TimePoint now) override;
+    void onResponse(const typename P::Answer &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
 protected:
     /// Of rounds like this one, so that the link has time for others: half of it.
-    virtual Duration leastPeriod(TimePoint now) const { return 2 * (now - m_round.begun()); }
+    virtual Duration leastPeriod(TimePoint now) const { return 2 * (now - m_begun); }
 
     const typename P::Facts &m_board;
-    WatchRound m_round;
+    TimePoint m_begun; ///< the round
 
 private:
+    std::vector<RegisterId> begin(TimePoint now);
+    void planNext(TimePoint now);
+
     Reader<P> m_reader{m_board};
+    std::vector<RegisterId> m_registers;
+    Duration m_period{};
+    std::set<RegisterId> m_missing; ///< reported once and left out from then on
+    std::vector<Reading> m_readings;
+    TimePoint m_due;
+    bool m_active = false;
 };
+
+template <class P>
+void RegisterWatch<P>::watch(const Watch &watch, TimePoint now)
+{
+    m_registers.clear();
+    for (const RegisterId id : watch.registers)
+        if (std::find(m_registers.begin(), m_registers.end(), id) == m_registers.end())
+            m_registers.push_back(id);
+    m_period = std::max<Duration>(watch.period, std::chrono::milliseconds(1));
+    restart(now);
+}
+
+template <class P>
+void RegisterWatch<P>::restart(TimePoint now)
+{
+    m_reader.clear();
+    m_missing.clear();
+    m_readings.clear();
+    m_active = !m_registers.empty();
+    m_due = now;
+}
+
+/// The registers of a round that begins now, each once; empty: none is due.
+template <class P>
+std::vector<RegisterId> RegisterWatch<P>::begin(TimePoint now)
+{
+    std::vector<RegisterId> ids;
+    if (!m_active || now < m_due)
+        return ids;
+    for (const RegisterId id : m_registers)
+        if (!m_missing.contains(id))
+            ids.push_back(id);
+    m_active = !ids.empty();
+    m_begun = now;
+    return ids;
+}
+
+/// A period after this one, or later where the link needs longer.
+template <class P>
+void RegisterWatch<P>::planNext(TimePoint now)
+{
+    m_due = std::max(now, m_begun + std::max(m_period, leastPeriod(now)));
+}
+
+template <class P>
+std::optional<typename P::Request> RegisterWatch<P>::nextRequest(TimePoint now)
+{
+    if (m_reader.finished())
+        m_reader.start(begin(now));
+    return m_reader.nextRequest();
+}
+
+template <class P>
+void RegisterWatch<P>::onResponse(const typename P::Answer &response, TimePoint now)
+{
+    if (m_reader.finished())
+        return; // the list was changed while this one was asked
+    for (Reading &reading : m_reader.onResponse(response, now)) {
+        if (reading.status != ReadStatus::Ok)
+            m_missing.insert(reading.id);
+        m_readings.push_back(std::move(reading));
+    }
+    planNext(now);
+}
+
+template <class P>
+void RegisterWatch<P>::onNoResponse(std::optional<bool>, TimePoint now)
+{
+    if (m_reader.finished())
+        return;
+    m_reader.onNoResponse();
+    planNext(now);
+}
 
 } // namespace drive

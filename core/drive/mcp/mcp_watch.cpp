@@ -17,7 +17,7 @@ constexpr double kLeastBytesPerSecond =
 
 void McpWatch::onResponse(const ByteView &response, TimePoint now)
 {
-    if (std::exchange(m_counted, m_round.begun()) != m_round.begun())
+    if (std::exchange(m_counted, m_begun) != m_begun)
         m_roundBytes = 0;
     m_roundBytes += response.size() + kPacketOverhead;
     RegisterWatch::onResponse(response, now);
@@ -25,7 +25,7 @@ void McpWatch::onResponse(const ByteView &response, TimePoint now)
 
 Duration McpWatch::leastPeriod(TimePoint) const
 {
-    const std::size_t bytes = m_counted == m_round.begun() ? m_roundBytes : 0;
+    const std::size_t bytes = m_counted == m_begun ? m_roundBytes : 0;
     const double spare = m_board.streaming.linkBytesPerSecond - m_streamLoad;
     return fromSeconds(
         static_cast<double>(bytes) / std::max(spare * kSharePolling, kLeastBytesPerSecond));
