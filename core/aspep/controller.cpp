@@ -218,26 +218,13 @@ void Controller::onNack(TimePoint now)
 
 void Controller::countFault(Framer::Step what)
 {
-    switch (what) {
-    case Framer::Step::BadHeaderCrc:
-        ++m_stats.badHeaderCrc;
-        break;
-    case Framer::Step::UnknownType:
-        ++m_stats.unknownType;
-        break;
-    case Framer::Step::Inconsistent:
-        ++m_stats.inconsistent;
-        break;
-    case Framer::Step::TooLong:
-        ++m_stats.tooLong;
-        break;
-    case Framer::Step::BadPayloadCrc:
-        ++m_stats.badPayloadCrc;
-        break;
-    case Framer::Step::NeedBytes:
-    case Framer::Step::Packet:
-        break;
-    }
+    using Step = Framer::Step;
+    static constexpr std::pair<Step, std::uint64_t Stats::*> kCounters[] = {
+        {Step::BadHeaderCrc, &Stats::badHeaderCrc}, {Step::UnknownType, &Stats::unknownType},
+        {Step::Inconsistent, &Stats::inconsistent}, {Step::TooLong, &Stats::tooLong},
+        {Step::BadPayloadCrc, &Stats::badPayloadCrc}};
+    for (const auto &[step, counter] : kCounters)
+        m_stats.*counter += step == what ? 1 : 0;
 }
 
 void Controller::damage()
