@@ -54,17 +54,20 @@ constexpr NamedValue kFlags2[] = {{0x0001, "over-modulation"}, {0x0002, "discont
     {0x2000, "profiler"}, {0x4000, "CPU load measurement"}, {0x8000, "open-loop debug"}};
 
 struct Table {
-    std::string_view registerName;
+    std::string_view registerName; ///< or the key of a field, as mcp/structure_fields.cpp has it
     std::span<const NamedValue> values;
 };
 const Table kEnumerations[] = {{"STATUS", kStatus}, {"CONTROL_MODE", kControlMode},
     {"FOC_CONTROLMODE", kControlMode}, {"FOC_CONTROLMODE_NEW", kControlMode},
     {"POSITION_CTRL_STATE", kPositionControl}, {"POSITION_ALIGN_STATE", kPositionAlign},
     {"FOC_MODULATIONMODE", kModulation}, {"FOC_SPEED_SOURCE_SELECT", kSpeedSource},
-    {"FOC_RS_UPDATE_SELECT", kRsUpdate}, {"PROFILER_COMMAND", kProfilerCommand}};
+    {"FOC_RS_UPDATE_SELECT", kRsUpdate}, {"PROFILER_COMMAND", kProfilerCommand},
+    {"drive type", kDriveTypes}, {"primary sensor", kSensors}, {"auxiliary sensor", kSensors},
+    {"topology", kTopologies}, {"drive mode", kDriveModes}};
 const Table kFlagRegisters[] = {{"FAULTS_FLAGS", kFaults}, {"PFC_FAULTS", kPfcFaults},
     {"START_CONFIGURATION", kStartConfiguration}, {"LOWSIDE_MODULATION", kSteps},
-    {"OPENLOOP_SENSING", kSteps}};
+    {"OPENLOOP_SENSING", kSteps}, {"flags", kTransports}, {"flags 1", kFlags1},
+    {"flags 2", kFlags2}};
 
 template <std::size_t N>
 std::span<const NamedValue> findTable(const Table (&tables)[N], std::string_view registerName)
@@ -123,25 +126,5 @@ std::span<const NamedValue> namedFlags(std::string_view registerName)
 }
 
 bool holdsPastFaults(std::string_view registerName) { return registerName == "FAULTS_FLAGS"; }
-
-std::string driveTypeName(std::uint8_t driveType) { return nameIn(kDriveTypes, driveType); }
-
-std::string speedSensorName(std::uint8_t sensor) { return nameIn(kSensors, sensor); }
-
-std::string currentSensingName(std::uint8_t topology) { return nameIn(kTopologies, topology); }
-
-std::string driveModeName(std::uint8_t mode) { return nameIn(kDriveModes, mode); }
-
-std::vector<std::string> transportNames(std::uint8_t flags) { return bitsIn(kTransports, flags); }
-
-std::vector<std::string> configurationFlag1Names(std::uint16_t flags)
-{
-    return bitsIn(kFlags1, flags);
-}
-
-std::vector<std::string> configurationFlag2Names(std::uint16_t flags)
-{
-    return bitsIn(kFlags2, flags);
-}
 
 } // namespace catalog

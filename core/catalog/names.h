@@ -15,8 +15,8 @@ struct NamedValue {
     std::string_view name;
 };
 
-/// Named values of an enumeration register (STATUS, CONTROL_MODE, ...) by its standard name; empty
-/// if it has none.
+/// Named values of an enumeration register (STATUS, CONTROL_MODE, ...) by its standard name, or of a field of the
+/// configuration structures ("drive type", "flags 1", ...) by its key; empty if it has none.
 std::span<const NamedValue> namedValues(std::string_view registerName);
 /// The name of one value; the number itself where it has none.
 std::string valueName(std::string_view registerName, std::int64_t value);
@@ -29,14 +29,5 @@ std::vector<std::string> flagNames(std::string_view registerName, std::uint32_t 
 bool holdsPastFaults(std::string_view registerName);
 /// Every bit of a flags register that has a name; `value` is the mask.
 std::span<const NamedValue> namedFlags(std::string_view registerName);
-
-// Fields of the configuration structures.
-std::string driveTypeName(std::uint8_t driveType);
-std::string speedSensorName(std::uint8_t sensor);
-std::string currentSensingName(std::uint8_t topology);
-std::string driveModeName(std::uint8_t mode); ///< of a six-step build
-std::vector<std::string> transportNames(std::uint8_t flags);
-std::vector<std::string> configurationFlag1Names(std::uint16_t flags);
-std::vector<std::string> configurationFlag2Names(std::uint16_t flags);
 
 } // namespace catalog

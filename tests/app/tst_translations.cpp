@@ -227,15 +227,15 @@ void TestTranslations::everyNameInAStructureIsTranslated()
 {
     QTranslator translator;
     QVERIFY(translator.load(QStringLiteral(":/i18n/registers_de.qm")));
-    std::vector<std::string> names = catalog::configurationFlag1Names(0xFFFF);
+    std::vector<std::string> names = catalog::flagNames("flags 1", 0xFFFF);
     const auto append = [&names](const std::vector<std::string> &more) {
         names.insert(names.end(), more.begin(), more.end());
     };
-    append(catalog::configurationFlag2Names(0xFFFF));
-    append(catalog::transportNames(0xFF));
+    append(catalog::flagNames("flags 2", 0xFFFF));
+    append(catalog::flagNames("flags", 0xFF));
     for (std::uint8_t number = 0; number < 16; ++number)
-        append({catalog::driveTypeName(number), catalog::speedSensorName(number),
-            catalog::currentSensingName(number), catalog::driveModeName(number)});
+        for (const char *key : {"drive type", "primary sensor", "topology", "drive mode"})
+            append({catalog::valueName(key, number)});
     int words = 0;
     for (const std::string &name : names) {
         const QString text = QString::fromStdString(name);

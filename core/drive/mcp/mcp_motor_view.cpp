@@ -116,25 +116,11 @@ void nameValue(StructureField &field)
     const auto *whole = std::get_if<std::int64_t>(&field.value);
     if (whole == nullptr)
         return;
-    const auto byte = static_cast<std::uint8_t>(*whole);
-    const auto word = static_cast<std::uint16_t>(*whole);
-    if (field.key == "drive type") {
-        field.names = {catalog::driveTypeName(byte)};
-    } else if (field.key == "primary sensor" || field.key == "auxiliary sensor") {
-        field.names = {catalog::speedSensorName(byte)};
-    } else if (field.key == "topology") {
-        field.names = {catalog::currentSensingName(byte)};
-    } else if (field.key == "drive mode") {
-        field.names = {catalog::driveModeName(byte)};
-    } else if (field.key == "flags 1") {
-        field.flags = true;
-        field.names = catalog::configurationFlag1Names(word);
-    } else if (field.key == "flags 2") {
-        field.flags = true;
-        field.names = catalog::configurationFlag2Names(word);
-    } else if (field.key == "flags") {
-        field.flags = true;
-        field.names = catalog::transportNames(byte);
+    field.flags = !catalog::namedFlags(field.key).empty();
+    if (field.flags) {
+        field.names = catalog::flagNames(field.key, static_cast<std::uint32_t>(*whole));
+    } else if (!catalog::namedValues(field.key).empty()) {
+        field.names = {catalog::valueName(field.key, *whole)};
     } else if (field.key == "version") { // one byte each: 0xMMmmpp00
         const auto part = [&](int shift) { return std::to_string(*whole >> shift & 0xFF); };
         field.names = {part(24) + '.' + part(16) + '.' + part(8)};
@@ -180,9 +166,8 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
     facts.limits = limitsOf(board);
     if (const auto config = mcp::decodeFirmwareConfig(structure("FOCFW_CONFIG"))) {
         facts.sixStep = facts.sixStep || config->sixStep;
-        constexpr std::uint8_t kEncoder = 3, kHall = 4;
         if (config->primarySensor == kEncoder || config->primarySensor == kHall)
-            facts.angleSensor = catalog::speedSensorName(config->primarySensor);
+            facts.angleSensor = catalog::valueName("primary sensor", config->primarySensor);
         if (!config->sixStep && config->pwmHz > 0 && config->mediumHz > 0) {
             facts.controlPeriod_s = static_cast<double>(config->focRate) / config->pwmHz;
             facts.speedPeriod_s = 1.0 / config->mediumHz;

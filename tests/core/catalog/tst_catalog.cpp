@@ -215,12 +215,12 @@ void TestCatalog::statesFaultsAndFlagsHaveNames()
     QCOMPARE(faultNames(0x0006), (std::vector<std::string>{"OVER_VOLT", "UNDER_VOLT"}));
     QCOMPARE(faultNames(0x0800), std::vector<std::string>{"bit 11"});
     QCOMPARE(flagNames("FAULTS_FLAGS", 0x40), std::vector<std::string>{"OVER_CURR"});
-    QCOMPARE(speedSensorName(1), "observer + PLL");
-    QCOMPARE(driveTypeName(0), "FOC");
-    QCOMPARE(currentSensingName(0), "three shunts");
-    QCOMPARE(configurationFlag1Names(0x0201),
+    QCOMPARE(valueName("primary sensor", 1), "observer + PLL");
+    QCOMPARE(valueName("drive type", 0), "FOC");
+    QCOMPARE(valueName("topology", 0), "three shunts");
+    QCOMPARE(flagNames("flags 1", 0x0201),
         (std::vector<std::string>{"flux weakening", "bus voltage sensing"}));
-    QCOMPARE(configurationFlag2Names(0x2000), std::vector<std::string>{"profiler"});
+    QCOMPARE(flagNames("flags 2", 0x2000), std::vector<std::string>{"profiler"});
     for (const RegisterInfo &info : table("std", k642))
         if (info.meaning == Meaning::Enumeration && info.name != "PFC_STATUS"
             && info.name != "HT_STATE")
