@@ -265,7 +265,6 @@ void Client::recover(TimePoint now)
     m_round = 0;
     m_gentle = m_motorDriven;
     m_state = State::Recovering;
-    m_events.emplace_back(Recovering{});
     silence(now);
 }
 

@@ -62,13 +62,12 @@ public:
     };
     struct Restarted { }; ///< the board said that it has just started
     struct Suspect { }; ///< asked, and nothing heard for a while
-    struct Recovering { };
     struct Lost {
         bool heardBytes = false; ///< something came, though never an answer
         bool otherProtocol = false; ///< a board of the newer protocol refused
         bool connecting = false; ///< it was never there
     };
-    using Event = std::variant<Connected, Answer, NoAnswer, Restarted, Suspect, Recovering, Lost>;
+    using Event = std::variant<Connected, Answer, NoAnswer, Restarted, Suspect, Lost>;
 
     struct Stats {
         std::uint64_t bytesIn = 0, bytesOut = 0, framesIn = 0, framesOut = 0;

@@ -1,6 +1,5 @@
 #include "drive/fcp/fcp_drive.h"
 
-#include "base/overloaded.h"
 #include "drive/drawn_watch.h"
 #include "drive/fcp/fcp_commands.h"
 #include "drive/fcp/fcp_identification.h"
@@ -45,10 +44,16 @@ private:
 
     // what the link tells
     void onLinkEvents(TimePoint now) override;
-    void onConnected(const Link::Connected &event, TimePoint now);
-    void onAnswer(const Link::Answer &event, TimePoint now);
-    void onRestarted(TimePoint now);
-    void onLost(const Link::Lost &event, TimePoint now);
+    void on(const Link::Connected &event, TimePoint now);
+    void on(const Link::Answer &event, TimePoint now);
+    void on(const Link::NoAnswer &event, TimePoint now)
+    {
+        if (m_task != nullptr)
+            passLoss(event.executed, now);
+    }
+    void on(const Link::Restarted &event, TimePoint now);
+    void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
+    void on(const Link::Lost &event, TimePoint now);
     void onIdentified(TimePoint now) override;
     void tellIdentified();
     bool connected() const override { return m_link.connected(); }
@@ -84,24 +89,11 @@ FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
 
 void FcpDrive::onLinkEvents(TimePoint now)
 {
-    for (const Link::Event &event : m_link.takeEvents()) {
-        std::visit(Overloaded{
-                       [&](const Link::Connected &what) { onConnected(what, now); },
-                       [&](const Link::Answer &what) { onAnswer(what, now); },
-                       [&](const Link::NoAnswer &what) {
-                           if (m_task != nullptr)
-                               passLoss(what.executed, now);
-                       },
-                       [&](const Link::Restarted &) { onRestarted(now); },
-                       [&](const Link::Suspect &) { m_suspect = true; },
-                       [&](const Link::Recovering &) {},
-                       [&](const Link::Lost &what) { onLost(what, now); },
-                   },
-            event);
-    }
+    for (const Link::Event &event : m_link.takeEvents())
+        std::visit([&](const auto &what) { on(what, now); }, event);
 }
 
-void FcpDrive::onConnected(const Link::Connected &event, TimePoint now)
+void FcpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
     if (event.again && m_board.identified && !m_reidentify)
@@ -111,7 +103,7 @@ void FcpDrive::onConnected(const Link::Connected &event, TimePoint now)
         event.board);
 }
 
-void FcpDrive::onAnswer(const Link::Answer &event, TimePoint now)
+void FcpDrive::on(const Link::Answer &event, TimePoint now)
 {
     m_suspect = false;
     if (m_task != nullptr)
@@ -121,7 +113,7 @@ void FcpDrive::onAnswer(const Link::Answer &event, TimePoint now)
 }
 
 /// Whatever was known of it is void, and this board is not armed.
-void FcpDrive::onRestarted(TimePoint now)
+void FcpDrive::on(const Link::Restarted &, TimePoint now)
 {
     m_restarted = true;
     m_reidentify = true;
@@ -132,7 +124,7 @@ void FcpDrive::onRestarted(TimePoint now)
     m_link.connect(now);
 }
 
-void FcpDrive::onLost(const Link::Lost &event, TimePoint now)
+void FcpDrive::on(const Link::Lost &event, TimePoint now)
 {
     m_reidentify = true;
     linkLost(event.otherProtocol ? LinkReason::OtherProtocol
