@@ -17,7 +17,6 @@ namespace {
 
 using Link = mcb::Master;
 
-/// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
 /// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that,
 /// or the length of its frames found, without which no STOP may be of use.
 constexpr Duration kOwnTurn = std::chrono::milliseconds(130);
@@ -36,13 +35,6 @@ LinkReason reasonOf(mcb::Master::Cause cause)
     default:
         return LinkReason::NoAnswer;
     }
-}
-
-mcb::Master::Config linkConfig(const LineOptions &line)
-{
-    mcb::Master::Config link;
-    link.patience = line.patience;
-    return link;
 }
 
 class McbDrive final : public TaskDrive<McbProtocol> {
@@ -121,7 +113,7 @@ private:
 };
 
 McbDrive::McbDrive(const LineOptions &line)
-    : TaskDrive(linkConfig(line))
+    : TaskDrive({.patience = line.patience})
 {
     m_board.motorsCounted = true; // one, always
     // What a stop needs before anything was told.

@@ -18,16 +18,8 @@ namespace {
 
 using Link = aspep::Controller;
 
-Link::Config linkConfig(const LineOptions &line, Search search)
-{
-    Link::Config link;
-    constexpr int kHastyOffers = 3; // a third of a second each at 115200 baud
-    if (search == Search::Hasty) // into silence a second of Beacons is enough
-        link.firstSilentOffers = kHastyOffers;
-    link.baud = line.baud;
-    link.patience = line.patience;
-    return link;
-}
+/// Where another protocol is tried next a second of Beacons into silence is enough: a third of a second each at 115200 baud.
+constexpr int kHastyOffers = 3;
 
 LinkReason reasonOf(Link::LostReason reason)
 {
@@ -58,7 +50,9 @@ Bytes stopOf(int motor)
 class McpDrive final : public TaskDrive<McpProtocol> {
 public:
     McpDrive(const LineOptions &line, Search search)
-        : TaskDrive(linkConfig(line, search))
+        : TaskDrive({.baud = line.baud,
+            .patience = line.patience,
+            .firstSilentOffers = search == Search::Hasty ? kHastyOffers : Link::kSilentOffers})
     {
         m_board.baud = line.baud;
     }
