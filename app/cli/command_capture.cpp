@@ -112,9 +112,6 @@ private:
 
 Outcome<int> CaptureRun::run()
 {
-    const auto motor = m_desk.checkMotor();
-    if (!motor)
-        return motor;
     const auto wanted = stream();
     if (!wanted)
         return tl::make_unexpected(wanted.error());

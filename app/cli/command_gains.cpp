@@ -245,10 +245,7 @@ drive::Write writeOf(const GainPlan &plan, const Present &present)
 
 Outcome<int> runGains(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
-    const auto facts = readMotorFacts(desk, *motor);
+    const auto facts = readMotorFacts(desk);
     if (!facts)
         return tl::make_unexpected(facts.error());
     std::vector<std::string> names;
@@ -256,7 +253,7 @@ Outcome<int> runGains(Desk &desk)
         names.emplace_back(gain.name);
         names.push_back(std::string(gain.name) + "_DIV");
     }
-    const auto present = readDigits(desk, names, *motor);
+    const auto present = readDigits(desk, names);
     if (!present)
         return tl::make_unexpected(present.error());
     const TuningArguments &wanted = desk.arguments.tuning;

@@ -10,9 +10,6 @@ namespace {
 
 Outcome<int> runHeader(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
     const auto board = readBoard(desk, snapshots::Scope::Tunable);
     if (!board)
         return tl::make_unexpected(board.error());
@@ -20,11 +17,11 @@ Outcome<int> runHeader(Desk &desk)
         return failure(kDataLost,
             QStringLiteral("The board never answered for %1, so nothing was written; try again.")
                 .arg(board->unanswered.join(QStringLiteral(", "))));
-    const auto facts = readMotorFacts(desk, *motor);
+    const auto facts = readMotorFacts(desk);
     if (!facts)
         return tl::make_unexpected(facts.error());
-    const QByteArray text = QByteArray::fromStdString(
-        snapshots::driveParametersHeader(board->snapshot, *motor, facts->ampsPerDigit));
+    const QByteArray text = QByteArray::fromStdString(snapshots::driveParametersHeader(
+        board->snapshot, desk.arguments.motor, facts->ampsPerDigit));
     const auto macros = text.count("\n#define ") - 1; // without the guard
     if (macros <= 0)
         return failure(kRefused,

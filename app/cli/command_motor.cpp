@@ -35,8 +35,9 @@ Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, c
 }
 
 /// What a start would go to, read now.
-Outcome<drive::StartTarget> startTarget(Desk &desk, int motor)
+Outcome<drive::StartTarget> startTarget(Desk &desk)
 {
+    const int motor = desk.arguments.motor;
     const auto readings = desk.talk.read(drive::startRegisters(desk.catalog(), motor));
     if (!readings)
         return tl::make_unexpected(readings.error());
@@ -59,16 +60,14 @@ QString targetText(const drive::StartTarget &target)
 
 Outcome<int> runStart(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
-    const auto target = startTarget(desk, *motor);
+    const auto target = startTarget(desk);
     if (!target)
         return tl::make_unexpected(target.error());
     if (!desk.out.json())
         desk.out.line(targetText(*target));
-    const auto done = commandMotor(
-        desk, drive::Command{drive::MotorAction::Start, *motor}, QStringLiteral("The start"));
+    const auto done =
+        commandMotor(desk, drive::Command{drive::MotorAction::Start, desk.arguments.motor},
+            QStringLiteral("The start"));
     // Interrupted half-way, the motor may be on its way: it is this run's to stop.
     if (!done && done.error().status > kInterrupted)
         (void)desk.talk.stop(0ms);
@@ -97,15 +96,12 @@ Outcome<int> runStop(const Arguments &arguments, Output &out)
 
 Outcome<int> runAcknowledge(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
-    const auto done =
-        commandMotor(desk, drive::Command{drive::MotorAction::AcknowledgeFaults, *motor},
-            QStringLiteral("The acknowledgement"));
+    const auto done = commandMotor(desk,
+        drive::Command{drive::MotorAction::AcknowledgeFaults, desk.arguments.motor},
+        QStringLiteral("The acknowledgement"));
     if (!done)
         return done;
-    const auto status = desk.talk.status(*motor);
+    const auto status = desk.talk.status(desk.arguments.motor);
     if (status && !status->faultsNow.empty())
         return failure(kRefused,
             QStringLiteral("The fault is still present: %1; remove its cause first.")
@@ -115,12 +111,9 @@ Outcome<int> runAcknowledge(Desk &desk)
 
 Outcome<int> runRamp(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
     const RampArguments &ramp = desk.arguments.ramp;
     return commandMotor(desk,
-        drive::SpeedRamp{.motor = *motor,
+        drive::SpeedRamp{.motor = desk.arguments.motor,
             .rpm = ramp.rpm,
             .duration = std::chrono::milliseconds(ramp.milliseconds)},
         QStringLiteral("The ramp"),
@@ -129,15 +122,12 @@ Outcome<int> runRamp(Desk &desk)
 
 Outcome<int> runTorque(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
     const TuningArguments &torque = desk.arguments.tuning;
     if (desk.arguments.limits.maxSpeedRpm > 0.0 && torque.amps != 0.0)
         Output::error(
             QStringLiteral("In torque control nothing keeps the speed within --max-rpm."));
     return commandMotor(desk,
-        drive::TorqueRamp{.motor = *motor,
+        drive::TorqueRamp{.motor = desk.arguments.motor,
             .amps = torque.amps,
             .duration = std::chrono::milliseconds(torque.milliseconds)},
         QStringLiteral("The ramp"),
@@ -170,15 +160,6 @@ Outcome<bool> readTorque(const Given &given, Arguments &arguments)
 }
 
 } // namespace
-
-Outcome<int> Desk::checkMotor() const
-{
-    if (arguments.motor <= board.identity.motors)
-        return arguments.motor;
-    return failure(kUsage,
-        QStringLiteral("The board has no motor %1, only %2.")
-            .arg(QString::number(arguments.motor), QString::number(board.identity.motors)));
-}
 
 const Command kStart{.name = "start",
     .help = "Starts the motor.",

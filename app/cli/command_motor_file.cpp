@@ -109,9 +109,6 @@ void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet 
 
 Outcome<int> runMotor(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
     const QString path = desk.arguments.words.value(0);
     std::optional<motor::MotorSheet> file;
     if (!path.isEmpty()) {
@@ -123,7 +120,7 @@ Outcome<int> runMotor(Desk &desk)
                     + QLatin1Char('.'));
         file = read->sheet();
     }
-    const auto facts = readMotorFacts(desk, *motor);
+    const auto facts = readMotorFacts(desk);
     if (!facts)
         return tl::make_unexpected(facts.error());
     const QString &target = desk.arguments.tuning.file;

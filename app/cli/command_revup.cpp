@@ -168,13 +168,10 @@ Outcome<int> writeStages(
 
 Outcome<int> runRevUp(Desk &desk)
 {
-    const auto motor = desk.checkMotor();
-    if (!motor)
-        return motor;
-    const auto facts = readMotorFacts(desk, *motor);
+    const auto facts = readMotorFacts(desk);
     if (!facts)
         return tl::make_unexpected(facts.error());
-    const auto id = registerOf(desk, "REVUP_DATA", *motor);
+    const auto id = registerOf(desk, "REVUP_DATA");
     if (!id || !(facts->ampsPerDigit > 0.0))
         return failure(kRefused,
             QStringLiteral(

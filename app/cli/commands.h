@@ -16,7 +16,6 @@ struct Desk {
     Output &out;
 
     const catalog::Catalog &catalog() const { return *board.catalog; }
-    Outcome<int> checkMotor() const; ///< the motor that is meant, if the board has it
 };
 
 /// A command. Its functions give the exit status, or the failure that ends the program.
@@ -33,7 +32,7 @@ struct Command {
     bool canMove = false; ///< it can move a motor, or write what moves it
     bool ownsMotor =
         false; ///< a motor that it moved goes back to what it was, or is stopped if this program dies
-    bool ofOneMotor = false; ///< it has --motor
+    bool ofOneMotor = false; ///< it has --motor, and runs if the board has that one
     bool numbers = false; ///< its words may be negative
     Outcome<int> (*run)(Desk &) = nullptr; ///< with a board
     /// Before a board is met, or without one. Where both are there, this is for runs without --port.

@@ -73,6 +73,11 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
         return tl::make_unexpected(board.error());
     if (const auto bounded = talk.bound(*board); !bounded)
         return tl::make_unexpected(bounded.error());
+    const int motors = board->identity.motors;
+    if (arguments.command->ofOneMotor && arguments.motor > motors)
+        return failure(kUsage,
+            QStringLiteral("The board has no motor %1, only %2.")
+                .arg(QString::number(arguments.motor), QString::number(motors)));
     Desk desk{arguments, talk, *board, out};
     return arguments.command->run(desk);
 }

@@ -2,13 +2,14 @@
 
 namespace cli {
 
-std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name, int motor)
+std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name)
 {
-    return desk.catalog().resolve(name + "@" + std::to_string(motor));
+    return desk.catalog().resolve(name + "@" + std::to_string(desk.arguments.motor));
 }
 
-Outcome<drive::MotorFacts> readMotorFacts(Desk &desk, int motor)
+Outcome<drive::MotorFacts> readMotorFacts(Desk &desk)
 {
+    const int motor = desk.arguments.motor;
     const auto readings = desk.talk.read(drive::motorRegisters(desk.catalog(), motor));
     if (!readings)
         return tl::make_unexpected(readings.error());
@@ -22,12 +23,12 @@ Outcome<drive::MotorFacts> readMotorFacts(Desk &desk, int motor)
 }
 
 Outcome<std::map<std::string, Digits16>> readDigits(
-    Desk &desk, const std::vector<std::string> &names, int motor)
+    Desk &desk, const std::vector<std::string> &names)
 {
     std::vector<drive::RegisterId> ids;
     std::vector<std::string> asked;
     for (const std::string &name : names) {
-        if (const auto id = registerOf(desk, name, motor)) {
+        if (const auto id = registerOf(desk, name)) {
             ids.push_back(*id);
             asked.push_back(name);
         }

@@ -1,4 +1,4 @@
-// What the board says about a motor and about itself, asked for by a command.
+// What the board says about the motor that is meant and about itself, asked for by a command.
 #pragma once
 
 #include "commands.h"
@@ -7,10 +7,10 @@
 namespace cli {
 
 /// What it does not say is 0.
-Outcome<drive::MotorFacts> readMotorFacts(Desk &desk, int motor);
+Outcome<drive::MotorFacts> readMotorFacts(Desk &desk);
 
 /// NAME@MOTOR; empty if this firmware has no such register.
-std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name, int motor);
+std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name);
 
 /// A whole number that the board holds.
 struct Digits16 {
@@ -19,6 +19,6 @@ struct Digits16 {
 };
 /// Registers by name that this build has, in order; the others are left out.
 Outcome<std::map<std::string, Digits16>> readDigits(
-    Desk &desk, const std::vector<std::string> &names, int motor);
+    Desk &desk, const std::vector<std::string> &names);
 
 } // namespace cli

@@ -27,10 +27,7 @@ ExperimentRun::ExperimentRun(Desk &desk)
 
 Outcome<lab::Subject> ExperimentRun::subject() const
 {
-    const auto motor = m_desk.checkMotor();
-    if (!motor)
-        return tl::make_unexpected(motor.error());
-    auto found = lab::subjectOf(m_desk.board, *motor);
+    auto found = lab::subjectOf(m_desk.board, m_desk.arguments.motor);
     if (!found)
         return failure(
             kRefused, QStringLiteral("Nothing can be measured. %1").arg(text(found.error())));

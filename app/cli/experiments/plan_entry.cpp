@@ -13,7 +13,7 @@ Outcome<std::optional<lab::SpeedLoop>> readSpeedLoop(Desk &desk, const lab::Subj
     const auto read = desk.talk.read(ids);
     if (!read)
         return tl::make_unexpected(read.error());
-    const auto facts = readMotorFacts(desk, subject.motor);
+    const auto facts = readMotorFacts(desk);
     if (!facts)
         return tl::make_unexpected(facts.error());
     return lab::speedLoopOf(
