@@ -41,11 +41,11 @@ WavWriter::WavWriter(const Snapshot &channels, std::optional<TimeSpan> range)
             m_channels.push_back(&channel);
     }
     if (m_channels.empty()) {
-        m_problem = WavProblem::NoFastSamples;
+        m_problem = ExportProblem::NoFastSamples;
         return;
     }
     if (m_channels.size() > kMostChannels) {
-        m_problem = WavProblem::TooManyChannels;
+        m_problem = ExportProblem::TooManySignals;
         return;
     }
     constexpr auto kEver = std::numeric_limits<Nanos>::max();
@@ -55,9 +55,9 @@ WavWriter::WavWriter(const Snapshot &channels, std::optional<TimeSpan> range)
         return;
     findRuns(from, to);
     if (m_frames == 0)
-        m_problem = WavProblem::NoFastSamples;
+        m_problem = ExportProblem::NoFastSamples;
     else if (m_frames > kMostDataBytes / (2 * m_channels.size()))
-        m_problem = WavProblem::TooLong;
+        m_problem = ExportProblem::TooLong;
 }
 
 /// The one rate of all samples in [from, to); false if there is none.
@@ -71,12 +71,12 @@ bool WavWriter::findRate(Nanos from, Nanos to)
             if (!one)
                 one = &segment;
             if (segment.base.milliHz != one->base.milliHz || segment.step != one->step)
-                m_problem = WavProblem::DifferentRates;
+                m_problem = ExportProblem::DifferentRates;
         }
     }
     if (!one)
-        m_problem = WavProblem::NoFastSamples;
-    if (m_problem != WavProblem::None)
+        m_problem = ExportProblem::NoFastSamples;
+    if (m_problem != ExportProblem::None)
         return false;
     m_rate = static_cast<std::uint32_t>(
         std::lround(static_cast<double>(one->base.milliHz) / 1000.0 / one->step));
@@ -139,7 +139,7 @@ bool WavWriter::next(std::string_view &bytes)
 /// Appends to m_piece, which is empty.
 bool WavWriter::makePiece()
 {
-    if (m_problem != WavProblem::None || m_part == Part::Over)
+    if (m_problem != ExportProblem::None || m_part == Part::Over)
         return false;
     if (m_part == Part::Head) {
         m_piece = head();

@@ -15,11 +15,12 @@
 
 namespace capture {
 
-enum class WavProblem : std::uint8_t {
+/// Why signals do not fit a format. Nothing is written then.
+enum class ExportProblem : std::uint8_t {
     None,
-    NoFastSamples, ///< in the range, at which all channels have one
-    DifferentRates, ///< in the range; one file has one rate
-    TooManyChannels, ///< more than 64
+    NoFastSamples, ///< in the range, at which all fast signals have one
+    DifferentRates, ///< in the range, of signals that have to share one
+    TooManySignals, ///< in a WAV file more than 64
     TooLong, ///< 4 GiB is the end of a WAV file
 };
 
@@ -31,7 +32,7 @@ public:
     /// @param channels  those that are not fast are left out
     explicit WavWriter(const Snapshot &channels, std::optional<TimeSpan> range = {});
 
-    WavProblem problem() const { return m_problem; }
+    ExportProblem problem() const { return m_problem; }
     /// Shows the next piece, about 1 MiB, good until the following call. False when all is written, or with a problem.
     bool next(std::string_view &bytes);
     double progress() const; ///< 0..1
@@ -63,7 +64,7 @@ private:
     std::string m_piece; ///< shown last
     std::vector<Run> m_runs;
     std::vector<Gap> m_gaps;
-    WavProblem m_problem = WavProblem::None;
+    ExportProblem m_problem = ExportProblem::None;
     std::uint32_t m_rate = 0;
     std::uint64_t m_frames = 0;
     std::uint64_t m_written = 0; ///< frames

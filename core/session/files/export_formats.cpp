@@ -2,7 +2,6 @@
 
 #include "capture/csv_export.h"
 #include "capture/npy_export.h"
-#include "capture/wav_export.h"
 #include "session/files/mat_file.h"
 
 #include <algorithm>
@@ -32,28 +31,11 @@ ExportOutcome writeCsv(const QString &path, const ExportWanted &wanted, const Pr
     return {file, ExportProblem::None, writer.rows()};
 }
 
-ExportProblem problemOf(capture::WavProblem problem)
-{
-    switch (problem) {
-    case capture::WavProblem::None:
-        break;
-    case capture::WavProblem::NoFastSamples:
-        return ExportProblem::NoFastSamples;
-    case capture::WavProblem::DifferentRates:
-        return ExportProblem::DifferentRates;
-    case capture::WavProblem::TooManyChannels:
-        return ExportProblem::TooManySignals;
-    case capture::WavProblem::TooLong:
-        return ExportProblem::TooLong;
-    }
-    return ExportProblem::None;
-}
-
 ExportOutcome writeWav(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
 {
     capture::WavWriter writer(wanted.channels, wanted.range);
-    if (writer.problem() != capture::WavProblem::None)
-        return {{}, problemOf(writer.problem()), 0};
+    if (writer.problem() != ExportProblem::None)
+        return {{}, writer.problem(), 0};
     const FileResult file = written(path, writer, proceed);
     return {file, ExportProblem::None, writer.frames()};
 }

@@ -1,7 +1,7 @@
 // The formats that signals are written in: a row each, which is all that the programs know of a format.
 #pragma once
 
-#include "capture/capture.h"
+#include "capture/wav_export.h"
 #include "session/files/piece_file.h"
 
 #include <span>
@@ -13,14 +13,7 @@ struct ExportWanted {
     std::optional<capture::TimeSpan> range; ///< all if not set
 };
 
-/// Why signals do not fit a format. Nothing is written then.
-enum class ExportProblem : std::uint8_t {
-    None,
-    NoFastSamples, ///< in the range, at which all fast signals have one
-    DifferentRates, ///< of signals that have to share one
-    TooManySignals,
-    TooLong,
-};
+using capture::ExportProblem;
 
 struct ExportOutcome {
     FileResult file;

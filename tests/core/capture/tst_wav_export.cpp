@@ -114,7 +114,7 @@ void TestWavExport::everyCodeIsInItsPlace()
         append(capture, 1, tick, int(std::min<Tick>(1000, kCount - tick)));
     capture.appendPolled(9, "U", "V", 0.6, 1.0); // not fast: left out
     WavWriter writer(all(capture));
-    QCOMPARE(writer.problem(), WavProblem::None);
+    QCOMPARE(writer.problem(), ExportProblem::None);
     const Wav wav = parse(write(writer));
     QCOMPARE(wav.rate, 16000U);
     QCOMPARE(wav.channels.size(), std::size_t(2));
@@ -217,23 +217,23 @@ void TestWavExport::onlyRatesInTheRangeCount()
     const Snapshot channels = all(capture);
     QCOMPARE(channels->size(), 2U);
     const WavWriter fast(channels, TimeSpan{0.0, 0.51});
-    QCOMPARE(fast.problem(), WavProblem::None);
+    QCOMPARE(fast.problem(), ExportProblem::None);
     QCOMPARE(fast.rate(), 16000U);
     QCOMPARE(fast.frames(), 160U);
     const WavWriter slow(channels, TimeSpan{0.51, 1.0});
-    QCOMPARE(slow.problem(), WavProblem::None);
+    QCOMPARE(slow.problem(), ExportProblem::None);
     QCOMPARE(slow.rate(), 8000U);
     QCOMPARE(slow.frames(), 80U);
-    QCOMPARE(WavWriter(channels, TimeSpan{0.5, 0.5101}).problem(), WavProblem::DifferentRates);
-    QCOMPARE(WavWriter(channels).problem(), WavProblem::DifferentRates);
-    QCOMPARE(WavWriter(channels, TimeSpan{2.0, 3.0}).problem(), WavProblem::NoFastSamples);
+    QCOMPARE(WavWriter(channels, TimeSpan{0.5, 0.5101}).problem(), ExportProblem::DifferentRates);
+    QCOMPARE(WavWriter(channels).problem(), ExportProblem::DifferentRates);
+    QCOMPARE(WavWriter(channels, TimeSpan{2.0, 3.0}).problem(), ExportProblem::NoFastSamples);
 }
 
 void TestWavExport::whatCannotBeAWavFileIsNamed()
 {
     Capture none;
     none.appendPolled(9, "U", "V", 0.6, 1.0);
-    QCOMPARE(WavWriter(all(none)).problem(), WavProblem::NoFastSamples);
+    QCOMPARE(WavWriter(all(none)).problem(), ExportProblem::NoFastSamples);
     Capture rates;
     rates.begin(layout());
     append(rates, 1, 0, 10);
@@ -242,7 +242,7 @@ void TestWavExport::whatCannotBeAWavFileIsNamed()
     slower.fastStep = 2;
     rates.begin(slower);
     rates.append({2, 20, 2, {1, 2}, {}, 0});
-    QCOMPARE(WavWriter(all(rates)).problem(), WavProblem::DifferentRates);
+    QCOMPARE(WavWriter(all(rates)).problem(), ExportProblem::DifferentRates);
     WavWriter writer(all(rates));
     std::string_view piece;
     QVERIFY(!writer.next(piece));
