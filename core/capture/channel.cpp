@@ -2,18 +2,10 @@
 
 namespace capture {
 
-namespace {
-Channel::Column columnFor(ChannelInfo::Kind kind, std::shared_ptr<SampleMemory> memory)
-{
-    if (kind == ChannelInfo::Kind::Fast)
-        return FastColumn(std::move(memory));
-    return ValueColumn();
-}
-} // namespace
-
 Channel::Channel(ChannelInfo info, std::shared_ptr<SampleMemory> memory)
     : m_info(std::move(info))
-    , m_column(columnFor(m_info.kind, std::move(memory)))
+    , m_column(m_info.kind == ChannelInfo::Kind::Fast ? Column(FastColumn(std::move(memory)))
+                                                      : Column(ValueColumn()))
 {
 }
 
@@ -62,17 +54,11 @@ std::optional<TimeSpan> Channel::timeSpan() const
     return TimeSpan{toSeconds(timeOf(begin())), toSeconds(until)};
 }
 
-MinMax Channel::shown(CodeRange range) const
+template <class Range>
+MinMax Channel::shown(const Range &range) const
 {
-    if (range.empty())
+    if (range.min > range.max)
         return {};
-    const auto a = static_cast<float>(toShown(range.min));
-    const auto b = static_cast<float>(toShown(range.max));
-    return {std::min(a, b), std::max(a, b)};
-}
-
-MinMax Channel::shown(ValueRange range) const
-{
     // Rounding keeps the order: the extremes of rounded values are the rounded extremes.
     const auto a = static_cast<float>(toShown(range.min));
     const auto b = static_cast<float>(toShown(range.max));
@@ -85,8 +71,7 @@ MinMax Channel::extremes(double from, double to) const
     const Index high = atOrAfter(toNanos(to));
     if (const FastColumn *column = fast())
         return shown(column->extremes(low, high));
-    const ValueRange range = values()->valueExtremes(low, high);
-    return range.min > range.max ? MinMax() : shown(range);
+    return shown(values()->valueExtremes(low, high));
 }
 
 std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) const

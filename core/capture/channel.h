@@ -121,8 +121,9 @@ public:
     void takeBack();
 
 private:
-    MinMax shown(CodeRange range) const;
-    MinMax shown(ValueRange range) const;
+    /// Of codes or values; empty() if there are none.
+    template <class Range>
+    MinMax shown(const Range &range) const;
 
     ChannelInfo m_info;
     Column m_column;

@@ -65,16 +65,8 @@ bool isCalled(std::string_view name, std::string_view known)
     });
 }
 
-std::optional<Nanos> unitOfTime(std::string_view unit)
-{
-    constexpr std::array<std::pair<std::string_view, Nanos>, 5> kUnits{
-        {{"s", kSecond}, {"ms", 1'000'000}, {"us", 1000}, {"\u00b5s", 1000}, {"ns", 1}}};
-    for (const auto &[name, nanos] : kUnits) {
-        if (unit == name)
-            return nanos;
-    }
-    return std::nullopt;
-}
+constexpr Word<Nanos> kTimeUnits[] = {
+    {"s", kSecond}, {"ms", 1'000'000}, {"us", 1000}, {"\u00b5s", 1000}, {"ns", 1}};
 
 /// The same of what may be the time: a unit of time may stand there without a blank, unlike one of a signal, whose name may
 /// end like `joint[0]`.
@@ -85,7 +77,7 @@ std::pair<std::string, std::string> timeNameAndUnit(std::string_view heading)
     if (!unit.empty() || open == std::string::npos || !name.ends_with(']'))
         return {std::move(name), std::move(unit)};
     unit = name.substr(open + 1, name.size() - open - 2);
-    if (!unitOfTime(unit))
+    if (findWord(kTimeUnits, unit) == nullptr)
         return {std::move(name), std::string()};
     return {name.substr(0, open), std::move(unit)};
 }
@@ -278,7 +270,9 @@ bool CsvImport::takeHeading(std::string_view line)
             found = true;
         }
     }
-    m_timeUnit = unitOfTime(timeNameAndUnit(m_fields[m_timeColumn]).second).value_or(m_timeUnit);
+    const std::string timeUnit = timeNameAndUnit(m_fields[m_timeColumn]).second;
+    if (const Nanos *known = findWord(kTimeUnits, timeUnit))
+        m_timeUnit = *known;
     for (std::size_t i = 0; i < m_columns; ++i) {
         if (i == m_timeColumn)
             continue;
