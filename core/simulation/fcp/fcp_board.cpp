@@ -76,20 +76,17 @@ void FcpBoard::take(const TimedByte &byte)
 
 void FcpBoard::expireFrame()
 {
+    if (m_framer.midFrame())
+        breakOff(fcp::ErrorCode::Timeout);
     m_frameEnd.reset();
-    if (!m_framer.midFrame())
-        return;
-    m_server.remember(m_framer.partialPayload());
-    m_framer.reset();
-    refuse(fcp::ErrorCode::Timeout, m_now);
 }
 
-void FcpBoard::overrun()
+void FcpBoard::breakOff(fcp::ErrorCode error)
 {
     m_frameEnd.reset();
     m_server.remember(m_framer.partialPayload());
     m_framer.reset();
-    refuse(fcp::ErrorCode::Overrun, m_now);
+    refuse(error, m_now);
 }
 
 void FcpBoard::refuse(fcp::ErrorCode error, TimePoint at)

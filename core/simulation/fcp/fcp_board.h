@@ -37,7 +37,7 @@ public:
     void setFlags(std::uint32_t flags) { m_server.setFaults(flags); }
     void executeBuffered() { m_server.executeBuffered(); }
     void expireFrame(); ///< the frame timer runs out now; nothing if no frame is under way
-    void overrun(); ///< the UART lost a byte
+    void overrun() { breakOff(fcp::ErrorCode::Overrun); } ///< the UART lost a byte
 
     const FcpServer &server() const { return m_server; }
     static constexpr std::size_t kMaxQueued = 65536; ///< what exceeds it is lost
@@ -53,6 +53,7 @@ private:
     };
     std::optional<TimePoint> nextEvent() const;
     void take(const TimedByte &byte);
+    void breakOff(fcp::ErrorCode error);
     void refuse(fcp::ErrorCode error, TimePoint at);
     void send(const Bytes &frame, TimePoint at);
 

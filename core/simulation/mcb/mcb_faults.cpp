@@ -48,9 +48,7 @@ McbSpoiler::McbSpoiler(std::span<const McbFaultChoice> faults, std::uint64_t see
 bool McbSpoiler::strikes(McbFault fault)
 {
     const std::uint32_t every = m_every[static_cast<std::size_t>(fault)];
-    if (every == 0 || random() % every != 0)
-        return false;
-    return true;
+    return every != 0 && random() % every == 0;
 }
 
 bool McbSpoiler::resets()

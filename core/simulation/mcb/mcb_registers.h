@@ -40,6 +40,7 @@ public:
 
     /// nullptr if there is none.
     const McbRegister *find(std::uint16_t address) const;
+    std::uint32_t numberAt(std::uint16_t address) const; ///< 0: there is none
     Result<mcb::Words, mcb::ErrorCode> read(std::uint16_t address) const;
     /// @param words  may hold padding; a text that is shorter is filled up with zeros
     Result<void, mcb::ErrorCode> write(std::uint16_t address, mcb::WordView words);
@@ -67,7 +68,6 @@ private:
     Result<void, mcb::ErrorCode> check(std::uint16_t address, mcb::WordView words) const;
     Result<std::vector<std::uint16_t>, mcb::ErrorCode> mapped(std::uint16_t count) const;
     std::size_t sumOf(const std::vector<std::uint16_t> &addresses) const;
-    std::uint32_t numberAt(std::uint16_t address) const;
 
     std::map<std::uint16_t, McbRegister> m_registers;
 };

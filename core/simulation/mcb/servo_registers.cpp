@@ -23,17 +23,9 @@ mcb::Words wholeWords(std::int64_t value, std::size_t bytes)
     return mcb::wordsOfNumber(static_cast<std::uint64_t>(value), bytes);
 }
 
-std::uint32_t bitsAt(const McbRegisters &registers, std::uint16_t address)
-{
-    const McbRegister *content = registers.find(address);
-    const auto number =
-        content != nullptr ? mcb::numberOf(content->words, content->info.size) : std::nullopt;
-    return static_cast<std::uint32_t>(number.value_or(0));
-}
-
 float floatAt(const McbRegisters &registers, std::uint16_t address)
 {
-    const float value = std::bit_cast<float>(bitsAt(registers, address));
+    const float value = std::bit_cast<float>(registers.numberAt(address));
     return std::isfinite(value) ? value : 0.0F;
 }
 
@@ -216,12 +208,12 @@ void Servo::show(McbRegisters &registers)
 void Servo::look(const McbRegisters &registers)
 {
     Wanted wanted;
-    wanted.control = static_cast<std::uint16_t>(bitsAt(registers, 0x010));
-    wanted.mode = static_cast<std::uint16_t>(bitsAt(registers, 0x014));
+    wanted.control = static_cast<std::uint16_t>(registers.numberAt(0x010));
+    wanted.mode = static_cast<std::uint16_t>(registers.numberAt(0x014));
     wanted.iq_a = floatAt(registers, 0x01A);
     wanted.id_a = floatAt(registers, 0x01B);
     wanted.velocity_rps = floatAt(registers, 0x021);
-    wanted.position_cnt = static_cast<std::int32_t>(bitsAt(registers, 0x020));
+    wanted.position_cnt = static_cast<std::int32_t>(registers.numberAt(0x020));
     wanted.maxVelocity = floatAt(registers, 0x025);
     wanted.maxAcceleration = floatAt(registers, 0x026);
     wanted.currentLimit_a = floatAt(registers, 0x1E0);
@@ -231,7 +223,7 @@ void Servo::look(const McbRegisters &registers)
     m_wanted = wanted;
     if (wanted.control != m_lastControl)
         obey(wanted.control);
-    m_resetWanted = bitsAt(registers, 0x6DF) != 0;
+    m_resetWanted = registers.numberAt(0x6DF) != 0;
 }
 
 } // namespace simulation

@@ -5,10 +5,6 @@
 
 namespace simulation {
 
-namespace {
-
-} // namespace
-
 Rotor::Rotor(const MotorParameters &motor, const LoadParameters &load)
     : m_inertia_kgm2(motor.inertia_kgm2)
     , m_viscous_nms(motor.viscous_nms)
