@@ -86,6 +86,8 @@ struct Measurement {
     bool partial = false; ///< something is missing inside; the number is about what is there
     std::vector<LevelMark> levels;
     std::vector<PointMark> points;
+
+    void refuse(WhyNot why) { value = fail(why); } ///< there is no value
 };
 
 UnitKind unitOf(Quantity quantity);

@@ -147,10 +147,8 @@ std::optional<WhyNot> Measurer::findPeriods()
 
 void Measurer::cycles(Measurement &result)
 {
-    if (const auto why = findPeriods()) {
-        result.value = fail(*why);
-        return;
-    }
+    if (const auto why = findPeriods())
+        return result.refuse(*why);
     const std::vector<double> &rising = m_crossings.rising;
     if (result.quantity == Quantity::CycleMean || result.quantity == Quantity::CycleRms) {
         moments(result,
@@ -168,10 +166,8 @@ void Measurer::cycles(Measurement &result)
 
 void Measurer::duty(Measurement &result)
 {
-    if (const auto why = findPeriods()) {
-        result.value = fail(*why);
-        return;
-    }
+    if (const auto why = findPeriods())
+        return result.refuse(*why);
     const double from = m_crossings.rising.front();
     const double to = m_crossings.rising.back();
     double above = 0.0;
@@ -197,22 +193,16 @@ void Measurer::transition(Measurement &result)
 {
     if (m_range.empty())
         return;
-    if (m_range.gapInside()) {
-        result.value = fail(WhyNot::GapInside);
-        return;
-    }
-    if (!levels()) {
-        result.value = fail(WhyNot::NoEdge);
-        return;
-    }
+    if (m_range.gapInside())
+        return result.refuse(WhyNot::GapInside);
+    if (!levels())
+        return result.refuse(WhyNot::NoEdge);
     const bool rise = result.quantity == Quantity::Rise;
     const double start = m_levels->at(rise ? 0.1 : 0.9);
     const double end = m_levels->at(rise ? 0.9 : 0.1);
     const auto found = findTransition(m_range, start, end);
-    if (!found) {
-        result.value = fail(WhyNot::NoEdge);
-        return;
-    }
+    if (!found)
+        return result.refuse(WhyNot::NoEdge);
     result.value = found->to - found->from;
     result.points = {{m_range.toNanos(found->from), start}, {m_range.toNanos(found->to), end}};
     result.levels = {{LevelMark::Role::Reference, m_levels->base, m_range.from(), m_range.to()},

@@ -48,31 +48,26 @@ Measurement measurePhase(
     result.unit = UnitKind::Degrees;
     const Measurement one = Measurer(first, from, to).measure(Quantity::Frequency);
     const Measurement other = Measurer(second, from, to).measure(Quantity::Frequency);
-    for (const Measurement &side : {one, other}) {
-        if (!side.value) {
-            result.value = fail(side.value.error());
-            return result;
-        }
-    }
-    if (std::abs(*other.value / *one.value - 1.0) > kSameFrequency) {
-        result.value = fail(WhyNot::OtherFrequency);
+    const auto refused = [&result](WhyNot why) {
+        result.refuse(why);
         return result;
-    }
+    };
+    for (const Measurement &side : {one, other})
+        if (!side.value)
+            return refused(side.value.error());
+    if (std::abs(*other.value / *one.value - 1.0) > kSameFrequency)
+        return refused(WhyNot::OtherFrequency);
     const Nanos begin = one.points.front().time;
     const Nanos end = one.points.back().time;
-    if (std::lround(capture::toSeconds(end - begin) * *one.value) < 2) {
-        result.value = fail(WhyNot::NoFullPeriod);
-        return result;
-    }
+    if (std::lround(capture::toSeconds(end - begin) * *one.value) < 2)
+        return refused(WhyNot::NoFullPeriod);
     const SampleRange a(first, begin, end);
     const SampleRange b(second, begin, end);
     const std::complex<double> partA = fundamental(a, *one.value, begin);
     const std::complex<double> partB = fundamental(b, *one.value, begin);
     const auto moments = b.moments();
-    if (!moments || std::abs(partB) < kLeastShare * moments->deviation || std::abs(partA) <= 0.0) {
-        result.value = fail(WhyNot::OtherFrequency);
-        return result;
-    }
+    if (!moments || std::abs(partB) < kLeastShare * moments->deviation || std::abs(partA) <= 0.0)
+        return refused(WhyNot::OtherFrequency);
     result.value = std::arg(partB * std::conj(partA)) * 180.0 / std::numbers::pi;
     result.points = {one.points.front(), other.points.front()};
     return result;

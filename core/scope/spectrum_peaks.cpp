@@ -10,17 +10,8 @@ namespace {
 /// Bins from the middle of a tone to its first zero.
 std::size_t lobe(Window window)
 {
-    switch (window) {
-    case Window::Rectangular:
-        return 1;
-    case Window::Hann:
-        return 2;
-    case Window::BlackmanHarris:
-        return 4;
-    case Window::FlatTop:
-        return 5;
-    }
-    return 2;
+    constexpr std::size_t kBins[] = {1, 2, 4, 5}; // in the order of the enumeration
+    return kBins[static_cast<std::size_t>(window)];
 }
 
 /// How far the tone lies from the bin where it is highest, in bins: from the two bins beside it, whose ratio depends

@@ -121,10 +121,8 @@ void StepResponse::transit(Measurement &result) const
     const auto found = upwards == (result.quantity == Quantity::Rise)
         ? findTransition(m_after, valueAt(0.1), valueAt(0.9))
         : std::nullopt;
-    if (!found) {
-        result.value = fail(WhyNot::NoEdge);
-        return;
-    }
+    if (!found)
+        return result.refuse(WhyNot::NoEdge);
     result.value = found->to - found->from;
     result.points = {
         {m_after.toNanos(found->from), valueAt(0.1)}, {m_after.toNanos(found->to), valueAt(0.9)}};
@@ -147,10 +145,8 @@ void StepResponse::deadTime(Measurement &result) const
         before = time;
         beforeValue = value;
     });
-    if (!found) {
-        result.value = fail(WhyNot::NoEdge);
-        return;
-    }
+    if (!found)
+        return result.refuse(WhyNot::NoEdge);
     result.value = *found;
     result.points = {{m_after.from(), m_initial}, {m_after.toNanos(*found), level}};
 }
@@ -180,10 +176,8 @@ void StepResponse::settling(Measurement &result) const
     const double high = m_final + std::abs(band);
     result.levels = {{LevelMark::Role::BandLow, low, m_after.from(), m_after.to()},
         {LevelMark::Role::BandHigh, high, m_after.from(), m_after.to()}};
-    if (!m_settled) {
-        result.value = fail(WhyNot::NotSettled);
-        return;
-    }
+    if (!m_settled)
+        return result.refuse(WhyNot::NotSettled);
     result.value = *m_settled;
     result.points = {
         {m_after.from(), m_initial}, {m_after.toNanos(*m_settled), valueAt(1.0 - m_settings.band)}};
@@ -191,10 +185,8 @@ void StepResponse::settling(Measurement &result) const
 
 void StepResponse::steadyStateError(Measurement &result) const
 {
-    if (!m_settings.setPoint) {
-        result.value = fail(WhyNot::NoSetPoint);
-        return;
-    }
+    if (!m_settings.setPoint)
+        return result.refuse(WhyNot::NoSetPoint);
     // A final value that was given says nothing about where the signal really went.
     const double reached =
         mean(m_after.channel(), m_after.toNanos(m_tailStart), m_after.to(), m_final);
@@ -207,10 +199,8 @@ void StepResponse::steadyStateError(Measurement &result) const
 
 void StepResponse::ripple(Measurement &result) const
 {
-    if (!m_settled) {
-        result.value = fail(WhyNot::NotSettled);
-        return;
-    }
+    if (!m_settled)
+        return result.refuse(WhyNot::NotSettled);
     const SampleRange settled(m_after.channel(), m_after.toNanos(*m_settled), m_after.to());
     if (settled.empty())
         return;
@@ -256,10 +246,8 @@ double StepResponse::fastErrorIntegral(bool timed) const
 
 void StepResponse::errorIntegral(Measurement &result) const
 {
-    if (!m_settings.setPoint) {
-        result.value = fail(WhyNot::NoSetPoint);
-        return;
-    }
+    if (!m_settings.setPoint)
+        return result.refuse(WhyNot::NoSetPoint);
     const bool timed = result.quantity == Quantity::TimedError;
     result.value =
         m_after.between() == Between::Hold ? heldErrorIntegral(timed) : fastErrorIntegral(timed);

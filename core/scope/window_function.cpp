@@ -14,24 +14,13 @@ namespace {
 
 using Coefficients = std::array<double, 5>;
 
+/// In the order of the enumeration: rectangular, Hann, Blackman-Harris, flat top.
 const Coefficients &coefficients(Window window)
 {
-    static constexpr Coefficients kRectangular{1.0, 0.0, 0.0, 0.0, 0.0};
-    static constexpr Coefficients kHann{0.5, 0.5, 0.0, 0.0, 0.0};
-    static constexpr Coefficients kBlackmanHarris{0.35875, 0.48829, 0.14128, 0.01168, 0.0};
-    static constexpr Coefficients kFlatTop{
-        0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368};
-    switch (window) {
-    case Window::Rectangular:
-        return kRectangular;
-    case Window::Hann:
-        return kHann;
-    case Window::BlackmanHarris:
-        return kBlackmanHarris;
-    case Window::FlatTop:
-        return kFlatTop;
-    }
-    return kHann;
+    static constexpr Coefficients kAll[] = {{1.0, 0.0, 0.0, 0.0, 0.0}, {0.5, 0.5, 0.0, 0.0, 0.0},
+        {0.35875, 0.48829, 0.14128, 0.01168, 0.0},
+        {0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368}};
+    return kAll[static_cast<std::size_t>(window)];
 }
 
 double sinc(double x)
