@@ -26,11 +26,7 @@ void Decoder::feed(ByteView bytes)
 
 std::optional<Decoder::Step> Decoder::next()
 {
-    while (m_ready.empty()) {
-        const Look look = lookHere();
-        if (look == Look::Wait)
-            break;
-    }
+    while (m_ready.empty() && lookHere()) { }
     if (m_ready.empty())
         return std::nullopt;
     Step step = std::move(m_ready.front());
@@ -53,29 +49,28 @@ void Decoder::pass(std::size_t bytes)
     skip(bytes);
 }
 
-Decoder::Look Decoder::lookHere()
+/// False: more bytes have to come first.
+bool Decoder::lookHere()
 {
     const ByteView bytes = rest();
     if (bytes.empty() || (bytes.size() < kClaimBytes && !m_finished)) {
         if (m_finished)
             tellEnd();
-        return Look::Wait;
+        return false;
     }
     const Claim claim = claimOf(bytes);
     const bool packet = claim.type == kPacketBlock && claim.length >= kBlockOverhead
         && claim.length <= kLongestBlock;
     const bool other = !m_damage && claim.type != kPacketBlock && claim.length <= kLongestOther;
     if ((packet || other) && claim.length > bytes.size() && !m_finished)
-        return Look::Wait;
-    if (packet && onPacket(bytes))
-        return Look::Found;
-    if (other && skipOther(claim))
-        return Look::Again;
+        return false;
+    if ((packet && onPacket(bytes)) || (other && skipOther(claim)))
+        return true;
     // No sound block begins here: on to the next byte that could begin one.
     const auto found =
         std::find(bytes.begin() + 1, bytes.end(), static_cast<std::uint8_t>(kPacketBlock));
     pass(static_cast<std::size_t>(found - bytes.begin()));
-    return Look::Again;
+    return true;
 }
 
 /// The block at the beginning of `bytes`, if it is sound.

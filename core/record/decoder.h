@@ -58,12 +58,10 @@ public:
     std::uint32_t nextNumber() const { return m_expected.value_or(0); } ///< of a block behind all
 
 private:
-    enum class Look : std::uint8_t { Wait, Again, Found };
-
     ByteView rest() const { return ByteView(m_buffer).subspan(m_at); }
     void skip(std::size_t bytes);
     void pass(std::size_t bytes);
-    Look lookHere();
+    bool lookHere();
     bool onPacket(ByteView bytes);
     bool skipOther(const Claim &claim);
     void onEntry(const BlockHead &head, ByteView data);

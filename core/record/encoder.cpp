@@ -29,18 +29,6 @@ std::size_t bytesOf(const SampleBlock &block)
     return block.fast.size() * 2 + block.slow.size() * (8 + 4 * slowWidth(block));
 }
 
-/// Sizes agree, so that columns can be cut out of it.
-bool isWhole(const SampleBlock &block)
-{
-    const bool fast = block.count > 0 ? block.fast.size() % block.count == 0 : block.fast.empty();
-    return fast && (block.count == 0 || block.fast.size() / block.count <= kMostSignals)
-        && slowWidth(block) <= kMostSignals
-        && std::all_of(
-            block.slow.begin(), block.slow.end(), [&block](const capture::SlowGroup &group) {
-                return group.values.size() == slowWidth(block);
-            });
-}
-
 } // namespace
 
 Encoder::Encoder(Begin begin, Config config)
@@ -242,14 +230,14 @@ bool Encoder::emitEntry(Nanos at, const Entry &entry)
 void Encoder::repeatDescriptions(Nanos at)
 {
     m_sinceRepeat = 0;
-    if (m_layout) {
-        if (const auto payload = encodeEntry(*m_layout, Repeat::Yes))
+    const auto repeat = [&](const Entry &entry) {
+        if (const auto payload = encodeEntry(entry, Repeat::Yes))
             emitPayload(at, *payload, 0);
-    }
-    for (const auto &[id, polled] : m_polled) {
-        if (const auto payload = encodeEntry(polled, Repeat::Yes))
-            emitPayload(at, *payload, 0);
-    }
+    };
+    if (m_layout)
+        repeat(*m_layout);
+    for (const auto &[id, polled] : m_polled)
+        repeat(polled);
 }
 
 void Encoder::emitPayload(Nanos at, ByteView payload, std::uint64_t samples)

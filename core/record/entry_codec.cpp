@@ -209,16 +209,8 @@ bool fits(const Entry &entry)
     const auto small = [](std::size_t count) { return count <= kMostSignals; };
     if (const auto *layout = std::get_if<StreamLayout>(&entry))
         return small(layout->fast.size()) && small(layout->slow.size());
-    if (const auto *block = std::get_if<SampleBlock>(&entry)) {
-        const std::size_t slowCount = block->slow.empty() ? 0 : block->slow.front().values.size();
-        if (block->count == 0 ? !block->fast.empty()
-                              : block->fast.size() % block->count != 0
-                    || !small(block->fast.size() / block->count))
-            return false;
-        return small(slowCount)
-            && std::all_of(block->slow.begin(), block->slow.end(),
-                [slowCount](const SlowGroup &group) { return group.values.size() == slowCount; });
-    }
+    if (const auto *block = std::get_if<SampleBlock>(&entry))
+        return isWhole(*block);
     if (const auto *happening = std::get_if<Happening>(&entry))
         return happening->fields.size() <= kLongestText;
     if (const auto *note = std::get_if<Note>(&entry))
@@ -389,6 +381,17 @@ std::optional<Decoded> takeBody(Kind kind, ByteReader &in)
 }
 
 } // namespace
+
+bool isWhole(const SampleBlock &block)
+{
+    const std::size_t slowCount = block.slow.empty() ? 0 : block.slow.front().values.size();
+    const bool fast = block.count == 0
+        ? block.fast.empty()
+        : block.fast.size() % block.count == 0 && block.fast.size() / block.count <= kMostSignals;
+    return fast && slowCount <= kMostSignals
+        && std::all_of(block.slow.begin(), block.slow.end(),
+            [slowCount](const SlowGroup &group) { return group.values.size() == slowCount; });
+}
 
 Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat)
 {

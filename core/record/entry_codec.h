@@ -23,6 +23,9 @@ enum class PayloadError : std::uint8_t {
 /// A Layout or PolledRegister that was written before, once more, for readers that lost the first one.
 enum class Repeat : bool { No, Yes };
 
+/// Sizes agree and are within bounds: columns can be cut out of it, and it can be written.
+bool isWhole(const capture::SampleBlock &block);
+
 /// Not for LinkBytes. Fails with TooLong only.
 Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat = Repeat::No);
 
