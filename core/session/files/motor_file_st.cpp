@@ -99,24 +99,24 @@ private:
         }
     }
 
+    /// What the file does not have stays as it is.
+    template <class T>
+    std::optional<double> take(const Key &key, T &into, const char *path)
+    {
+        const auto read = number(key);
+        if (read) {
+            into = static_cast<T>(*read);
+            give(path);
+        }
+        return read;
+    }
+
     void takeFigures()
     {
-        if (const auto pairs = number(kPolePairs)) {
-            motor().polePairs = static_cast<int>(*pairs);
-            give("motor.polePairs");
-        }
-        if (const auto amps = number(kNominalCurrent)) {
-            motor().nominal_a = *amps;
-            give("motor.nominal_a");
-        }
-        if (const auto rpm = number(kMaxSpeed)) {
-            motor().maxSpeed_rpm = *rpm;
-            give("motor.maxSpeed_rpm");
-        }
-        if (const auto volts = number(kBus)) {
-            m_file.machine.inverter.supply_v = *volts;
-            give("inverter.supply_v");
-        }
+        take(kPolePairs, motor().polePairs, "motor.polePairs");
+        take(kNominalCurrent, motor().nominal_a, "motor.nominal_a");
+        take(kMaxSpeed, motor().maxSpeed_rpm, "motor.maxSpeed_rpm");
+        take(kBus, m_file.machine.inverter.supply_v, "inverter.supply_v");
         if (const auto inertia = number(kInertia); inertia && *inertia * kMicro >= 1e-9) {
             motor().inertia_kgm2 = *inertia * kMicro; // 0: was not measured
             give("motor.inertia_kgm2");
@@ -129,11 +129,7 @@ private:
 
     void takeInductances()
     {
-        const auto ohms = number(kResistance);
-        if (ohms) {
-            motor().rs_ohm = *ohms;
-            give("motor.rs_ohm");
-        }
+        const auto ohms = take(kResistance, motor().rs_ohm, "motor.rs_ohm");
         auto henry = number(kInductance);
         if (!henry)
             return;
