@@ -41,21 +41,15 @@ struct Group {
     Rows rows;
 };
 
-/// libmatio copies what it is given here; nullptr if there is no memory for that.
-matvar_t *columnOf(std::vector<double> &values)
-{
-    std::array<std::size_t, 2> size{values.size(), 1};
-    return matLibrary()->varCreate(
-        nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values.data(), 0);
-}
-
+/// libmatio copies what it is given here; false if there is no memory for that.
 bool addColumn(matvar_t *structure, const char *field, std::vector<double> &values)
 {
-    matvar_t *column = columnOf(values);
-    if (!column)
-        return false;
-    matLibrary()->varSetField(structure, field, 0, column);
-    return true;
+    std::array<std::size_t, 2> size{values.size(), 1};
+    matvar_t *column = matLibrary()->varCreate(
+        nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values.data(), 0);
+    if (column)
+        matLibrary()->varSetField(structure, field, 0, column);
+    return column != nullptr;
 }
 
 matvar_t *textOf(const std::string &text)
