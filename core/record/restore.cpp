@@ -1,11 +1,6 @@
 #include "record/restore.h"
 
-#include <cmath>
-
 namespace record {
-
-namespace {
-} // namespace
 
 void Restorer::take(const Entry &entry)
 {
