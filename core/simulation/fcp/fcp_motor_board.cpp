@@ -4,7 +4,6 @@
 #include "simulation/fcp/fcp_board.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -23,22 +22,16 @@ struct Link {
     std::uint8_t id;
     std::int16_t Holder::*member;
 };
-constexpr std::array kTuning{Link<Tuning>{0x05, &Tuning::speedKp},
-    Link<Tuning>{0x06, &Tuning::speedKi}, Link<Tuning>{0x07, &Tuning::speedKd},
-    Link<Tuning>{0x09, &Tuning::qKp}, Link<Tuning>{0x0A, &Tuning::qKi},
-    Link<Tuning>{0x0B, &Tuning::qKd}, Link<Tuning>{0x0D, &Tuning::dKp},
-    Link<Tuning>{0x0E, &Tuning::dKi}, Link<Tuning>{0x0F, &Tuning::dKd},
-    Link<Tuning>{0x10, &Tuning::pllC1}, Link<Tuning>{0x11, &Tuning::pllC2},
-    Link<Tuning>{0x12, &Tuning::cordicC1}, Link<Tuning>{0x13, &Tuning::cordicC2},
-    Link<Tuning>{0x14, &Tuning::pllKi}, Link<Tuning>{0x15, &Tuning::pllKp},
-    Link<Tuning>{0x16, &Tuning::fluxKp}, Link<Tuning>{0x17, &Tuning::fluxKi},
-    Link<Tuning>{0x18, &Tuning::fluxBus}};
-constexpr std::array kSignals{Link<Signals>{0x08, &Signals::iQRef},
-    Link<Signals>{0x0C, &Signals::iDRef}, Link<Signals>{0x19, &Signals::busVoltage_v},
-    Link<Signals>{0x1A, &Signals::temperature_c}, Link<Signals>{0x1F, &Signals::iQ},
-    Link<Signals>{0x20, &Signals::iD}, Link<Signals>{0x21, &Signals::fluxWeakeningBus},
-    Link<Signals>{0x49, &Signals::ffVq}, Link<Signals>{0x4A, &Signals::ffVd},
-    Link<Signals>{0x4B, &Signals::ffVqPi}, Link<Signals>{0x4C, &Signals::ffVdPi}};
+constexpr Link<Tuning> kTuning[] = {{0x05, &Tuning::speedKp}, {0x06, &Tuning::speedKi},
+    {0x07, &Tuning::speedKd}, {0x09, &Tuning::qKp}, {0x0A, &Tuning::qKi}, {0x0B, &Tuning::qKd},
+    {0x0D, &Tuning::dKp}, {0x0E, &Tuning::dKi}, {0x0F, &Tuning::dKd}, {0x10, &Tuning::pllC1},
+    {0x11, &Tuning::pllC2}, {0x12, &Tuning::cordicC1}, {0x13, &Tuning::cordicC2},
+    {0x14, &Tuning::pllKi}, {0x15, &Tuning::pllKp}, {0x16, &Tuning::fluxKp},
+    {0x17, &Tuning::fluxKi}, {0x18, &Tuning::fluxBus}};
+constexpr Link<Signals> kSignals[] = {{0x08, &Signals::iQRef}, {0x0C, &Signals::iDRef},
+    {0x19, &Signals::busVoltage_v}, {0x1A, &Signals::temperature_c}, {0x1F, &Signals::iQ},
+    {0x20, &Signals::iD}, {0x21, &Signals::fluxWeakeningBus}, {0x49, &Signals::ffVq},
+    {0x4A, &Signals::ffVd}, {0x4B, &Signals::ffVqPi}, {0x4C, &Signals::ffVdPi}};
 
 /// Where firmware before 6.0 goes through a state of its own for a turn of its medium-frequency task; 0: nowhere.
 std::uint8_t stateBetween(MotorState from, MotorState to)
