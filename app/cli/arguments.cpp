@@ -102,12 +102,13 @@ void addCommandOptions(QCommandLineParser &parser, const Command &command)
 /// Options may stand before or behind the command's name; the later one counts.
 Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
 {
-    if (parser.isSet(QStringLiteral("port")))
-        arguments.port = parser.value(QStringLiteral("port"));
-    if (parser.isSet(QStringLiteral("json")))
+    const Given given(parser);
+    if (given.has("port"))
+        arguments.port = given.value("port");
+    if (given.has("json"))
         arguments.json = true;
-    if (parser.isSet(QStringLiteral("protocol"))) {
-        const QString word = parser.value(QStringLiteral("protocol"));
+    if (given.has("protocol")) {
+        const QString word = given.value("protocol");
         const auto protocol = drive::protocolOf(word.toStdString());
         if (!protocol)
             return usage(QStringLiteral("--protocol is one of %1, not \"%2\".")
@@ -117,20 +118,12 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
         if (arguments.baud == Arguments().baud && usual != 0)
             arguments.baud = usual;
     }
-    if (parser.isSet(QStringLiteral("baud"))) {
-        const auto baud = wholeNumber(
-            parser.value(QStringLiteral("baud")), 1200, 20'000'000, QStringLiteral("--baud"));
-        if (!baud)
-            return tl::make_unexpected(baud.error());
-        arguments.baud = static_cast<std::uint32_t>(*baud);
-    }
-    if (parser.isSet(QStringLiteral("patience"))) {
-        const auto patience = wholeNumber(
-            parser.value(QStringLiteral("patience")), 0, 10'000, QStringLiteral("--patience"));
-        if (!patience)
-            return tl::make_unexpected(patience.error());
-        arguments.patience_ms = *patience;
-    }
+    int baud = static_cast<int>(arguments.baud);
+    const auto numbers = readNumbers(given,
+        {{"baud", &baud, 1200, 20'000'000}, {"patience", &arguments.patience_ms, 0, 10'000}});
+    if (!numbers)
+        return numbers;
+    arguments.baud = static_cast<std::uint32_t>(baud);
     if (parser.isSet(QStringLiteral("version")))
         arguments.text = QCoreApplication::applicationName() + QLatin1Char(' ')
             + QCoreApplication::applicationVersion();
@@ -191,17 +184,13 @@ Outcome<bool> takeCommand(const Command &command, const QStringList &line, Argum
                              QLatin1String(command.words))
             + seeHelp);
     arguments.raw = given.has("raw");
-    if (given.has("motor")) {
-        const auto motor = wholeNumber(given.value("motor"), 1, 7, QStringLiteral("--motor"));
-        if (!motor)
-            return tl::make_unexpected(motor.error());
-        arguments.motor = *motor;
-    }
+    if (const auto motor = readNumbers(given, {{"motor", &arguments.motor, 1, 7}}); !motor)
+        return motor;
     if (const auto limits = takeLimits(given, arguments); !limits)
-        return tl::make_unexpected(limits.error());
+        return limits;
     if (command.read != nullptr)
         if (const auto taken = command.read(given, arguments); !taken)
-            return tl::make_unexpected(taken.error());
+            return taken;
     if ((command.needsPort || arguments.tuning.device) && arguments.port.isEmpty())
         return usage(QStringLiteral(
             "Say where the board is with --port PORT, or --port sim for a simulated one; "
@@ -248,10 +237,7 @@ Outcome<Arguments> parseArguments(const QStringList &line, std::span<const Comma
         return usage(QStringLiteral("There is no command \"%1\"; rotorscope-cli --help lists them.")
                          .arg(words.first()));
     arguments.command = *command;
-    const auto taken = takeCommand(**command, words, arguments);
-    if (!taken)
-        return tl::make_unexpected(taken.error());
-    return arguments;
+    return takeCommand(**command, words, arguments).map([&arguments](bool) { return arguments; });
 }
 
 } // namespace cli

@@ -23,8 +23,8 @@ struct RampArguments {
 
 struct CaptureArguments {
     QStringList fast, slow; ///< register names
-    unsigned fastRate = 0; ///< one sample every so many control periods more than one
-    unsigned slowRate = 15; ///< one group every so many fast samples more than one
+    int fastRate = 0; ///< one sample every so many control periods more than one
+    int slowRate = 15; ///< one group every so many fast samples more than one
     double seconds = 0.0;
     QString file; ///< CSV; empty: none
     QString recording; ///< empty: none

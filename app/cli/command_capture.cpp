@@ -32,6 +32,9 @@ constexpr auto kStandstillWithin = 2s;
 constexpr auto kFirstSampleWithin = 5s;
 constexpr double kMostBytes = 1.2e9; ///< of samples, which are kept in memory until the end
 
+/// Whatever came of a step that succeeded.
+constexpr auto kAllDone = [](const auto &) -> int { return kDone; };
+
 QString recordingAdvice()
 {
     return QStringLiteral("record fewer signals, or --mf with a smaller --mf-rate");
@@ -204,9 +207,9 @@ Outcome<drive::Stream> CaptureRun::stream()
             QStringLiteral("That is too much for one capture; take fewer seconds, fewer signals or "
                            "a larger --hf-rate."));
     return drive::Stream{.fast = *fast,
-        .fastEvery = m_wanted.fastRate + 1,
+        .fastEvery = static_cast<unsigned>(m_wanted.fastRate + 1),
         .slow = *slow,
-        .slowEvery = m_wanted.slowRate + 1};
+        .slowEvery = static_cast<unsigned>(m_wanted.slowRate + 1)};
 }
 
 /// No motor turns for a recording that the board then refuses: it is asked for the recording beforehand.
@@ -218,10 +221,7 @@ Outcome<int> CaptureRun::rehearse(const drive::Stream &stream)
         m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
     if (!agreed)
         return tl::make_unexpected(agreed.error());
-    const auto over = m_desk.talk.ask(drive::Stream{});
-    if (!over)
-        return tl::make_unexpected(over.error());
-    return kDone;
+    return m_desk.talk.ask(drive::Stream{}).map(kAllDone);
 }
 
 Outcome<int> CaptureRun::prepare()
@@ -364,20 +364,14 @@ Outcome<int> CaptureRun::finish()
     talk.listen({});
     if (!complete)
         return tl::make_unexpected(complete.error());
-    const auto over = m_polled.empty() ? talk.ask(drive::Stream{}) : talk.ask(drive::Watch{});
-    if (!over)
-        return tl::make_unexpected(over.error());
-    return kDone;
+    return (m_polled.empty() ? talk.ask(drive::Stream{}) : talk.ask(drive::Watch{})).map(kAllDone);
 }
 
 Outcome<int> CaptureRun::stopMotor()
 {
     if (!m_started || m_wanted.keepRunning)
         return kDone;
-    const auto stopped = m_desk.talk.stop(kStandstillWithin);
-    if (!stopped)
-        return tl::make_unexpected(stopped.error());
-    return kDone;
+    return m_desk.talk.stop(kStandstillWithin).map(kAllDone);
 }
 
 /// The run ends early: a motor that it started does not go on.
@@ -547,16 +541,10 @@ Outcome<bool> readCapture(const Given &given, Arguments &arguments)
     capture.slow = given.list("mf");
     if (capture.fast.isEmpty() && capture.slow.isEmpty())
         return usage(QStringLiteral("Name the signals to record, for example --hf I_A,I_B."));
-    for (const auto &[option, rate, most] : {std::tuple{"hf-rate", &capture.fastRate, 255},
-             std::tuple{"mf-rate", &capture.slowRate, 254}}) {
-        if (!given.has(option))
-            continue;
-        const auto number =
-            wholeNumber(given.value(option), 0, most, QStringLiteral("--") + QLatin1String(option));
-        if (!number)
-            return tl::make_unexpected(number.error());
-        *rate = static_cast<unsigned>(*number);
-    }
+    const auto rates = readNumbers(
+        given, {{"hf-rate", &capture.fastRate, 0, 255}, {"mf-rate", &capture.slowRate, 0, 254}});
+    if (!rates)
+        return rates;
     bool ok = false;
     capture.seconds = given.value("seconds").toDouble(&ok);
     if (!ok || !std::isfinite(capture.seconds) || capture.seconds <= 0 || capture.seconds > 86400)

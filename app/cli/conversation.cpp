@@ -230,11 +230,9 @@ Outcome<bool> Conversation::armToMove()
     arm();
     if (!m_arguments.cyclicSetPoints)
         return true;
-    const auto travels =
-        command(drive::CyclicSetPoints{}, QStringLiteral("Sending set-points with every exchange"));
-    if (!travels)
-        return tl::make_unexpected(travels.error());
-    return true;
+    return command(
+        drive::CyclicSetPoints{}, QStringLiteral("Sending set-points with every exchange"))
+        .map([](const auto &) { return true; });
 }
 
 Outcome<lab::Outcome> Conversation::run(const lab::Experiment &experiment)

@@ -46,4 +46,18 @@ Outcome<int> wholeNumber(const QString &text, int least, int most, const QString
     return number;
 }
 
+Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options)
+{
+    for (const NumberOption &option : options) {
+        if (!given.has(option.name))
+            continue;
+        const auto number = wholeNumber(given.value(option.name), option.least, option.most,
+            QStringLiteral("--") + QLatin1String(option.name));
+        if (!number)
+            return tl::make_unexpected(number.error());
+        *option.value = *number;
+    }
+    return true;
+}
+
 } // namespace cli

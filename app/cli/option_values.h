@@ -40,4 +40,12 @@ inline auto usage(const QString &sentence) { return failure(kUsage, sentence); }
 std::optional<double> plainNumber(const QString &text);
 Outcome<int> wholeNumber(const QString &text, int least, int most, const QString &what);
 
+/// An option that takes a whole number.
+struct NumberOption {
+    const char *name = "";
+    int *value = nullptr; ///< stays as it is where the option was not given
+    int least = 0, most = 0;
+};
+Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options);
+
 } // namespace cli

@@ -136,20 +136,6 @@ Failure ExperimentRun::stopped(Failure why)
     return why;
 }
 
-Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options)
-{
-    for (const NumberOption &option : options) {
-        if (!given.has(option.name))
-            continue;
-        const auto number = wholeNumber(given.value(option.name), option.least, option.most,
-            QStringLiteral("--") + QLatin1String(option.name));
-        if (!number)
-            return tl::make_unexpected(number.error());
-        *option.value = *number;
-    }
-    return true;
-}
-
 Outcome<bool> readRunFile(const Given &given, Arguments &arguments)
 {
     const QString path = arguments.runFile = given.value("output");

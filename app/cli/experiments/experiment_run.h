@@ -39,13 +39,6 @@ private:
     QString m_path;
 };
 
-/// A whole number of an experiment's own options.
-struct NumberOption {
-    const char *name = "";
-    int *value = nullptr; ///< stays as it is where the option was not given
-    int least = 0, most = 0;
-};
-Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options);
 /// -o RUN.pcapng of an experiment; a failure if the file is there already.
 Outcome<bool> readRunFile(const Given &given, Arguments &arguments);
 constexpr OptionText kRunOption{
