@@ -214,10 +214,7 @@ bool Firmware::powered() const
 
 bool Firmware::virtualAngle() const
 {
-    if (m_state == MotorState::Run)
-        return openLoop();
-    return m_state == MotorState::Alignment || m_state == MotorState::Start
-        || m_state == MotorState::SwitchOver;
+    return powered() && (m_state != MotorState::Run || openLoop());
 }
 
 Ab Firmware::readCurrents()

@@ -213,10 +213,11 @@ RegisterFile::Written RegisterFile::write(
 
 /// SET of something that has other motor bits: the firmware lists a few registers in both of its places.
 template <class Row>
-bool RegisterFile::refusesElsewhere(const Row &row, RegisterId id) const
+Status RegisterFile::refusalElsewhere(const Row *row, RegisterId id) const
 {
-    return row.refusedAnywhere && !m_build.hso() && !m_traits.asPrinted
-        && id.motor() <= m_motors.size();
+    const bool listed = row != nullptr && row->refusedAnywhere && !m_build.hso()
+        && !m_traits.asPrinted && id.motor() <= m_motors.size();
+    return listed ? row->refusal : Status::UnknownRegister;
 }
 
 Status RegisterFile::writeScalar(RegisterId id, std::uint32_t value)
@@ -224,8 +225,7 @@ Status RegisterFile::writeScalar(RegisterId id, std::uint32_t value)
     const RegisterRow *row = findRegister(id, m_traits, m_build);
     RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr)
-        return row != nullptr && refusesElsewhere(*row, id) ? row->refusal
-                                                            : Status::UnknownRegister;
+        return refusalElsewhere(row, id);
     if (row->set != nullptr)
         return row->set(*at, value);
     if (!row->keeps)
@@ -265,8 +265,7 @@ Status RegisterFile::writeRaw(
     const RawRow *row = findRaw(id, m_traits, m_build);
     RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr)
-        return row != nullptr && refusesElsewhere(*row, id) ? row->refusal
-                                                            : Status::UnknownRegister;
+        return refusalElsewhere(row, id);
     return row->set != nullptr ? row->set(*at, value, size) : row->refusal;
 }
 

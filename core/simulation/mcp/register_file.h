@@ -53,7 +53,7 @@ private:
     mcp::Status readText(mcp::RegisterId id, int room, Bytes &out) const;
     mcp::Status readRaw(mcp::RegisterId id, int room, Bytes &out) const;
     template <class Row>
-    bool refusesElsewhere(const Row &row, mcp::RegisterId id) const;
+    mcp::Status refusalElsewhere(const Row *row, mcp::RegisterId id) const;
     mcp::Status writeScalar(mcp::RegisterId id, std::uint32_t value);
     mcp::Status writeRaw(
         mcp::RegisterId id, const StaleBytes &value, int size, DatalogRecorder &datalog);

@@ -5,6 +5,7 @@
 #include "simulation/simulated_board.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr int kHeartbeat = 1; ///< user command that feeds the watchdog
 constexpr std::size_t kUserAnswerMax = 64;
 constexpr std::size_t kAnswerMax =
     aspep::kMaxPayload - 128; ///< behind it there is room for any one value
+
+constexpr std::array kOfMotors{CommandId::StartMotor, CommandId::StopMotor, CommandId::StopRamp,
+    CommandId::StartStop, CommandId::FaultAck, CommandId::CpuLoadClear, CommandId::IqdRefClear,
+    CommandId::ProfilerCmd, CommandId::SensorSwitch};
 
 std::int16_t angleOf(SpeedSensor sensor, const Signals &signals)
 {
@@ -140,23 +145,11 @@ Status Server::set(const Request &request)
 
 Status Server::command(const Request &request)
 {
-    switch (static_cast<CommandId>(request.command)) {
-    case CommandId::StartMotor:
-    case CommandId::StopMotor:
-    case CommandId::StopRamp:
-    case CommandId::StartStop:
-    case CommandId::FaultAck:
-    case CommandId::CpuLoadClear:
-    case CommandId::IqdRefClear:
-    case CommandId::ProfilerCmd:
-    case CommandId::SensorSwitch:
-        break;
-    case CommandId::SwReset:
+    const auto id = static_cast<CommandId>(request.command);
+    if (id == CommandId::SwReset)
         m_resetWanted = m_traits.hasSoftReset;
+    if (std::find(kOfMotors.begin(), kOfMotors.end(), id) == kOfMotors.end())
         return Status::CommandUnknown;
-    default:
-        return Status::CommandUnknown;
-    }
     if (request.motor == 0 || request.motor > m_axes.size())
         return Status::Nok; // real firmware reads outside its tables here
     return motorCommand(request, m_axes[request.motor - 1]->firmware);
