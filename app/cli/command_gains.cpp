@@ -154,11 +154,6 @@ Outcome<GainPlan> planOf(
     return plan;
 }
 
-QJsonValue orNull(const std::optional<double> &value)
-{
-    return value ? QJsonValue(*value) : QJsonValue();
-}
-
 void printJson(
     Output &out, const GainPlan &plan, const Present &present, const TuningArguments &wanted)
 {

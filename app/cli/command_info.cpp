@@ -8,12 +8,17 @@ namespace cli {
 
 namespace {
 
+QStringList plainTexts(const std::vector<std::string> &texts)
+{
+    QStringList plain;
+    for (const std::string &text : texts)
+        plain.append(plainText(text));
+    return plain;
+}
+
 QJsonArray textsOf(const std::vector<std::string> &texts)
 {
-    QJsonArray array;
-    for (const std::string &text : texts)
-        array.append(plainText(text));
-    return array;
+    return QJsonArray::fromStringList(plainTexts(texts));
 }
 
 /// What the board does not tell is 0 in our structures, and null for others.
@@ -26,8 +31,7 @@ QJsonObject statusJson(const drive::MotorStatus &status)
         {QStringLiteral("state_number"), static_cast<qint64>(status.rawState)},
         {QStringLiteral("faults_now"), textsOf(status.faultsNow)},
         {QStringLiteral("faults_past"), textsOf(status.faultsPast)},
-        {QStringLiteral("speed_rpm"),
-            status.speedRpm ? QJsonValue(*status.speedRpm) : QJsonValue()}};
+        {QStringLiteral("speed_rpm"), orNull(status.speedRpm)}};
 }
 
 QJsonObject motorJson(const drive::MotorStatus &status, const drive::MotorLimits &limits)
@@ -63,14 +67,6 @@ QJsonObject boardJson(const drive::Identified &board, const QJsonArray &motors)
         {QStringLiteral("link_bytes_per_second"), streaming.linkBytesPerSecond}};
 }
 
-QString joined(const std::vector<std::string> &texts)
-{
-    QStringList list;
-    for (const std::string &text : texts)
-        list.append(plainText(text));
-    return list.join(QStringLiteral(", "));
-}
-
 void printBoard(Output &out, const drive::Identified &board)
 {
     const drive::Identity &identity = board.identity;
@@ -83,8 +79,8 @@ void printBoard(Output &out, const drive::Identified &board)
     if (!identity.evidence.empty())
         row("Found by", plainText(identity.evidence));
     row("Control board", plainText(identity.controlBoard));
-    row("Power board", joined(identity.powerBoards));
-    row("Motor", joined(identity.motorNames));
+    row("Power board", plainTexts(identity.powerBoards).join(QStringLiteral(", ")));
+    row("Motor", plainTexts(identity.motorNames).join(QStringLiteral(", ")));
     row("Drive watchdog",
         identity.watchdog ? QStringLiteral("%1 ms").arg(identity.watchdog->count())
                           : QStringLiteral("none"));

@@ -38,11 +38,6 @@ QString wordOf(MotorWarning warning)
     return QLatin1String(kWarningWords.at(static_cast<std::size_t>(warning)));
 }
 
-QJsonValue jsonOf(const std::optional<double> &value)
-{
-    return value ? QJsonValue(*value) : QJsonValue();
-}
-
 QString textOf(const std::optional<double> &value, std::string_view unit)
 {
     if (!value)
@@ -67,7 +62,7 @@ std::vector<Derived> derivedOf(const drive::MotorFacts &facts)
 QJsonObject row(const QString &name, std::string_view unit, const std::optional<double> &board)
 {
     return {{QStringLiteral("name"), name}, {QStringLiteral("unit"), utf8Text(unit)},
-        {QStringLiteral("board"), jsonOf(board)}};
+        {QStringLiteral("board"), orNull(board)}};
 }
 
 void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet *file)
@@ -79,7 +74,7 @@ void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet 
         QJsonObject object = row(nameOf(one.quantity), unit, one.here);
         QString line = nameOf(one.quantity).leftJustified(12) + textOf(one.here, unit);
         if (file != nullptr) {
-            object[QStringLiteral("file")] = jsonOf(one.there);
+            object[QStringLiteral("file")] = orNull(one.there);
             object[QStringLiteral("differs")] = one.differs;
             line = line.leftJustified(28) + QStringLiteral("  ") + textOf(one.there, unit)
                 + (one.differs ? QStringLiteral("  differs") : QString());

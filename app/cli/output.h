@@ -8,6 +8,8 @@
 #include <QJsonValue>
 #include <QString>
 
+#include <optional>
+
 namespace cli {
 
 /// How a run of the program ends. Scripts depend on these numbers.
@@ -54,6 +56,13 @@ private:
     bool m_json;
     bool m_ok = true;
 };
+
+/// null for what is not known.
+template <class T>
+QJsonValue orNull(const std::optional<T> &value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
 
 /// Shortest text that is the same number again, with a point.
 QString numberText(double number);

@@ -31,8 +31,7 @@ QJsonObject jsonOf(const Desk &desk, const drive::WriteResult &result, Digits di
         {QStringLiteral("id"), idText(result.id)},
         {QStringLiteral("outcome"), utf8Text(wordOf(result.outcome))},
         {QStringLiteral("reason"), plainText(result.reason)},
-        {QStringLiteral("verified"),
-            result.verified ? QJsonValue(*result.verified) : QJsonValue()}};
+        {QStringLiteral("verified"), orNull(result.verified)}};
     const auto put = [&](const char *side, const std::optional<drive::Value> &value) {
         if (value)
             object[QLatin1String(side)] =
