@@ -16,11 +16,51 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace widgets {
 namespace {
+
+constexpr int kLeastAbove = 80; ///< pixels above the table: the fields scroll
+constexpr int kLeastRows = 3; ///< of the table
+
+/// As wide as what is in it; it scrolls where there is no room above the table.
+class FieldScroll : public QScrollArea {
+public:
+    FieldScroll(QWidget *fields, QWidget *parent)
+        : QScrollArea(parent)
+    {
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidgetResizable(true);
+        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+        setWidget(fields);
+    }
+    QSize sizeHint() const override { return beside(widget()->sizeHint()); }
+    QSize minimumSizeHint() const override
+    {
+        return {beside(widget()->minimumSizeHint()).width(), kLeastAbove};
+    }
+
+protected:
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry(); // what is in it needs another width
+        return QScrollArea::event(event);
+    }
+
+private:
+    QSize beside(const QSize &size) const
+    {
+        return size + QSize(style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
+    }
+};
 
 /// How many steps have been asked for.
 int stepsIn(const lab::Happenings &happenings)
@@ -59,12 +99,13 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     auto *above = new QWidget(this);
     auto *row = new QHBoxLayout(above);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(makeSide());
+    row->addWidget(new FieldScroll(makeSide(), above));
     row->addWidget(m_overlay, 1);
     auto *both = new QSplitter(Qt::Vertical, this);
     both->setChildrenCollapsible(false);
     both->addWidget(above);
     both->addWidget(m_table);
+    m_overlay->setMinimumHeight(kLeastAbove);
     both->setStretchFactor(0, 3);
     both->setStretchFactor(1, 2);
     makeTable();
@@ -94,7 +135,6 @@ QWidget *StepPage::makeSide()
     shown->addWidget(m_direction, 1);
     layout->addLayout(shown);
     layout->addStretch(1);
-    side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     return side;
 }
 
@@ -232,6 +272,9 @@ void StepPage::showResults()
     m_overlay->showSteps(m_runs->results(), m_direction->currentIndex() == 0);
     for (int column = 0; column < StepRuns::kColumns; ++column)
         m_table->resizeColumnToContents(column);
+    const int row = std::max(m_table->sizeHintForRow(0), fontMetrics().height());
+    m_table->setMinimumHeight(m_table->header()->sizeHint().height() + kLeastRows * row
+        + m_table->horizontalScrollBar()->sizeHint().height() + 2 * m_table->frameWidth());
     enableButtons();
 }
 

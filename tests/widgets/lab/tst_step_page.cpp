@@ -113,6 +113,26 @@ private Q_SLOTS:
         QTRY_VERIFY(refused("Connect to a board first."));
     }
 
+    void threeSeriesAreSeenInASmallWindow()
+    {
+        Bench bench; // 1280x720
+        auto *runs = bench.rig.window.findChild<widgets::StepRuns *>();
+        for (int i = 0; i < 3; ++i)
+            runs->add({});
+        const auto *table = bench.find<QTreeView>("stepRuns");
+        const auto seen = [&](const QModelIndex &row) {
+            const QRect rect = table->visualRect(row);
+            return rect.isValid()
+                && table->viewport()->visibleRegion().contains(QPoint(4, rect.top()))
+                && table->viewport()->visibleRegion().contains(QPoint(4, rect.bottom()));
+        };
+        for (int i = 0; i < 3; ++i)
+            QTRY_VERIFY2(seen(runs->index(i, 0)), qPrintable(QString::number(i)));
+        // What is above it scrolls up and down, not to the side.
+        auto *fields = bench.find<QLineEdit>("stepFrom");
+        QTRY_VERIFY(fields->visibleRegion().boundingRect().size() == fields->size());
+    }
+
     void whatIsOfferedRunsOnAMotorWithoutASensor()
     {
         Bench bench("pm24");
