@@ -360,6 +360,8 @@ void ExperimentBar::tell(const QString &sentence)
 /// What all buttons lack, or each of them.
 QString ExperimentBar::hints() const
 {
+    if (!m_saysObstacle && !m_parts.experiments.obstacle().isEmpty())
+        return {};
     QStringList all, each;
     for (std::size_t which = 0; which < m_runs.size(); ++which) {
         const QString why = hint(static_cast<int>(which));

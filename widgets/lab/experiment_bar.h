@@ -75,6 +75,8 @@ public:
     void addAside(QWidget *widget); ///< behind the others
     QSize minimumSizeHint() const override;
     void setLook(Look look) { m_look = std::move(look); }
+    /// Its page says why none can begin now: the sentence leaves that out.
+    void leaveOutObstacle() { m_saysObstacle = false; }
 
     void run(int which); ///< as its button does
     /// The same without a press, for what was agreed to along with the run before; false: it does not begin, and it is told why.
@@ -115,6 +117,7 @@ private:
     std::vector<Button> m_buttons;
     std::vector<MotorButton *> m_runs;
     Look m_look;
+    bool m_saysObstacle = true;
     QPointer<QDialog> m_question;
     QTimer m_patience; ///< with what is being written before a run
     int m_which = -1; ///< that is waited for, is running or is being evaluated

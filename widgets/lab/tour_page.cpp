@@ -114,6 +114,7 @@ void TourPage::makeBar()
     prove.settled = [this] { return m_parts.tuning.holdsApplied(); };
     prove.patience = kWriting;
     m_prove = m_bar->add(std::move(prove));
+    m_bar->leaveOutObstacle(); // the first station has it
     m_back = named(new QPushButton(tr("&Back to the old gains"), m_bar), "tourBack");
     m_bar->addAside(m_back);
     connect(m_back, &QPushButton::clicked, this, [this] { m_parts.tuning.back(); });

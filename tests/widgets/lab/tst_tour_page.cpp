@@ -59,6 +59,9 @@ private Q_SLOTS:
         QVERIFY(bench.connectBoard());
         QTRY_VERIFY(bench.cell("tourSteps", Steps::Check, Steps::ResultColumn)
                         .contains(QLatin1String("Arm first")));
+        QTRY_VERIFY(
+            bench.find<QPushButton>("tourRun")->toolTip().contains(QLatin1String("Arm first")));
+        QVERIFY2(bench.said("tourSentence").isEmpty(), qPrintable(toldOf(bench))); // once
         QVERIFY(bench.arm("tourRun"));
         QTRY_COMPARE(stepsOf(bench).state(Steps::Check), State::Done);
         bench.find<QSpinBox>("tourLength")->setValue(length_s);
