@@ -1198,6 +1198,10 @@
         <translation>zu wenig davon ist ohne Lücke: eine Sekunde ist nötig</translation>
     </message>
     <message>
+        <source>the speed did not come to rest before the first torque: its speed loop swings</source>
+        <translation>die Drehzahl kam vor dem ersten Drehmoment nicht zur Ruhe: ihr Regler schwingt</translation>
+    </message>
+    <message>
         <source>the speed hardly changed: no inertia follows from it</source>
         <translation>die Drehzahl änderte sich kaum: daraus folgt kein Trägheitsmoment</translation>
     </message>

@@ -23,6 +23,9 @@ enum class Beginning : std::uint8_t {
     WhileStarting, ///< in its start-up, which the course ends; it stood before
 };
 
+/// A speed that has not come to rest so long after its ramp swings: a course that needs no more begins then.
+inline constexpr Duration kSwingsAfter = std::chrono::milliseconds(3750);
+
 struct Conditions {
     Beginning beginning = Beginning::AtSpeed;
     int firstRpm = 0; ///< signed

@@ -16,6 +16,7 @@ using drive::MotorState;
 constexpr Duration kAnswerWithin = 3s; ///< of what moves nothing
 constexpr Duration kRunsWithin = 10s; ///< a start, with its alignment and its rev-up
 constexpr Duration kReachesWithin = 5s; ///< after the ramp
+constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
 constexpr Duration kRestsWithin = 5s; ///< after its stop
 /// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take seconds.
 constexpr Duration kCoastsSeen = 10s, kCoastsUnseen = 4s;
@@ -682,7 +683,7 @@ bool Runner::steadyAt(double rpm, TimePoint now)
 }
 
 /// A speed that has not come to rest by now swings.
-bool Runner::hadItsTime(TimePoint now) const { return now >= m_until - kReachesWithin / 4; }
+bool Runner::hadItsTime(TimePoint now) const { return now >= m_until - kSwingsLeft; }
 
 /// It did not come to rest, is where the course goes, and the course does not need more.
 bool Runner::swingsThrough(TimePoint now)

@@ -132,6 +132,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP(
         "Lab", "too little of it is without a gap: stretches of two seconds are needed"),
     QT_TRANSLATE_NOOP("Lab", "too little of it is without a gap: a second is needed"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "the speed did not come to rest before the first torque: its speed loop swings"),
     QT_TRANSLATE_NOOP("Lab", "the speed hardly changed: no inertia follows from it"),
     QT_TRANSLATE_NOOP("Lab",
         "this motor changes its speed too fast for its Hall sensors: between two of their edges "

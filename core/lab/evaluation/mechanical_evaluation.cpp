@@ -198,6 +198,20 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
           "alignment against friction");
 }
 
+/// Whether the first torque was asked for when the runner waited for a speed at rest no longer. @param from  when that was
+bool beganSwinging(const Happenings &asked, int motor, Nanos from)
+{
+    constexpr double kNanosPerMs = 1e6;
+    constexpr double kSooner_ms = 50.0; // a ramp that was too late was asked for again
+    double waited_ms = 0.0; // since the last ramp was over
+    for (const auto &[at, what] : asked)
+        if (at < from && what.name == "speed ramp" && numberOf(what, "motor") == motor)
+            waited_ms = (static_cast<double>(from) - static_cast<double>(at)) / kNanosPerMs
+                - numberOf(what, "ms").value_or(0.0);
+    return waited_ms
+        >= std::chrono::duration<double, std::milli>(kSwingsAfter).count() - kSooner_ms;
+}
+
 /// As FluxValue has them, as far as they were recorded.
 std::vector<const capture::Channel *> signalsOf(
     const capture::Capture &capture, const Recorded<SpinPlan> &plan)
@@ -270,6 +284,9 @@ Result<Mechanics, std::string> evaluateMechanics(
     for (const double torque : rows.wanted)
         squares += torque * torque;
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
+    if (beganSwinging(after, plan->motor, span->from))
+        found.notes.emplace_back(
+            "the speed did not come to rest before the first torque: its speed loop swings");
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
     constexpr double kNoticed_s = 0.02;

@@ -297,6 +297,11 @@ private Q_SLOTS:
                 qPrintable(support::outcomeText(measured.outcome)));
             QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
             VERIFY_WITHIN(measured.found->inertia_kgm2, options.plant->motor.inertia_kgm2, 1.5);
+            const auto &notes = measured.found->notes;
+            QVERIFY(std::any_of(notes.begin(), notes.end(), [](const std::string &note) {
+                return note.find("did not come to rest before the first torque")
+                    != std::string::npos;
+            }));
             // What flows in the midst of a swing is not taken for what holds the speed: it would be in all that follows.
             QVERIFY(measured.torques.front().amps < 0.25 * options.plant->motor.nominal_a);
         }
