@@ -18,6 +18,8 @@ constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to a
 constexpr std::size_t kMostAsked = 1000;
 // From the board's answer until it has forgotten the faults that were acknowledged, at most: some do it a cycle later.
 constexpr Duration kForgets = std::chrono::milliseconds(10);
+/// Set-points that follow each other sooner excite a motor, some hundred times a response: the first one stands for all.
+constexpr Duration kExcites = std::chrono::milliseconds(200);
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 } // namespace
 
@@ -237,6 +239,10 @@ void EventRecorder::acted(const drive::MotionRecord &record)
         m_acknowledged[record.motor] = record.ended;
     // What a person asks for is noted as it is asked for; an experiment asks without the Device.
     if (record.source == drive::Source::Person)
+        return;
+    const auto before = std::exchange(m_experimented, {record.act, record.asked});
+    if (record.outcome == drive::Outcome::Ok && record.act == before.first
+        && record.asked < before.second + kExcites)
         return;
     QString text = motionActText(record.act);
     if (!record.detail.empty())

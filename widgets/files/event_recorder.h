@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace widgets {
 
@@ -87,6 +88,8 @@ private:
     std::pair<drive::WishId, quint32> m_lastEnded; ///< a command, and its line
     std::map<int, drive::MotorStatus> m_status;
     std::map<int, TimePoint> m_acknowledged; ///< by motor: when the board had done so
+    std::pair<drive::MotionAct, TimePoint> m_experimented{
+        drive::MotionAct::Arm, {}}; ///< what the last one asked for, and when
     drive::LinkState m_link = drive::LinkState::Closed;
     std::optional<Loss> m_loss; ///< that goes on
     bool m_closing = false; ///< the link is closed, and its port has not told why

@@ -125,6 +125,12 @@ void TestScopeEvents::whatAnExperimentAsksForIsNotedAtItsTime()
     QCOMPARE(
         noted(), QStringList{QStringLiteral("Command Experiment: Speed ramp 1500 rpm in 200 ms")});
     QCOMPARE(log().find(lastId())->seconds, 1.5);
+    for (record.asked += 60ms; record.asked < TimePoint(2500ms); record.asked += 60ms)
+        facts::feed(m_rig->device(), {record});
+    QCOMPARE(noted().size(), 1); // the first of an excitation
+    record.asked += 200ms;
+    facts::feed(m_rig->device(), {record});
+    QCOMPARE(noted().size(), 2);
     record.act = drive::MotionAct::Start;
     record.detail.clear();
     record.outcome = drive::Outcome::Refused;
