@@ -33,6 +33,12 @@ struct At {
 
 using MaybeHit = std::optional<TriggerHit>;
 
+/// What most machines have in common.
+struct PlainMachine {
+    static constexpr bool kForgetful = false; ///< true: samples that may not fire need not be seen
+    std::optional<Nanos> due() const { return std::nullopt; }
+};
+
 /// Edges of one level in one or both directions.
 template <class T>
 struct Edges {
@@ -66,8 +72,7 @@ struct Edges {
 };
 
 template <class T>
-struct EdgeMachine {
-    static constexpr bool kForgetful = false;
+struct EdgeMachine : PlainMachine {
     Edges<T> edges;
 
     EdgeMachine(const Halves<T> &halves, const EdgeTrigger &edge)
@@ -83,12 +88,11 @@ struct EdgeMachine {
                                                 : std::nullopt;
     }
     bool quiet(T min, T max) const { return edges.quiet(min, max); }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 template <class T>
-struct LevelMachine {
-    static constexpr bool kForgetful = true; ///< samples that may not fire need not be seen
+struct LevelMachine : PlainMachine {
+    static constexpr bool kForgetful = true;
     Half<T> side;
 
     LevelMachine(const Halves<T> &halves, const LevelTrigger &level)
@@ -104,12 +108,10 @@ struct LevelMachine {
         return side.holds(value) ? MaybeHit(at.hit()) : std::nullopt;
     }
     bool quiet(T min, T max) const { return side.misses(min, max); }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 template <class T>
-struct LeavingMachine {
-    static constexpr bool kForgetful = false;
+struct LeavingMachine : PlainMachine {
     double low;
     double high;
     Half<T> armLow;
@@ -147,12 +149,10 @@ struct LeavingMachine {
         return armed ? over.misses(min, max) && under.misses(min, max)
                      : armLow.misses(min, max) || armHigh.misses(min, max);
     }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 template <class T>
-struct EnteringMachine {
-    static constexpr bool kForgetful = false;
+struct EnteringMachine : PlainMachine {
     double low;
     double high;
     Half<T> armUnder;
@@ -199,12 +199,10 @@ struct EnteringMachine {
         }
         return false;
     }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 template <class T>
-struct PulseMachine {
-    static constexpr bool kForgetful = false;
+struct PulseMachine : PlainMachine {
     Crossing<T> first;
     Crossing<T> second;
     DurationTest width;
@@ -237,7 +235,6 @@ struct PulseMachine {
         return wanted ? MaybeHit(end) : std::nullopt;
     }
     bool quiet(T min, T max) const { return first.quiet(min, max) && second.quiet(min, max); }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 /// One direction of a slew: from the crossing of the first level to the second one.
@@ -274,8 +271,7 @@ struct Ramp {
 };
 
 template <class T>
-struct SlewMachine {
-    static constexpr bool kForgetful = false;
+struct SlewMachine : PlainMachine {
     Slope slope;
     DurationTest test;
     Ramp<T> rise;
@@ -313,12 +309,10 @@ struct SlewMachine {
         return (slope == Slope::Falling || rise.quiet(min, max))
             && (slope == Slope::Rising || fall.quiet(min, max));
     }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 template <class T>
-struct DropoutMachine {
-    static constexpr bool kForgetful = false;
+struct DropoutMachine : PlainMachine {
     Edges<T> edges;
     Nanos time;
     std::optional<Nanos> dueAt;
@@ -354,8 +348,7 @@ struct DropoutMachine {
 };
 
 template <class T>
-struct NthEdgeMachine {
-    static constexpr bool kForgetful = false;
+struct NthEdgeMachine : PlainMachine {
     Edges<T> edges;
     std::uint32_t count;
     Nanos idle;
@@ -395,7 +388,6 @@ struct NthEdgeMachine {
         return edge;
     }
     bool quiet(T min, T max) const { return edges.quiet(min, max); }
-    std::optional<Nanos> due() const { return std::nullopt; }
 };
 
 } // namespace scope
