@@ -419,8 +419,6 @@ bool CsvWriter::plan(Run &run) const
 /// @param at  has room for kMostRowsARun rows
 char *CsvWriter::writeRun(const Run &run, char *at)
 {
-    if (!m_zero)
-        m_zero = m_options.zero == CsvOptions::Zero::FirstRow ? run.time : 0;
     m_fields.clear();
     m_codes.resize(m_columns.size() * kMostRowsARun);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -446,13 +444,12 @@ char *CsvWriter::writeRun(const Run &run, char *at)
     const Marks &marks = marksOf(m_options.dialect);
     TimeTexts times(marks.decimal);
     Nanos time = run.time;
-    // Copies: for all the compiler knows, text is written over members.
+    // A copy: for all the compiler knows, text is written over members.
     const std::span<const Field> fields(m_fields);
-    const Nanos zero = *m_zero;
     for (std::size_t row = 0; row < run.count; ++row) {
         if (row != 0)
             time = even ? time + step : segment->timeOf(run.first + row);
-        at = times.write(at, time - zero);
+        at = times.write(at, time);
         for (const Field &field : fields) {
             if (field.codes) {
                 at = field.texts->write(at, field.codes[row]);

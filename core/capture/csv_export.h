@@ -22,10 +22,6 @@ enum class CsvDialect : std::uint8_t {
 
 struct CsvOptions {
     std::optional<TimeSpan> range; ///< rows in [from, to); all if not set
-    enum class Zero : std::uint8_t {
-        Session, ///< times as on the scope
-        FirstRow, ///< the first row is 0
-    } zero = Zero::Session;
     CsvDialect dialect = CsvDialect::Plain;
 };
 
@@ -84,7 +80,6 @@ private:
     std::vector<char> m_text; ///< with room for one run more than a piece
     std::size_t m_size = 0; ///< of what is written in it
     std::size_t m_shown = 0; ///< of that, as the last piece
-    std::optional<Nanos> m_zero;
     std::uint64_t m_rows = 0;
     std::uint64_t m_total = 0; ///< samples to write in the columns that make rows
     std::uint64_t m_done = 0;
