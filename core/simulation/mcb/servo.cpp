@@ -80,7 +80,6 @@ void Servo::task()
 {
     Firmware &firmware = m_axis.firmware;
     firmware.mfTask();
-    ++m_mfTicks;
     const MotorState motor = firmware.state();
     const bool fault = motor == MotorState::FaultNow || motor == MotorState::FaultOver;
     if (fault && m_state != State::Fault) {

@@ -81,7 +81,7 @@ private:
     std::int32_t m_lastError = 0;
     bool m_started = false;
     TimePoint m_begun{};
-    std::uint64_t m_hfTicks = 0, m_mfTicks = 0;
+    std::uint64_t m_hfTicks = 0;
 };
 
 } // namespace simulation
