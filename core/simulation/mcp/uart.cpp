@@ -89,11 +89,9 @@ bool UartReceiver::takeComplete() { return std::exchange(m_complete, false); }
 
 void UartReceiver::reset()
 {
-    *this = [this] {
-        UartReceiver fresh(1);
-        fresh.m_byteTime = m_byteTime;
-        return fresh;
-    }();
+    const Duration byteTime = m_byteTime;
+    *this = UartReceiver(1);
+    m_byteTime = byteTime;
 }
 
 Transmitter::Transmitter(std::uint32_t baud, Liar &liar)
