@@ -13,15 +13,8 @@ using session::PortChoice;
 
 const char *wordOf(PortChoice::Kind kind)
 {
-    switch (kind) {
-    case PortChoice::Kind::Simulator:
-        return "simulator";
-    case PortChoice::Kind::StLink:
-        return "st-link";
-    case PortChoice::Kind::Serial:
-        break;
-    }
-    return "serial";
+    static const char *const words[] = {"simulator", "st-link", "serial"};
+    return words[static_cast<std::size_t>(kind)];
 }
 
 QString titleOf(const PortChoice &port)

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
+#include "option_values.h"
 #include "sentences.h"
 
 #include <QJsonArray>
@@ -72,8 +73,7 @@ std::optional<double> numberOf(const QString &text)
     const std::string bytes = text.trimmed().toLatin1().toStdString();
     if (bytes.starts_with("0x") || bytes.starts_with("0X"))
         return numberIn<std::uint32_t>(std::string_view(bytes).substr(2), 16);
-    const auto number = numberIn<double>(bytes);
-    return number && std::isfinite(*number) ? number : std::nullopt;
+    return plainNumber(text);
 }
 
 } // namespace
