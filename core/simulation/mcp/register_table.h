@@ -73,6 +73,8 @@ struct RegisterRow {
     {
         return with(&RegisterRow::refusal, status);
     }
+    /// SET does not know it.
+    constexpr RegisterRow silent() const { return refuses(mcp::Status::UnknownRegister); }
     constexpr RegisterRow refusesAnywhere() const
     {
         return with(&RegisterRow::refusedAnywhere, true);
@@ -86,9 +88,7 @@ struct RegisterRow {
     constexpr RegisterRow ofSpeed() const { return forDatalog().with(&RegisterRow::speed, true); }
     constexpr RegisterRow onlyForDatalog() const
     {
-        return forDatalog()
-            .with(&RegisterRow::readable, false)
-            .refuses(mcp::Status::UnknownRegister);
+        return forDatalog().with(&RegisterRow::readable, false).silent();
     }
 };
 

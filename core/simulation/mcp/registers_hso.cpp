@@ -150,7 +150,6 @@ constexpr Row readOnly(Row row)
         row.get = [](At &) { return 0U; };
     return row;
 }
-constexpr Row silent(Row row) { return row.refuses(Status::UnknownRegister); }
 
 std::uint32_t resistance(At &at, double one)
 {
@@ -169,7 +168,7 @@ constexpr std::array kRows{
     computed(1, Bits8, [](At &at) { return asWire(at.firmware.state()); }), // STATUS
     computed(2, Bits8, [](At &at) { return asWire(at.firmware.controlMode()); })
         .settable(setControlMode),
-    silent(computed(3, Bits8, [](At &at) { return asWire(at.firmware.controlMode()); })),
+    computed(3, Bits8, [](At &at) { return asWire(at.firmware.controlMode()); }).silent(),
     kept(4, Bits8).settable(setModulation), // FOC_MODULATIONMODE
     kept(7, Bits8), // FOC_SPEED_SOURCE_SELECT
     kept(8, Bits8), // FOC_RS_UPDATE_SELECT
@@ -209,7 +208,7 @@ constexpr std::array kRows{
     readOnly(kept(31, Bits32)), // offsets of three currents and three voltages
     readOnly(kept(32, Bits32)), readOnly(kept(33, Bits32)), readOnly(kept(34, Bits32)),
     readOnly(kept(35, Bits32)), readOnly(kept(36, Bits32)), kept(37, Bits32), // FOC_OPENLOOP_ANGLE
-    silent(q(38, [](At &at) { return asWire(static_cast<float>(at.firmware.speed_rpm())); })),
+    q(38, [](At &at) { return asWire(static_cast<float>(at.firmware.speed_rpm())); }).silent(),
     kept(39, Bits32), // FOC_VDREF
     q(42,
         [](At &at) {
@@ -235,11 +234,12 @@ constexpr std::array kRows{
         .settable(setFrequency),
     kept(53, Bits32, kSpeedRamp_hzps << 16), // FOC_SPEEDRAMP
     writeOnly(54, Bits32), // FOC_TORQUERAMP
-    silent(q(55,
+    q(55,
         [](At &at) {
             return q16(at.firmware.variables().iQ * at.firmware.stage().ampsPerDigit()
                 * torquePerAmp_nm(at.firmware));
-        })), // FOC_TORQUE_NM
+        })
+        .silent(), // FOC_TORQUE_NM
     q(56,
         [](At &at) {
             return q16(electricalHz(at.firmware, at.firmware.variables().pllSpeed));
@@ -249,12 +249,12 @@ constexpr std::array kRows{
     from(kept(59, Bits32), [](At &at) { return q16(at.firmware.stage().nominal_a); }),
     q(60, [](At &at) { return inductance(at, kQ30); }).settable(ignore), // FOC_LS_EST
     from(kept(61, Bits32), flux), // FOC_FLUX_RATED_VPHZ
-    silent(q(62, flux)), // FOC_FLUX_VPHZ
+    q(62, flux).silent(), // FOC_FLUX_VPHZ
     kept(63, Bits32, 1000U << 16).in(zest), // FOC_INJECTFREQ_HZ
     kept(64, Bits32).in(zest), // FOC_GAIN_D
     kept(65, Bits32).in(zest), // FOC_GAIN_Q
-    silent(q(66, [](At &at) { return dutyQ30(at.firmware.variables().vD); })), // FOC_DUTYCYCLE_D
-    silent(q(67, [](At &at) { return dutyQ30(at.firmware.variables().vQ); })),
+    q(66, [](At &at) { return dutyQ30(at.firmware.variables().vD); }).silent(), // FOC_DUTYCYCLE_D
+    q(67, [](At &at) { return dutyQ30(at.firmware.variables().vQ); }).silent(),
     q(68, [](At &at) { return q30(angle_rad(at.firmware) / (2.0 * std::numbers::pi)); })
         .forDatalog(), // FOC_ANGLE_PU
     from(kept(69, Bits32), [](At &at) { return resistance(at, kQ20); }), // FOC_RS_RATED
@@ -265,7 +265,7 @@ constexpr std::array kRows{
     readOnly(kept(74, Bits32)).in(zest), // FOC_ZEST_OUTD
     readOnly(kept(75, Bits32)).in(zest), // FOC_ZEST_OUTQ
     kept(76, Bits32), // FOC_ANGLE_COMP_FACTOR
-    silent(q(78, [](At &at) { return amps(at, at.firmware.torqueReference()); })),
+    q(78, [](At &at) { return amps(at, at.firmware.torqueReference()); }).silent(),
     q(79, [](At &at) { return amps(at, at.firmware.variables().iDRef); }).settable(setId),
     q(80, [](At &at) { return amps(at, at.firmware.variables().iQRef); }).settable(setIq),
     from(kept(81, Bits32),

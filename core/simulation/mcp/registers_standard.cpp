@@ -125,15 +125,9 @@ constexpr std::array kBytes{
     measured<&Commissioning::completed>(20).in(profiler),
     measured<&Signals::positionState>(21).in(position),
     measured<&Signals::alignState>(22).in(position),
-    computed(23, Bits8, [](At &) { return 0U; })
-        .in(hallTuning)
-        .refuses(Status::UnknownRegister), // HT_STATE
-    computed(24, Bits8, [](At &) { return 0U; })
-        .in(hallTuning)
-        .refuses(Status::UnknownRegister), // HT_PROGRESS
-    computed(25, Bits8, [](At &) { return 0U; })
-        .in(hallTuning)
-        .refuses(Status::UnknownRegister), // HT_PLACEMENT: unknown
+    computed(23, Bits8, [](At &) { return 0U; }).in(hallTuning).silent(), // HT_STATE
+    computed(24, Bits8, [](At &) { return 0U; }).in(hallTuning).silent(), // HT_PROGRESS
+    computed(25, Bits8, [](At &) { return 0U; }).in(hallTuning).silent(), // HT_PLACEMENT: unknown
     writeOnly(26, Bits8).in(hallTuning), // HT_MECH_WANTED_DIRECTION
     kept(27, Bits8).in(sixStep), // LOWSIDE_MODULATION; FAST_DEMAG up to 6.2
     kept(28, Bits8).in(sixStep), // QUASI_SYNCH
@@ -245,12 +239,9 @@ constexpr std::array kLongs{
     setting<&Tuning::ff2>(9).in(feedForward),
     pfcStub(40, Bits32), // PFC_FAULTS
     measured<&Signals::position_rad>(41).in(position),
-    measured<&Signals::cpuLoad>(88).in(cpuLoad).at(Board).from(0x060200).refuses(
-        Status::UnknownRegister),
-    measured<&Signals::cpuLoadMin>(89).in(cpuLoad).at(Board).from(0x060200).refuses(
-        Status::UnknownRegister),
-    measured<&Signals::cpuLoadMax>(90).in(cpuLoad).at(Board).from(0x060200).refuses(
-        Status::UnknownRegister),
+    measured<&Signals::cpuLoad>(88).in(cpuLoad).at(Board).from(0x060200).silent(),
+    measured<&Signals::cpuLoadMin>(89).in(cpuLoad).at(Board).from(0x060200).silent(),
+    measured<&Signals::cpuLoadMax>(90).in(cpuLoad).at(Board).from(0x060200).silent(),
     measured<&Commissioning::rs_ohm>(91).in(profiler),
     measured<&Commissioning::ls_h>(92).in(profiler),
     measured<&Commissioning::ke_vrmsPerKrpm>(93).in(profiler),
@@ -268,7 +259,7 @@ constexpr std::array kLongs{
     measured<&Commissioning::startUpAcceleration_rpmps>(105).in(profiler),
     computed(109, Bits32, [](At &at) { return asWire(static_cast<float>(at.firmware.power_w())); })
         .in(foc)
-        .refuses(Status::UnknownRegister), // MOTOR_POWER: the firmware lists it in the wrong switch
+        .silent(), // MOTOR_POWER: the firmware lists it in the wrong switch
     setting<&Commissioning::resistorOffset_ohm>(116).in(profiler).from(0x060200),
 };
 
