@@ -86,7 +86,7 @@ Outcome<bool> readStep(const Given &given, Arguments &arguments)
             QStringLiteral("--speed is for torque and flux: a speed has --from and --to."));
     constexpr int kMostRpm = 1'000'000;
     constexpr int kMostRepeats = 100, kMostHold_ms = 10'000;
-    int rpm = 0, fromRpm = 0, toRpm = 0;
+    int rpm = 0;
     const auto numbers = readNumbers(given,
         {{"repeat", &step.repeat, 1, kMostRepeats},
             {"hold", &step.hold_ms, speed ? 50 : 10, speed ? kMostHold_ms : 500},
@@ -95,15 +95,11 @@ Outcome<bool> readStep(const Given &given, Arguments &arguments)
         return numbers;
     if (given.has("speed"))
         step.rpm = rpm;
-    const auto ends = speed
-        ? readNumbers(
-            given, {{"from", &fromRpm, -kMostRpm, kMostRpm}, {"to", &toRpm, -kMostRpm, kMostRpm}})
-        : readAmps(given, step);
-    if (!ends)
-        return ends;
-    step.fromRpm = fromRpm;
-    step.toRpm = toRpm;
-    return readRunFile(given, arguments);
+    const auto ends = speed ? readNumbers(given,
+                          {{"from", &step.fromRpm, -kMostRpm, kMostRpm},
+                              {"to", &step.toRpm, -kMostRpm, kMostRpm}})
+                            : readAmps(given, step);
+    return ends ? readRunFile(given, arguments) : ends;
 }
 
 } // namespace
