@@ -102,14 +102,6 @@ bool put(const ParameterInfo::Slot &slot, const QJsonValue &value)
     return value.isDouble();
 }
 
-double numberAt(const ParameterInfo::Slot &slot)
-{
-    if (const auto *whole = std::get_if<int *>(&slot))
-        return **whole;
-    const auto *real = std::get_if<double *>(&slot);
-    return real != nullptr ? **real : 0.0;
-}
-
 MotorFileError::Wanted wantedBy(const ParameterInfo::Slot &slot)
 {
     return std::holds_alternative<bool *>(slot)       ? MotorFileError::Wanted::YesOrNo
@@ -278,7 +270,7 @@ MotorSheet MotorFile::sheet() const
     for (const Place &place : kPlaces) {
         const ParameterInfo *row = rowOf(place.section, place.name);
         if (row != nullptr && given.contains(pathOf(place.section, place.name)))
-            sheet.*place.member = numberAt(row->slot(copy));
+            sheet.*place.member = simulation::numberAt(row->slot(copy));
     }
     return sheet;
 }

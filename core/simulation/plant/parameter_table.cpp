@@ -96,7 +96,9 @@ constexpr ParameterInfo kTable[] = {
         "of a machine that pushes, in the sense of its sign"},
 };
 
-double numberIn(const ParameterInfo::Slot &slot)
+} // namespace
+
+double numberAt(const ParameterInfo::Slot &slot)
 {
     if (const auto *real = std::get_if<double *>(&slot))
         return **real;
@@ -107,14 +109,12 @@ double numberIn(const ParameterInfo::Slot &slot)
     return *std::get<bool *>(slot) ? 1.0 : 0.0;
 }
 
-} // namespace
-
 std::span<const ParameterInfo> parameterTable() { return kTable; }
 
 bool withinBounds(const ParameterInfo &info, const PlantParameters &parameters)
 {
     PlantParameters copy = parameters;
-    const double value = numberIn(info.slot(copy));
+    const double value = numberAt(info.slot(copy));
     return value >= info.least && value <= info.most;
 }
 

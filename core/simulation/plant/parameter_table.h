@@ -21,6 +21,9 @@ struct ParameterInfo {
     std::string_view meaning;
 };
 
+/// What stands there; of a text its bytes, of yes and no 1 and 0.
+double numberAt(const ParameterInfo::Slot &slot);
+
 /// All of them, section by section.
 std::span<const ParameterInfo> parameterTable();
 
