@@ -78,8 +78,7 @@ private:
 /// A scroll area for a part of the panel.
 Scroll *scrolled(QWidget *content, const char *name, QWidget *parent)
 {
-    auto *scroll = new Scroll(parent);
-    scroll->setObjectName(QLatin1String(name));
+    auto *scroll = named(new Scroll(parent), name);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -157,8 +156,9 @@ ControlPanel::ControlPanel(
     , m_jog(new JogBox(device, motion, this))
     , m_readouts(new ReadoutBox(device, registers, this))
     , m_limits(named(new SteadyLabel(this, 2), "limits"))
-    , m_changeLimits(named(new QToolButton(this), "changeLimits"))
-    , m_changeScale(named(new QToolButton(this), "changeCurrentScale"))
+    , m_changeLimits(named(new QToolButton(this), "changeLimits", tr("Change own limits")))
+    , m_changeScale(
+          named(new QToolButton(this), "changeCurrentScale", tr("Change the current scale")))
     , m_words(new StopWords(this))
 {
     setObjectName(QStringLiteral("controlPanel"));
@@ -226,13 +226,11 @@ QWidget *ControlPanel::makeBody()
     auto *body = new QWidget(this);
     m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_changeLimits->setText(tr("Change\u2026", "the limits"));
-    m_changeLimits->setAccessibleName(tr("Change own limits"));
     m_changeLimits->setFocusPolicy(Qt::TabFocus);
     auto *limits = new QHBoxLayout;
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
     m_changeScale->setText(tr("Scale\u2026", "of the currents"));
-    m_changeScale->setAccessibleName(tr("Change the current scale"));
     m_changeScale->setToolTip(tr("The current of 32768 digits, which the board does not tell."));
     m_changeScale->setFocusPolicy(Qt::TabFocus);
     m_readouts->putBeside("I_Q_MEAS", *m_changeScale);

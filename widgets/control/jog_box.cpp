@@ -193,8 +193,7 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
 
 JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
 {
-    auto *button = new JogButton(text, this);
-    button->setObjectName(QLatin1String(name));
+    auto *button = named(new JogButton(text, this), name);
     connect(button, &JogButton::began, this, [this, sign] {
         if (const auto rpm = m_speed->sentValue())
             m_jog.hold(sign * static_cast<std::int32_t>(std::abs(*rpm)));

@@ -40,9 +40,8 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
         m_table->setColumnWidth(column, widths[column] * unit);
 
     const auto button = [this](const QString &text, const char *name, auto slot) {
-        auto *made = new QToolButton(this);
+        auto *made = named(new QToolButton(this), name);
         made->setText(text);
-        made->setObjectName(QLatin1String(name));
         made->setFocusPolicy(Qt::TabFocus);
         connect(made, &QToolButton::clicked, this, slot);
         return made;

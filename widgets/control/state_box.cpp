@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/steady_label.h"
@@ -18,8 +19,7 @@ namespace {
 /// One line as wide as the panel, whatever it says.
 SteadyLabel *lineLabel(QWidget *parent, const char *objectName)
 {
-    auto *label = new SteadyLabel(parent);
-    label->setObjectName(QLatin1String(objectName));
+    auto *label = named(new SteadyLabel(parent), objectName);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return label;
 }
@@ -41,13 +41,12 @@ StateBox::StateBox(Device &device, QWidget *parent)
     , m_strip(new StateStrip(this))
     , m_faultsNow(lineLabel(this, "faultsNow"))
     , m_faultsPast(lineLabel(this, "faultsPast"))
-    , m_causes(new QToolButton(this))
+    , m_causes(named(new QToolButton(this), "faultCauses"))
 {
     QFont large = m_state->font();
     large.setPointSizeF(large.pointSizeF() * 1.4);
     large.setBold(true);
     m_state->setFont(large);
-    m_causes->setObjectName(QStringLiteral("faultCauses"));
     m_causes->setText(tr("Causes\u2026"));
     m_causes->setToolTip(tr("What these faults mean and what to try"));
     m_causes->setFocusPolicy(Qt::TabFocus);

@@ -89,8 +89,7 @@ QWidget *RecordPanel::makeReferences(ScopeView &scope)
         keep->setToolTip(
             tr("Keeps the traces of the picture dashed and paler behind those that come (%1)")
                 .arg(key));
-        auto *drop = new QPushButton(dropText, box);
-        drop->setObjectName(QLatin1String(dropName));
+        auto *drop = named(new QPushButton(dropText, box), dropName);
         grid->addWidget(keep, row, 0);
         grid->addWidget(drop, row, 1);
         connect(

@@ -33,7 +33,7 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_replay(replay)
-    , m_pause(named(new QToolButton(this), "replayPause"))
+    , m_pause(named(new QToolButton(this), "replayPause", tr("Pause the replay")))
     , m_speed(named(new QComboBox(this), "replaySpeed", tr("Pace of the replay")))
     , m_place(named(new QSlider(Qt::Horizontal, this), "replayPlace", tr("Place in the recording")))
     , m_badge(named(new QLabel(tr("REPLAY"), this), "replayBadge"))
@@ -44,7 +44,6 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
         m_pause->setText(word);
         m_pause->setMinimumWidth(std::max(m_pause->minimumWidth(), m_pause->sizeHint().width()));
     }
-    m_pause->setAccessibleName(tr("Pause the replay"));
     m_pause->setToolTip(tr("Holds the replay; nothing is left out"));
     m_pause->setCheckable(true);
     m_pause->setFocusPolicy(Qt::TabFocus);

@@ -52,9 +52,7 @@ int positionOf(double value, double least, double most)
 
 QSlider *makeSlider(const char *name, const QString &label, QWidget *parent)
 {
-    auto *slider = new QSlider(Qt::Horizontal, parent);
-    slider->setObjectName(QLatin1String(name));
-    slider->setAccessibleName(label);
+    auto *slider = named(new QSlider(Qt::Horizontal, parent), name, label);
     slider->setRange(0, kSliderSteps);
     slider->setSingleStep(kSliderSteps / 200);
     slider->setPageStep(kSliderSteps / 20);

@@ -1,6 +1,7 @@
 #include "widgets/forms/gains_form.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_lab.h"
 #include "widgets/forms/gain_number.h"
@@ -42,17 +43,15 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     , m_model(model)
     , m_edits(edits)
     , m_inertias(inertias)
-    , m_pages(new QTabWidget(this))
-    , m_board(new QLabel)
+    , m_pages(named(new QTabWidget(this), "gainPages"))
+    , m_board(named(new QLabel, "gainBoard"))
     , m_table(new GainTable(model))
     , m_lab(new GainLab(model))
     , m_editBar(new EditBar(edits, model, apply, revert, EditBar::Room::Wide, this))
 {
     setObjectName(QStringLiteral("gainsForm"));
-    m_pages->setObjectName(QStringLiteral("gainPages"));
     m_pages->tabBar()->setAccessibleName(tr("Pages of the gains"));
     m_pages->setDocumentMode(true);
-    m_board->setObjectName(QStringLiteral("gainBoard"));
     m_board->setTextFormat(Qt::PlainText);
     m_board->setForegroundRole(QPalette::PlaceholderText);
     m_pages->setCornerWidget(m_board);

@@ -78,8 +78,7 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription 
 
 QPushButton *MotorForm::makeButton(const QString &text, const char *name, const QString &help)
 {
-    auto *button = new QPushButton(text, this);
-    button->setObjectName(QLatin1String(name));
+    auto *button = named(new QPushButton(text, this), name);
     button->setToolTip(plainToolTip(help));
     return button;
 }

@@ -120,10 +120,9 @@ QWidget *RampForm::makeLines()
 QWidget *RampForm::makePresets()
 {
     auto *box = new QWidget(this);
-    m_preset = named(new QComboBox(box), "rampPreset");
+    m_preset = named(new QComboBox(box), "rampPreset", tr("Name of a ramp"));
     m_preset->setEditable(true);
     m_preset->setInsertPolicy(QComboBox::NoInsert);
-    m_preset->setAccessibleName(tr("Name of a ramp"));
     m_preset->setToolTip(tr("Choosing one fills the fields; it sends nothing. To keep the ramp "
                             "that you look at, type a name and save."));
     m_preset->lineEdit()->setMaxLength(int(kLongestPresetName));

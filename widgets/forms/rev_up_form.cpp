@@ -88,8 +88,7 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
 
 QPushButton *RevUpForm::makeButton(const QString &text, const char *name, const QString &toolTip)
 {
-    auto *button = new QPushButton(text, this);
-    button->setObjectName(QLatin1String(name));
+    auto *button = named(new QPushButton(text, this), name);
     button->setToolTip(plainToolTip(toolTip));
     return button;
 }

@@ -1,5 +1,6 @@
 #include "widgets/lab/step_fields.h"
 
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/base/whole_spin.h"
@@ -56,8 +57,7 @@ StepFields::StepFields(QWidget *parent)
 
 SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
 {
-    auto *edit = new SetpointEdit(this);
-    edit->setObjectName(QLatin1String(name));
+    auto *edit = named(new SetpointEdit(this), name);
     edit->setFixedWidth(edit->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
     edit->setWheelAllowed(true); // moves nothing by itself
     edit->setNotch(kNotch_rpm);
@@ -80,8 +80,7 @@ SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *
 
 QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const char *name)
 {
-    auto *spin = new WholeSpin(this);
-    spin->setObjectName(QLatin1String(name));
+    auto *spin = named(new WholeSpin(this), name);
     new WheelGuard(spin);
     auto *label = new QLabel(text, this);
     label->setBuddy(spin);

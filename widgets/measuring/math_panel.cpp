@@ -88,8 +88,7 @@ QWidget *MathPanel::makeEditor()
     auto *ready = named(new QPushButton(tr("Read&y formulas"), side), "readyMath");
     auto *insertIt = named(new QPushButton(tr("&Insert"), side), "insertMath");
     const auto withMenu = [this](QPushButton *button, const char *name, auto fill) {
-        auto *menu = new QMenu(button);
-        menu->setObjectName(QLatin1String(name));
+        auto *menu = named(new QMenu(button), name);
         menu->setToolTipsVisible(true);
         button->setMenu(menu);
         connect(menu, &QMenu::aboutToShow, this, [this, menu, fill] { (this->*fill)(*menu); });

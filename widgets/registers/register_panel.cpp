@@ -45,7 +45,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     , m_model(model)
     , m_edits(edits)
     , m_proxy(new QSortFilterProxyModel(this))
-    , m_search(named(new QLineEdit(this), "registerSearch"))
+    , m_search(named(new QLineEdit(this), "registerSearch", tr("Search registers")))
     , m_tree(named(new QTreeView(this), "registerTree", tr("Registers")))
     , m_details(wrappedLabel("registerDetails", this))
     , m_columnsMenu(new QMenu(tr("Register &columns"), this))
@@ -57,7 +57,6 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
 
     m_search->setPlaceholderText(tr("Search registers (Ctrl+K)"));
     m_search->setClearButtonEnabled(true);
-    m_search->setAccessibleName(tr("Search registers"));
     m_search->installEventFilter(this);
     makeTree();
     makeColumns();

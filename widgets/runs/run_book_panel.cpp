@@ -56,9 +56,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     m_folder->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_told->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     const auto button = [this](const QString &text, const char *name) {
-        auto *made = new QPushButton(text, this);
-        made->setObjectName(QLatin1String(name));
-        return made;
+        return named(new QPushButton(text, this), name);
     };
     auto *folder = button(tr("Folder\u2026"), "runBookChoose");
     m_split = button(tr("Add a recording\u2026"), "runBookAdd");

@@ -36,7 +36,7 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     : QWidget(parent)
     , m_scope(scope)
     , m_model(new CursorTable(scope, capture, this))
-    , m_pairs(named(new QComboBox(this), "cursorPair"))
+    , m_pairs(named(new QComboBox(this), "cursorPair", tr("Pair of cursors")))
     , m_add(new QToolButton(this))
     , m_remove(new QToolButton(this))
     , m_copy(new QToolButton(this))
@@ -92,16 +92,13 @@ QWidget *CursorPanel::makeSide()
     m_pairs->setEditable(true);
     m_pairs->setInsertPolicy(QComboBox::NoInsert);
     m_pairs->lineEdit()->setMaxLength(Cursors::kNameLength);
-    m_pairs->setAccessibleName(tr("Pair of cursors"));
     m_pairs->setToolTip(tr("The pair that is read out; type to give it a name"));
     new WheelGuard(m_pairs);
     const auto button = [side](QToolButton *tool, const char *name, const char *icon,
                             const QString &says) {
         tool->setParent(side);
-        tool->setObjectName(QLatin1String(name));
+        named(tool, name, says)->setToolTip(says);
         setLineIcon(*tool, icon);
-        tool->setAccessibleName(says);
-        tool->setToolTip(says);
         tool->setAutoRaise(true);
     };
     button(m_add, "addCursorPair", "add", tr("Another pair of cursors"));

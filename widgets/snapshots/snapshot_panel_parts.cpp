@@ -50,9 +50,7 @@ void SnapshotPanel::makeWidgets()
 
 void SnapshotPanel::makeSide(Side &side, const QString &name, const char *objectName)
 {
-    side.box = new QComboBox(this);
-    side.box->setObjectName(QLatin1String(objectName));
-    side.box->setAccessibleName(tr("Snapshot %1", "A or B").arg(name));
+    side.box = named(new QComboBox(this), objectName, tr("Snapshot %1", "A or B").arg(name));
     side.box->setPlaceholderText(tr("Choose a snapshot\u2026"));
     side.box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     side.box->setMinimumContentsLength(18);
@@ -109,9 +107,8 @@ void SnapshotPanel::offerSave(QAction *save)
 QWidget *SnapshotPanel::makeFilters()
 {
     auto *row = new QWidget(this);
-    m_search = named(new QLineEdit(row), "snapshotSearch");
+    m_search = named(new QLineEdit(row), "snapshotSearch", tr("Filter the differences"));
     m_search->setPlaceholderText(tr("Filter by name or group"));
-    m_search->setAccessibleName(tr("Filter the differences"));
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(260);
     m_all = named(new QCheckBox(tr("Meas&ured values, too"), row), "snapshotAll");

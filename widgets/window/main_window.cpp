@@ -4,6 +4,7 @@
 #include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/control/big_numbers.h"
@@ -201,8 +202,7 @@ void MainWindow::makeFileActions()
 {
     const auto make = [this](const QString &text, const char *name, const QKeySequence &keys,
                           auto *flow, auto slot) {
-        auto *action = new QAction(text, this);
-        action->setObjectName(QLatin1String(name));
+        auto *action = named(new QAction(text, this), name);
         action->setShortcut(keys);
         QMainWindow::addAction(action);
         connect(action, &QAction::triggered, flow, slot);
@@ -335,9 +335,8 @@ void MainWindow::makeWorkspaces()
 {
     m_workspaces =
         new Workspaces({m_workbench, *m_scope, *m_trigger, *m_tools, m_files, *this}, this);
-    auto *menu = new QMenu(tr("Open &recent"), this);
+    auto *menu = named(new QMenu(tr("Open &recent"), this), "recentFiles");
     menu->setIcon(lineIcon("recent"));
-    menu->setObjectName(QStringLiteral("recentFiles"));
     m_recent = new RecentFiles(m_settings.recentFiles, *menu, this);
     m_recentMenu = menu;
     connect(m_opening, &Opening::used, m_recent, &RecentFiles::add);

@@ -1,6 +1,7 @@
 // The menus of the main window: only entries that work, each key given once.
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/theme.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
@@ -146,17 +147,14 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     menu->addSeparator();
     menu->addAction(m_page->setPoints());
     menu->setToolTipsVisible(true);
-    auto *ofFile = new TickMenu(tr("Signals of the &file"), menu);
+    auto *ofFile = named(new TickMenu(tr("Signals of the &file"), menu), "fileSignals");
     menu->addMenu(ofFile);
-    ofFile->setObjectName(QStringLiteral("fileSignals"));
     connect(menu, &QMenu::aboutToShow, m_selection,
         [this, ofFile] { m_selection->fillFileSignals(*ofFile); });
-    QAction *room = addAction(menu, tr("R&oom for samples\u2026"), {}, "room");
-    room->setObjectName(QStringLiteral("sampleRoom"));
-    connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
-    QAction *clear = addAction(menu, tr("&Clear what was recorded"), {}, "delete");
-    clear->setObjectName(QStringLiteral("clearRecorded"));
-    connect(clear, &QAction::triggered, m_replacing, &Replacing::clear);
+    connect(named(addAction(menu, tr("R&oom for samples\u2026"), {}, "room"), "sampleRoom"),
+        &QAction::triggered, this, &MainWindow::askForRoom);
+    connect(named(addAction(menu, tr("&Clear what was recorded"), {}, "delete"), "clearRecorded"),
+        &QAction::triggered, m_replacing, &Replacing::clear);
 }
 
 void MainWindow::fillEditMenu(QMenu *menu)
@@ -191,8 +189,7 @@ void MainWindow::fillViewMenu(QMenu *menu)
             [this, chosen = arrangement] { m_workspaces->arrange(chosen); });
     menu->addSeparator();
     fillThemes(menu->addMenu(lineIcon("theme"), tr("&Theme")));
-    QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);
-    numbers->setObjectName(QStringLiteral("largeNumbers"));
+    auto *numbers = named(addAction(menu, tr("Large &numbers"), Qt::Key_F9), "largeNumbers");
     numbers->setCheckable(true);
     // They take the place of the picture; everything around it stays.
     connect(numbers, &QAction::triggered, m_pages,

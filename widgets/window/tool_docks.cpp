@@ -1,6 +1,7 @@
 #include "widgets/window/tool_docks.h"
 
 #include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/window/workbench.h"
@@ -47,9 +48,8 @@ void layOut(QWidget &widget, int width = 0)
 ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
     : m_window(window)
     , m_workbench(workbench)
-    , m_close(new QAction(tr("&Close all tools"), this))
+    , m_close(named(new QAction(tr("&Close all tools"), this), "closeTools"))
 {
-    m_close->setObjectName(QStringLiteral("closeTools"));
     m_close->setEnabled(false);
     connect(m_close, &QAction::triggered, this, &ToolDocks::closeAll);
     connect(this, &ToolDocks::opened, m_close, &QAction::setEnabled);
@@ -58,8 +58,7 @@ ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
 QAction *ToolDocks::add(const QString &title, const char *name, const char *icon,
     const QKeySequence &keys, std::function<Form *()> makeForm)
 {
-    auto *dock = new QDockWidget(title, &m_window);
-    dock->setObjectName(QLatin1String(name));
+    auto *dock = named(new QDockWidget(title, &m_window), name);
     m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
     if (!m_tools.empty())
         m_window.tabifyDockWidget(m_tools.front().dock, dock);

@@ -26,9 +26,8 @@ constexpr double kRampTimeMs = 500.0, kRampTimeNotchMs = 100.0;
 
 QLabel *plainLabel(QWidget *parent, const char *objectName)
 {
-    auto *label = new QLabel(parent);
+    auto *label = named(new QLabel(parent), objectName);
     label->setTextFormat(Qt::PlainText);
-    label->setObjectName(QLatin1String(objectName));
     return label;
 }
 
@@ -56,7 +55,8 @@ SetpointBox::SetpointBox(
     , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
     , m_go(named(new MotorButton(tr("Go", "send the set-point"), this), "go"))
     , m_stopRamp(named(new MotorButton(tr("Stop ramp"), this), "stopRamp"))
-    , m_cyclic(new QCheckBox(tr("Send with every exchange", "set-points"), this))
+    , m_cyclic(named(
+          new QCheckBox(tr("Send with every exchange", "set-points"), this), "cyclicSetPoints"))
 {
     m_mode->addItems({tr("Speed", "kind of set-point"), tr("Torque (Iq)", "kind of set-point"),
         tr("Currents (Iq, Id)", "kind of set-point"), tr("Position", "kind of set-point")});
@@ -79,7 +79,6 @@ SetpointBox::SetpointBox(
     m_shaft->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_secondLabel->setText(tr("Id [A]"));
     m_secondLabel->setBuddy(m_id);
-    m_cyclic->setObjectName(QStringLiteral("cyclicSetPoints"));
     makeLayout();
 
     connect(m_cyclic, &QCheckBox::clicked, this, &SetpointBox::wantCyclic);
@@ -96,9 +95,7 @@ SetpointBox::SetpointBox(
 
 SetpointEdit *SetpointBox::makeEdit(const char *name, const QString &accessible)
 {
-    auto *edit = new SetpointEdit(this);
-    edit->setObjectName(QLatin1String(name));
-    edit->setAccessibleName(accessible);
+    auto *edit = named(new SetpointEdit(this), name, accessible);
     connect(edit, &SetpointEdit::echoChanged, this, &SetpointBox::follow);
     connect(edit, &SetpointEdit::committed, this, &SetpointBox::go);
     return edit;

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
@@ -116,8 +117,7 @@ QWidget *ResponsePage::labelled(const QString &text, QWidget *field)
 
 QSpinBox *ResponsePage::makeSpin(const char *name, const QString &help)
 {
-    auto *spin = new WholeSpin(this);
-    spin->setObjectName(QLatin1String(name));
+    auto *spin = named(new WholeSpin(this), name);
     spin->setToolTip(help);
     new WheelGuard(spin);
     return spin;
@@ -125,9 +125,7 @@ QSpinBox *ResponsePage::makeSpin(const char *name, const QString &help)
 
 QPushButton *ResponsePage::addButton(const QString &text, const char *name)
 {
-    auto *button = new QPushButton(text, this);
-    button->setObjectName(QLatin1String(name));
-    return button;
+    return named(new QPushButton(text, this), name);
 }
 
 QWidget *ResponsePage::makeChoices()
@@ -136,8 +134,7 @@ QWidget *ResponsePage::makeChoices()
     m_length->setRange(kLeast_s, kMost_s);
     m_length->setValue(kUsual_s);
     m_length->setSuffix(QStringLiteral("\u202fs"));
-    m_picture = new QComboBox(this);
-    m_picture->setObjectName(QStringLiteral("responsePicture"));
+    m_picture = named(new QComboBox(this), "responsePicture");
     m_picture->addItems({tr("speed loop, open"), tr("motor"), tr("current loop, open"),
         tr("current loop, closed")});
     new WheelGuard(m_picture);

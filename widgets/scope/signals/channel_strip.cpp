@@ -145,7 +145,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     , m_empty(new SteadyLabel(this))
     , m_fold(named(new QToolButton(this), "foldChips"))
     , m_rateLabel(new QLabel(tr("HF rate"), this))
-    , m_rate(named(new QComboBox(this), "fastRate"))
+    , m_rate(named(new QComboBox(this), "fastRate", tr("Rate of the fast signals")))
     , m_budget(named(new SteadyLabel(this), "linkBudget"))
 {
     setObjectName(QStringLiteral("channelStrip"));
@@ -154,7 +154,6 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     m_empty->setEnabled(false);
     m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     new WheelGuard(m_rate);
-    m_rate->setAccessibleName(tr("Rate of the fast signals"));
     m_rate->setToolTip(tr("Samples a second of each HF signal"));
     m_budget->setSizePolicy(
         QSizePolicy::Ignored, QSizePolicy::Preferred); // never makes the window wider

@@ -86,9 +86,7 @@ TriggerBar::TriggerBar(
 void TriggerBar::makeBar()
 {
     const auto choice = [this](QComboBox *box, const char *name, const QString &says) {
-        box->setObjectName(QLatin1String(name));
-        box->setAccessibleName(says);
-        box->setToolTip(says);
+        named(box, name, says)->setToolTip(says);
         new WheelGuard(box);
     };
     choice(m_mode, "triggerMode",
@@ -107,10 +105,8 @@ void TriggerBar::makeBar()
         m_type->addItem(typeText(static_cast<TriggerType>(type)), type);
     const auto button = [](QToolButton *tool, const char *name, const QString &text,
                             const QString &says) {
-        tool->setObjectName(QLatin1String(name));
+        named(tool, name, says)->setToolTip(says);
         tool->setText(text);
-        tool->setAccessibleName(says);
-        tool->setToolTip(says);
         tool->setFocusPolicy(Qt::TabFocus);
     };
     button(m_single, "triggerSingle", tr("Single"), tr("Takes one record, then stops (S)"));
@@ -163,8 +159,7 @@ QWidget *TriggerBar::makeDetails()
     m_form = new QFormLayout(details);
     const auto number = [this, details](const char *name, const QString &label, bool time,
                             double least, double most, double TriggerSetup::*field) {
-        auto *edit = new ValueEdit(details);
-        edit->setObjectName(QLatin1String(name));
+        auto *edit = named(new ValueEdit(details), name);
         edit->setFixedWidth(kDetailWidth);
         edit->setBounds(least, most);
         if (time)
