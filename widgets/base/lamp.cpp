@@ -56,9 +56,7 @@ Lamp::Lamp(const QString &name, QWidget *parent)
     , m_text(new SteadyLabel(this))
     , m_name(name)
 {
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = bare(new QHBoxLayout(this), kHalfGrid);
     layout->addWidget(m_dot);
     layout->addWidget(m_text);
     setAccessibleName(name);

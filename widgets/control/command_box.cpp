@@ -41,10 +41,7 @@ CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
     setLineIcon(*m_start, "start");
     setLineIcon(*m_acknowledge, "acknowledge");
 
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
     grid->addWidget(m_arm, 0, 0, 1, 2);
     grid->addWidget(m_start, 1, 0);
     grid->addWidget(stop, 1, 1);

@@ -185,9 +185,7 @@ ControlPanel::ControlPanel(
     bottom->setSpacing(kFineGrid);
     bottom->addWidget(line(this)); // what is measured has names of its own
     bottom->addWidget(m_readouts);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = bare(new QVBoxLayout(this), 0);
     layout->addWidget(fixed);
     layout->addWidget(new Parts(scroll, scrolled(read, "readScroll", this), this));
     layout->addStretch(1);

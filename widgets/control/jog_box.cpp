@@ -171,9 +171,7 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
     m_speed->setFixedWidth(m_speed->fontMetrics().horizontalAdvance(QStringLiteral("00000")) + 14);
     auto *label = new QLabel(tr("Jog [rpm]"), this);
     label->setBuddy(m_speed);
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGrid);
+    auto *grid = bare(new QGridLayout(this), kGrid);
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_speed, 0, 1);
     grid->addWidget(m_back, 0, 2);

@@ -52,8 +52,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     side->addWidget(m_copy);
     side->addWidget(m_save);
     side->addStretch(1);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QHBoxLayout(this));
     layout->addWidget(m_table, 1);
     layout->addLayout(side);
 

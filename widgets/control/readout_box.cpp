@@ -35,8 +35,7 @@ ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent
     , m_device(device)
     , m_registers(registers)
 {
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = bare(new QGridLayout(this));
     grid->setVerticalSpacing(kFineGrid);
     const std::pair<const char *, QString> rows[] = {
         {"SPEED_MEAS", tr("Measured speed")},

@@ -52,8 +52,7 @@ StateBox::StateBox(Device &device, QWidget *parent)
     m_causes->setFocusPolicy(Qt::TabFocus);
     connect(m_causes, &QToolButton::clicked, this, &StateBox::causesWanted);
 
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = bare(new QGridLayout(this));
     grid->setVerticalSpacing(kFineGrid);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_causes, 0, 1); // where the row is high enough for it

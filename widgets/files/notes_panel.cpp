@@ -15,8 +15,7 @@ NotesPanel::NotesPanel(const QString &text, QWidget *parent)
     setObjectName(QStringLiteral("notesPanel"));
     m_text->setPlaceholderText(tr("What is tried, and what came of it. Kept with the workspace."));
     m_text->setTabChangesFocus(true);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QVBoxLayout(this));
     layout->addWidget(m_text);
 }
 

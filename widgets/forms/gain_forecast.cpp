@@ -159,9 +159,7 @@ void GainPlot::paintEvent(QPaintEvent *)
 GainForecast::GainForecast(QWidget *parent)
     : QWidget(parent)
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kFineGrid);
+    auto *column = bare(new QVBoxLayout(this), kFineGrid);
     m_currentText = new GainLabel("labCurrentText", this);
     m_currentPlot = new GainPlot(tr("Current"), this);
     m_speedText = new GainLabel("labSpeedText", this);

@@ -93,10 +93,7 @@ GainLab::GainLab(RegisterModel &model, QWidget *parent)
 QWidget *GainLab::makeWishes()
 {
     auto *wishes = new QWidget(this);
-    auto *grid = new QGridLayout(wishes);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kHalfGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(wishes), kHalfGrid, kFineGrid);
     const QString bandwidth = tr("Current bandwidth"), damping = tr("Speed damping");
     auto *label = new QLabel(bandwidth, this);
     m_bandwidthSlider = makeSlider("labBandwidthSlider", bandwidth, this);
@@ -147,8 +144,7 @@ QWidget *GainLab::makeWishes()
 QWidget *GainLab::makeEnd()
 {
     auto *end = new QWidget(this);
-    auto *grid = new QGridLayout(end);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = bare(new QGridLayout(end));
     m_findings = new GainLabel("labFindings", this);
     m_told = new GainLabel("labTold", this);
     grid->addWidget(m_findings, 0, 0);
@@ -156,8 +152,7 @@ QWidget *GainLab::makeEnd()
     m_fromBoard = named(new QPushButton(tr("From the &board"), m_buttons), "labFromBoard");
     m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
     m_preview = named(new QPushButton(tr("&Preview"), m_buttons), "labPreview");
-    auto *buttons = new QHBoxLayout(m_buttons);
-    buttons->setContentsMargins(0, 0, 0, 0);
+    auto *buttons = bare(new QHBoxLayout(m_buttons));
     buttons->addWidget(m_fromBoard);
     buttons->addWidget(m_preview);
     grid->addWidget(m_told, 0, 1);

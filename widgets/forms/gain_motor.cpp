@@ -20,10 +20,7 @@ constexpr double kGcm2 = 1e7; ///< g cm2 in a kg m2
 GainMotor::GainMotor(QWidget *parent)
     : QWidget(parent)
 {
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kHalfGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(this), kHalfGrid, kFineGrid);
     // Typed in the usual sizes, so that no exponent is needed.
     m_rs = addInput(grid, 0, 0, "labRs", tr("Rs"), QStringLiteral("\u03a9"), 1e-5, 1e4);
     m_lq = addInput(grid, 1, 0, "labLq", tr("Lq"), QStringLiteral("mH"), 1e-5, 1e4);

@@ -63,8 +63,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     layout->addWidget(m_pages, 1);
     // What a page wishes and what is written stay in view together where the page itself has to scroll.
     m_footer = new QWidget(this);
-    auto *footer = new QHBoxLayout(m_footer);
-    footer->setContentsMargins(0, 0, 0, 0);
+    auto *footer = bare(new QHBoxLayout(m_footer));
     footer->addWidget(m_lab->buttons());
     footer->addWidget(m_editBar, 1);
     const auto followPage = [this] {

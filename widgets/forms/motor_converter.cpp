@@ -25,10 +25,7 @@ MotorConverter::MotorConverter(QWidget *parent)
     : QWidget(parent)
 {
     setObjectName(QStringLiteral("motorConverter"));
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
     struct Cell {
         Field field;
         const char *name;

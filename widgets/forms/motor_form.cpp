@@ -41,8 +41,7 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription 
     , m_files(files)
 {
     setObjectName(QStringLiteral("motorForm"));
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QHBoxLayout(this));
     layout->setSpacing(kGrid);
     layout->addWidget(makeLeft(), 1);
     layout->addWidget(makeRight());
@@ -133,9 +132,7 @@ QWidget *MotorForm::makeLeft()
     m_told = wrappedLabel("motorTold", left);
     m_told->hide();
 
-    auto *layout = new QVBoxLayout(left);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = bare(new QVBoxLayout(left), kHalfGrid);
     layout->addLayout(buttons);
     layout->addWidget(m_reason);
     layout->addWidget(m_told);
@@ -154,15 +151,11 @@ QWidget *MotorForm::makeRight()
         tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
     connect(board, &QPushButton::clicked, this,
         [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
-    auto *inner = new QVBoxLayout(group);
-    inner->setContentsMargins(0, 0, 0, 0);
-    inner->setSpacing(kHalfGrid);
+    auto *inner = bare(new QVBoxLayout(group), kHalfGrid);
     inner->addWidget(new SectionHead(tr("Converter"), group));
     inner->addWidget(m_converter);
     inner->addWidget(board, 0, Qt::AlignRight);
-    auto *layout = new QVBoxLayout(right);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = bare(new QVBoxLayout(right), kGrid);
     layout->addWidget(m_warnings);
     layout->addWidget(group);
     layout->addStretch(1);

@@ -93,10 +93,7 @@ QWidget *RampForm::makeLines()
     auto *box = new QWidget(this);
     constexpr int kNote = 78; // characters: what is understood of a ramp stays on one line
     box->setMinimumWidth(kNote * fontMetrics().averageCharWidth());
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(box), kGrid, kFineGrid);
     int row = 0;
     for (const RampKind kind :
         {RampKind::Speed, RampKind::Torque, RampKind::Current, RampKind::Position}) {
@@ -155,8 +152,7 @@ QWidget *RampForm::makeProgress()
     m_bar->setMaximumHeight(10);
     m_text = wrappedLabel("rampProgressText", box);
     m_stop = named(new MotorButton(tr("Stop ramp"), box), "rampStop");
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = bare(new QGridLayout(box));
     grid->setVerticalSpacing(kFineGrid);
     grid->addWidget(m_bar, 0, 0);
     grid->addWidget(m_text, 1, 0);

@@ -114,9 +114,7 @@ QWidget *RevUpForm::makeLeft()
     buttons->setSpacing(kHalfGrid);
     for (QPushButton *button : {m_add, m_remove, m_up, m_down})
         buttons->addWidget(button, 1);
-    auto *layout = new QVBoxLayout(left);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = bare(new QVBoxLayout(left), kHalfGrid);
     layout->addWidget(m_table);
     layout->addLayout(buttons);
     layout->addStretch(1);
@@ -136,9 +134,7 @@ QWidget *RevUpForm::makeFooter(const Parts &parts)
         tr("Writes the stages to a file that rotorscope-cli revup reads"));
     m_bar = new EditBar(
         parts.edits, parts.registers, parts.apply, parts.revert, EditBar::Room::Wide, footer);
-    auto *layout = new QHBoxLayout(footer);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = bare(new QHBoxLayout(footer), kHalfGrid);
     for (QPushButton *button : {m_usual, m_open, m_save})
         layout->addWidget(button);
     layout->addWidget(m_bar, 1);
@@ -154,9 +150,7 @@ QWidget *RevUpForm::makeMiddle()
     m_hint = wrappedLabel("revUpHint", middle);
     m_startText = wrappedLabel("revUpLastStart", middle);
     m_startText->setForegroundRole(QPalette::PlaceholderText);
-    auto *layout = new QVBoxLayout(middle);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kFineGrid);
+    auto *layout = bare(new QVBoxLayout(middle), kFineGrid);
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_hint);
     layout->addWidget(m_startText);
@@ -209,14 +203,10 @@ QWidget *RevUpForm::makeRight()
     m_findings->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_findings->setMinimumHeight(60);
     m_findings->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-    auto *numbers = new QFormLayout;
-    numbers->setContentsMargins(0, 0, 0, 0);
-    numbers->setSpacing(kHalfGrid);
+    auto *numbers = bare(new QFormLayout, kHalfGrid);
     numbers->addRow(tr("Inertia, %1").arg(gcm2), m_inertia);
     numbers->addRow(tr("Friction, mN\u00b7m"), m_friction);
-    auto *layout = new QVBoxLayout(right);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = bare(new QVBoxLayout(right), kHalfGrid);
     m_factsText = wrappedLabel("revUpFacts", right);
     layout->addLayout(numbers);
     layout->addWidget(m_findings, 1);

@@ -72,8 +72,7 @@ void ExperimentBar::makeRow(const char *prefix)
     m_progress->setMaximumHeight(10);
     m_place = new QWidget(this); // nothing moves when the progress comes
     m_place->setFixedSize(100, m_cancel->sizeHint().height());
-    auto *place = new QVBoxLayout(m_place);
-    place->setContentsMargins(0, 0, 0, 0);
+    auto *place = bare(new QVBoxLayout(m_place));
     place->addWidget(m_progress, 0, Qt::AlignVCenter);
     m_sentence = new SteadyLabel(this, 3);
     m_sentence->setObjectName(named("Sentence"));
@@ -82,8 +81,7 @@ void ExperimentBar::makeRow(const char *prefix)
     m_flow = new FlowLayout(kHalfGrid, buttons);
     m_flow->addWidget(m_cancel);
     m_flow->addWidget(m_place);
-    m_row = new QBoxLayout(QBoxLayout::LeftToRight, this);
-    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row = bare(new QBoxLayout(QBoxLayout::LeftToRight, this));
     m_row->addWidget(buttons);
     m_row->addWidget(m_sentence, 1);
 }

@@ -23,10 +23,7 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     , m_kiText(named(new QLabel(this), "stepKiText"))
 {
     setObjectName(QStringLiteral("speedGains"));
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(kGrid);
-    grid->setVerticalSpacing(kFineGrid);
+    auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
     m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(GainId::SpeedKp));
     m_ki = addGain(grid, 1, tr("K&i"), gainRegister(GainId::SpeedKi));
     for (QLabel *text : {m_kpText, m_kiText})

@@ -29,12 +29,9 @@ constexpr int kNotch_ms = 50, kUsual_ms = 500, kLeastHold_ms = 50, kMost_ms = 10
 
 StepFields::StepFields(QWidget *parent)
     : QWidget(parent)
-    , m_grid(new QGridLayout(this))
+    , m_grid(bare(new QGridLayout(this), kGrid, kFineGrid))
 {
     setObjectName(QStringLiteral("stepFields"));
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setHorizontalSpacing(kGrid);
-    m_grid->setVerticalSpacing(kFineGrid);
     m_from = addSpeed(0, tr("Fr&om"), "stepFrom");
     m_to = addSpeed(2, tr("to", "a speed"), "stepTo");
     m_hold = addSpin(1, 0, tr("Hold"), "stepHold");

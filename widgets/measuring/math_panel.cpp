@@ -44,8 +44,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
 {
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QHBoxLayout(this));
     layout->addWidget(makeEditor());
     layout->addWidget(m_list, 1);
 
@@ -107,8 +106,7 @@ QWidget *MathPanel::makeEditor()
     auto *buttons = new QHBoxLayout;
     for (QPushButton *button : {fresh, m_apply, m_remove})
         buttons->addWidget(button);
-    auto *layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = bare(new QVBoxLayout(side));
     layout->addLayout(form);
     layout->addLayout(helps);
     layout->addLayout(buttons);

@@ -61,17 +61,14 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     setObjectName(QStringLiteral("xyPanel"));
     m_pool.setMaxThreadCount(1);
     m_form = makeChoices();
-    auto *side = new QVBoxLayout;
+    auto *sideWidget = new QWidget(this);
+    sideWidget->setFixedWidth(kXySideWidth);
+    auto *side = bare(new QVBoxLayout(sideWidget));
     side->addLayout(m_form);
     side->addWidget(m_equal);
     side->addWidget(m_note);
     side->addStretch(1);
-    auto *sideWidget = new QWidget(this);
-    sideWidget->setFixedWidth(kXySideWidth);
-    side->setContentsMargins(0, 0, 0, 0);
-    sideWidget->setLayout(side);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QHBoxLayout(this));
     layout->addWidget(sideWidget);
     layout->addWidget(m_plot, 1);
 

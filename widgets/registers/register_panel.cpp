@@ -64,8 +64,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     // Before every edit bar: they show the actions as they are.
     connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QVBoxLayout(this));
     layout->setSpacing(kGrid);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);

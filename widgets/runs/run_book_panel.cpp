@@ -74,8 +74,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     below->addWidget(m_registers);
     below->addWidget(m_reference);
     below->addWidget(m_open);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QVBoxLayout(this));
     layout->addLayout(above);
     layout->addWidget(m_table, 1);
     layout->addLayout(below);

@@ -115,9 +115,7 @@ QWidget *CursorPanel::makeSide()
     buttons->addWidget(m_copy);
     buttons->addStretch(1);
     buttons->addWidget(m_hide);
-    auto *layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kFineGrid);
+    auto *layout = bare(new QVBoxLayout(side), kFineGrid);
     layout->addWidget(m_pairs);
     layout->addLayout(buttons);
     layout->addWidget(m_distance);

@@ -1,6 +1,7 @@
 #include "widgets/scope/scope_view.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/plot_look.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/drawing/stale_mark.h"
@@ -74,9 +75,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     setLocale(plain);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 120);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = bare(new QVBoxLayout(this), 0);
     layout->addWidget(m_lane);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_overview);

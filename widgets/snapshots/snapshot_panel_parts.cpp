@@ -33,8 +33,7 @@ constexpr int kReportHeight = 96;
 void SnapshotPanel::makeWidgets()
 {
     makeTable();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QVBoxLayout(this));
     layout->setSpacing(kGrid);
     layout->addWidget(makeSides());
     layout->addWidget(makeFilters());
@@ -71,8 +70,7 @@ QWidget *SnapshotPanel::makeSides()
     m_read = named(new QPushButton(tr("Read the b&oard"), row), "snapshotRead");
     m_read->setToolTip(plainToolTip(tr("Reads every register of the board again")));
     connect(m_read, &QPushButton::clicked, this, &SnapshotPanel::readBoard);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = bare(new QHBoxLayout(row));
     const auto label = [row](const QString &text, QComboBox *box) {
         auto *made = new QLabel(text, row);
         made->setBuddy(box);
@@ -119,8 +117,7 @@ QWidget *SnapshotPanel::makeFilters()
         updateTexts();
     });
     connect(m_all, &QCheckBox::toggled, this, &SnapshotPanel::compare);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = bare(new QHBoxLayout(row));
     layout->addWidget(m_search, 1);
     layout->addWidget(m_all);
     layout->addWidget(m_summary, 1, Qt::AlignRight);
@@ -173,8 +170,7 @@ QWidget *SnapshotPanel::makeBottom()
     connect(m_otherHardware, &QCheckBox::toggled, this, &SnapshotPanel::updateTexts);
     connect(m_cancel, &QPushButton::clicked, &m_reader, &SnapshotReader::cancel);
     connect(m_restore, &QPushButton::clicked, this, &SnapshotPanel::restore);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = bare(new QHBoxLayout(row));
     layout->addWidget(m_told, 1);
     layout->addStretch();
     layout->addWidget(m_otherHardware);

@@ -137,9 +137,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     who->setSpacing(kFineGrid);
     who->addWidget(m_firmware);
     who->addWidget(m_board);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = bare(new QHBoxLayout(this), kGrid);
     layout->addWidget(m_port);
     layout->addWidget(m_baud);
     layout->addWidget(m_protocol);

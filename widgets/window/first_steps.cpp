@@ -54,9 +54,7 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     m_close->setToolTip(tr("Help > First steps brings these cards back."));
     m_close->setFlat(true);
 
-    m_between = new QBoxLayout(QBoxLayout::LeftToRight, m_answers);
-    m_between->setContentsMargins(0, 0, 0, 0);
-    m_between->setSpacing(kBetween);
+    m_between = bare(new QBoxLayout(QBoxLayout::LeftToRight, m_answers), kBetween);
     m_between->addWidget(m_first);
     m_between->addWidget(m_second);
     m_between->addStretch(1);

@@ -241,8 +241,7 @@ QWidget *MainWindow::makeTop()
     Q_ASSERT(application); // without it Esc would not stop
     connect(application, &Application::stopPressed, this, [this] { m_device.stop(); });
 
-    auto *stripLayout = new QHBoxLayout(strip);
-    stripLayout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *stripLayout = padded(new QHBoxLayout(strip));
     stripLayout->setSpacing(kGrid);
     stripLayout->addWidget(m_connectBar, 1);
     stripLayout->addWidget(stop);
@@ -261,9 +260,7 @@ QWidget *MainWindow::makeTop()
         m_device, [this] { return m_connectBar->connecting(); },
         [this] { return m_leaving->wereAtRest(); }, *banner, this);
 
-    auto *layout = new QVBoxLayout(top);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = bare(new QVBoxLayout(top), 0);
     layout->addWidget(bar);
     layout->addWidget(strip);
     layout->addWidget(m_frame);
@@ -283,9 +280,7 @@ QWidget *MainWindow::makeCentre()
     m_pages = new QStackedWidget(centre);
     m_pages->addWidget(m_page);
     m_pages->addWidget(m_bigNumbers);
-    auto *pages = new QVBoxLayout(centre);
-    pages->setContentsMargins(0, 0, 0, 0);
-    pages->setSpacing(0);
+    auto *pages = bare(new QVBoxLayout(centre), 0);
     pages->addWidget(m_firstSteps);
     pages->addWidget(m_pages, 1);
     return centre;

@@ -89,9 +89,7 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     makeActions();
     makeSetPoints();
     m_tools = new ScopeTools(scope, parts.trigger, parts.window);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = bare(new QVBoxLayout(this), 0);
     layout->addWidget(m_bar = makeBar());
     layout->addWidget(parts.record.line());
     layout->addWidget(new ReplayBar(workbench.device(), workbench.replay(), this));
@@ -228,8 +226,7 @@ QWidget *ScopePage::makeBar()
 {
     auto *bar = new QWidget(this);
     bar->setStyleSheet(barStyle(palette()));
-    auto *layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QHBoxLayout(bar));
     layout->setSpacing(kHalfGrid);
     auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
     auto *flow = new FlowLayout(kHalfGrid, buttons);

@@ -188,9 +188,7 @@ void ToolDocks::fill(Tool &tool)
     stop->setVisible(tool.dock->isFloating());
     connect(stop, &StopButton::stopPressed, &m_workbench.device(), &Device::stop);
     connect(tool.dock, &QDockWidget::topLevelChanged, stop, &QWidget::setVisible);
-    auto *layout = new QVBoxLayout(content);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = bare(new QVBoxLayout(content), 0);
     layout->addWidget(scroll, 1);
     auto *below = new QHBoxLayout;
     below->setSpacing(kGrid); // nothing is close to Stop

@@ -19,9 +19,7 @@ SectionHead::SectionHead(const QString &name, QWidget *parent)
     auto *line = new QFrame(this);
     line->setFrameShape(QFrame::HLine);
     line->setFrameShadow(QFrame::Sunken);
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = bare(new QHBoxLayout(this), kGrid);
     layout->addWidget(label);
     layout->addWidget(line, 1);
 }

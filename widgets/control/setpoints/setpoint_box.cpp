@@ -103,10 +103,8 @@ SetpointEdit *SetpointBox::makeEdit(const char *name, const QString &accessible)
 
 void SetpointBox::makeLayout()
 {
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGrid);
-    grid->setVerticalSpacing(kFineGrid); // with the words of a stop all fits on 720 lines
+    // With the words of a stop all fits on 720 lines.
+    auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
     grid->addWidget(m_mode, 0, 0);
     grid->addWidget(m_control, 0, 1, Qt::AlignRight);
     grid->addWidget(m_firstLabel, 1, 0);

@@ -104,9 +104,7 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
 QWidget *ResponsePage::labelled(const QString &text, QWidget *field)
 {
     auto *both = new QWidget(this);
-    auto *row = new QHBoxLayout(both);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kHalfGrid);
+    auto *row = bare(new QHBoxLayout(both), kHalfGrid);
     auto *label = new QLabel(text, both);
     label->setBuddy(field);
     field->setAccessibleName(QString(text).remove(QLatin1Char('&')));

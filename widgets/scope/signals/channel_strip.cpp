@@ -172,8 +172,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     bottom->addWidget(m_rate);
     bottom->addSpacing(kGrid);
     bottom->addWidget(m_budget, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    auto *layout = padded(new QVBoxLayout(this));
     layout->setSpacing(kHalfGrid);
     layout->addWidget(m_empty);
     layout->addWidget(m_chips);
