@@ -1,6 +1,7 @@
 #include "widgets/control/big_numbers.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/messages.h"
 #include "widgets/control/readout_box.h"
 #include "widgets/control/state_strip.h"
@@ -116,9 +117,7 @@ void BigNumbers::paintState(QPainter &painter, const QRect &place) const
         text += QStringLiteral("  \u2716 ") + deviceText(fault);
     painter.setPen(believed ? stateColor(status.state, palette())
                             : palette().color(QPalette::Disabled, QPalette::WindowText));
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(fitting(bold, text, {place.width(), place.height() * 7 / 10}));
+    painter.setFont(fitting(inBold(font()), text, {place.width(), place.height() * 7 / 10}));
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
@@ -137,8 +136,6 @@ void BigNumbers::paintCell(QPainter &painter, const QRect &place, const Cell &ce
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, cell.title);
 
     const QString text = valueText(cell.name);
-    QFont bold = font();
-    bold.setBold(true);
     // The unit stands smaller behind a number that has room to grow: its letters keep their size while it changes.
     const qsizetype end = text.indexOf(QChar(0x202f));
     const QString number = end < 0 ? text : text.left(end);
@@ -148,7 +145,7 @@ void BigNumbers::paintCell(QPainter &painter, const QRect &place, const Cell &ce
     QRect numberPlace = value;
     numberPlace.setRight(unitPlace.left() - 8);
     const QString room = number.size() < 5 ? QStringLiteral("00000") : number;
-    const QFont large = fitting(bold, room, {numberPlace.width(), numberPlace.height()});
+    const QFont large = fitting(inBold(font()), room, {numberPlace.width(), numberPlace.height()});
     painter.setPen(palette().color(
         text == dash() ? QPalette::Disabled : QPalette::Active, QPalette::WindowText));
     painter.setFont(large);

@@ -174,9 +174,7 @@ ControlPanel::ControlPanel(
     top->addWidget(m_commands);
     top->addWidget(m_words);
     top->addWidget(new SectionHead(tr("Set-point"), this));
-    QSizePolicy kept = m_words->sizePolicy(); // what is below does not move when they come
-    kept.setRetainSizeWhenHidden(true);
-    m_words->setSizePolicy(kept);
+    keepPlace(*m_words); // what is below does not move when they come
     m_words->hide();
     // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
     auto *read = new QWidget(this);

@@ -1,5 +1,7 @@
 #include "widgets/control/motor_button.h"
 
+#include "widgets/base/look/bold.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyle>
@@ -42,10 +44,7 @@ StopButton::StopButton(QWidget *parent)
     setToolTip(tr("Stops every motor at once, from anywhere: press it or the Esc key.\n"
                   "A program on a PC is no replacement for a switch that removes the power."));
     setCursor(Qt::PointingHandCursor);
-    QFont bold = font();
-    bold.setBold(true);
-    bold.setPointSizeF(bold.pointSizeF() * 1.1);
-    setFont(bold);
+    setFont(inBold(font(), 1.1));
     // pressed(), not clicked(): a click is lost when the pointer slides off before the button is let go.
     connect(this, &QPushButton::pressed, this, &StopButton::stopPressed);
 }

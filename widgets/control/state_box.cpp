@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
@@ -43,10 +44,7 @@ StateBox::StateBox(Device &device, QWidget *parent)
     , m_faultsPast(lineLabel(this, "faultsPast"))
     , m_causes(named(new QToolButton(this), "faultCauses"))
 {
-    QFont large = m_state->font();
-    large.setPointSizeF(large.pointSizeF() * 1.4);
-    large.setBold(true);
-    m_state->setFont(large);
+    m_state->setFont(inBold(m_state->font(), 1.4));
     m_causes->setText(tr("Causes\u2026"));
     m_causes->setToolTip(tr("What these faults mean and what to try"));
     m_causes->setFocusPolicy(Qt::TabFocus);
@@ -62,11 +60,8 @@ StateBox::StateBox(Device &device, QWidget *parent)
     grid->setColumnStretch(0, 1);
     // What is below must not move when a fault comes or goes: a hand may be on its way to it.
     for (QWidget *widget :
-        std::initializer_list<QWidget *>{m_causes, m_strip, m_faultsNow, m_faultsPast}) {
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-    }
+        std::initializer_list<QWidget *>{m_causes, m_strip, m_faultsNow, m_faultsPast})
+        keepPlace(*widget);
 
     connect(&device, &Device::linkStateChanged, this, &StateBox::follow);
     connect(&device, &Device::statusChanged, this, &StateBox::follow);

@@ -1,6 +1,7 @@
 #include "widgets/control/stop_alarm.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 
@@ -33,10 +34,7 @@ void StopAlarm::make()
     setStyleSheet(
         QStringLiteral("widgets--StopAlarm { background: #b71c1c; } QLabel { color: white; }"));
 
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.8);
-    large.setBold(true);
-    m_text->setFont(large);
+    m_text->setFont(inBold(font(), 1.8));
     m_text->setAlignment(Qt::AlignCenter);
     m_detail->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
 
@@ -45,9 +43,7 @@ void StopAlarm::make()
     m_takeBack = buttons->addButton(tr("Take the Stop &back"), QDialogButtonBox::DestructiveRole);
     m_takeBack->setObjectName(QStringLiteral("takeStopBack"));
     m_takeBack->setAutoDefault(false);
-    QSizePolicy kept = m_takeBack->sizePolicy(); // the other button stays where it is
-    kept.setRetainSizeWhenHidden(true);
-    m_takeBack->setSizePolicy(kept);
+    keepPlace(*m_takeBack); // the other button stays where it is
     connect(m_takeBack, &QPushButton::clicked, this, [this] {
         Q_EMIT takenBack();
         reject();

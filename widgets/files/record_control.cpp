@@ -57,9 +57,8 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     m_withLink->setCheckable(true);
     m_withLink->setToolTip(tr("Twice the size; keeps what was on the line byte for byte"));
     m_line->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
-    QSizePolicy still(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
-    still.setRetainSizeWhenHidden(true); // what is below stays where it is
-    m_line->setSizePolicy(still);
+    m_line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
+    keepPlace(*m_line); // what is below stays where it is
     m_line->hide();
 
     using session::Recording;

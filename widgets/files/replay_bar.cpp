@@ -1,6 +1,7 @@
 #include "widgets/files/replay_bar.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
@@ -62,9 +63,7 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     new WheelGuard(m_place);
     m_badge->setContentsMargins(6, 1, 6, 1);
     m_badge->setAutoFillBackground(true);
-    QFont bold = m_badge->font();
-    bold.setBold(true);
-    m_badge->setFont(bold);
+    m_badge->setFont(inBold(m_badge->font()));
     paintBadge();
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 

@@ -1,5 +1,6 @@
 #include "widgets/forms/gain_plan_table.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
@@ -47,9 +48,7 @@ GainPlanTable::GainPlanTable(QWidget *parent)
 /// As wide as the longest texts: columns that followed the numbers would jump with each turn of a slider.
 void GainPlanTable::fixColumns()
 {
-    QFont strong = font();
-    strong.setBold(true);
-    const QFontMetrics plain(font()), bold(strong);
+    const QFontMetrics plain(font()), bold(inBold(font()));
     const int room = 2 * plain.averageCharWidth();
     const QString fraction = QStringLiteral("-32767/2^15");
     const int texts[] = {plain.horizontalAdvance(QStringLiteral("SPEED_KP")),

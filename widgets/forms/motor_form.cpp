@@ -108,9 +108,8 @@ QWidget *MotorForm::makeLeft()
     buttons->addStretch(1);
 
     m_reason = named(new SteadyLabel(left), "motorReason");
-    QSizePolicy kept(QSizePolicy::Ignored, QSizePolicy::Fixed); // what is below stays where it is
-    kept.setRetainSizeWhenHidden(true);
-    m_reason->setSizePolicy(kept);
+    m_reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    keepPlace(*m_reason); // what is below stays where it is
     m_tree = named(new QTreeView(left), "motorTree", tr("Motor and drive"));
     m_tree->setModel(&m_model);
     m_tree->setAlternatingRowColors(true);

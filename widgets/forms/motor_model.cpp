@@ -1,11 +1,11 @@
 #include "widgets/forms/motor_model.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/si_text.h"
 #include "widgets/forms/motor_messages.h"
 
-#include <QFont>
 #include <QLocale>
 
 #include <algorithm>
@@ -267,11 +267,8 @@ QVariant MotorModel::data(const QModelIndex &index, int role) const
         if (role == Qt::ToolTipRole && group.readOnly)
             return tr("Built into the firmware: it is changed in the firmware's project, not over "
                       "the link.");
-        if (role == Qt::FontRole && index.column() == NameColumn) {
-            QFont bold;
-            bold.setBold(true);
-            return bold;
-        }
+        if (role == Qt::FontRole && index.column() == NameColumn)
+            return inBold({});
         return {};
     }
     const QString *const texts[] = {&row->name, &row->value, &row->file, &row->raw};
@@ -287,11 +284,8 @@ QVariant MotorModel::data(const QModelIndex &index, int role) const
         return row->key;
     if (role == DiffersRole)
         return row->differs;
-    if (role == Qt::FontRole && row->differs) {
-        QFont bold;
-        bold.setBold(true);
-        return bold;
-    }
+    if (role == Qt::FontRole && row->differs)
+        return inBold({});
     if (role == Qt::TextAlignmentRole && index.column() == RawColumn)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

@@ -5,6 +5,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/register_texts.h"
@@ -47,13 +48,6 @@ bool turnsAgainst(const MeasuredStart &measured, const motor::RevUp &stages)
     return is * planned < 0.0;
 }
 
-void makeBold(QLabel *label)
-{
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
-}
-
 } // namespace
 
 RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
@@ -66,7 +60,7 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
 {
     setObjectName(QStringLiteral("revUpForm"));
     m_reason = wrappedLabel("revUpReason", this);
-    makeBold(m_reason);
+    m_reason->setFont(inBold(m_reason->font()));
     auto *row = new QHBoxLayout;
     row->setSpacing(kGrid);
     row->addWidget(makeLeft());

@@ -1,11 +1,11 @@
 #include "widgets/lab/step_runs.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/lab/lab_text.h"
 #include "widgets/lab/run_mark.h"
 
-#include <QFont>
 #include <QGuiApplication>
 #include <QStringList>
 
@@ -212,12 +212,8 @@ QVariant StepRuns::data(const QModelIndex &index, int role) const
             ? text(result, RunColumn) + QStringLiteral(", ") + runTickName(result.number)
             : text(result, index.column());
     case Qt::FontRole:
-        if (index.column() == RunColumn && result.number == m_reference) {
-            QFont bold;
-            bold.setBold(true);
-            return bold;
-        }
-        return {};
+        return index.column() == RunColumn && result.number == m_reference ? inBold({})
+                                                                           : QVariant();
     default:
         return {};
     }

@@ -1,11 +1,11 @@
 // What the cells of a RegisterModel show: values in both unit systems, access and help, and the words around them.
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/registers/register_model.h"
 
 #include <QApplication>
-#include <QFont>
 #include <QLocale>
 #include <QPalette>
 
@@ -30,11 +30,8 @@ QVariant RegisterModel::data(const QModelIndex &index, int role) const
         return cell(*row, index.column(), role);
     if (role == Qt::DisplayRole && index.column() == NameColumn)
         return deviceText(m_groups[static_cast<std::size_t>(index.row())].name);
-    if (role == Qt::FontRole) {
-        QFont font = QApplication::font();
-        font.setBold(true);
-        return font;
-    }
+    if (role == Qt::FontRole)
+        return inBold(QApplication::font());
     return {};
 }
 

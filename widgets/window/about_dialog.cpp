@@ -1,5 +1,6 @@
 #include "widgets/window/about_dialog.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QCoreApplication>
@@ -97,10 +98,7 @@ void showAbout(QWidget *parent)
     QDialog *dialog = makeDialog(parent, About::tr("About Rotorscope"));
     auto *title = plainLabel(
         QStringLiteral("Rotorscope %1").arg(QCoreApplication::applicationVersion()), dialog);
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 1.6);
-    large.setBold(true);
-    title->setFont(large);
+    title->setFont(inBold(title->font(), 1.6));
     dialog->layout()->addWidget(title);
     dialog->layout()->addWidget(
         plainLabel(About::tr("A workbench for engineers who tune electric motors."), dialog));

@@ -115,9 +115,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     // Its place is kept: what is beside it does not move when a board with two motors comes. Names are whole in its list.
     m_motor->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_motor->setMinimumContentsLength(static_cast<int>(tr("Motor %1").size()));
-    QSizePolicy kept = m_motor->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);
-    m_motor->setSizePolicy(kept);
+    keepPlace(*m_motor);
     m_motor->hide();
     for (QComboBox *choice : {m_port, m_baud, m_protocol, m_motor})
         new WheelGuard(choice);

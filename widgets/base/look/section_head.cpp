@@ -1,5 +1,6 @@
 #include "widgets/base/look/section_head.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QFrame>
@@ -13,9 +14,7 @@ SectionHead::SectionHead(const QString &name, QWidget *parent)
 {
     auto *label = new QLabel(name, this);
     label->setTextFormat(Qt::PlainText);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
+    label->setFont(inBold(label->font()));
     auto *line = new QFrame(this);
     line->setFrameShape(QFrame::HLine);
     line->setFrameShadow(QFrame::Sunken);

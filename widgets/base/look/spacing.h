@@ -42,4 +42,13 @@ Layout *padded(Layout *layout)
     return layout;
 }
 
+/// What is beside a part stays where it is when the part is hidden.
+template <class Part>
+void keepPlace(Part &part)
+{
+    auto policy = part.sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    part.setSizePolicy(policy);
+}
+
 } // namespace widgets

@@ -1,5 +1,6 @@
 #include "widgets/scope/drawing/stale_mark.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QPainter>
@@ -32,9 +33,7 @@ void StaleMark::paintEvent(QPaintEvent *)
     for (int plot = 0; plot < m_scope.plotCount(); ++plot)
         painter.fillRect(m_scope.plotRect(plot), QBrush(faint, Qt::BDiagPattern));
 
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(bold);
+    painter.setFont(inBold(font()));
     const QRect area = m_scope.plotRect(0);
     QRect box = painter.fontMetrics().boundingRect(area, Qt::AlignCenter, m_why);
     box.adjust(-10, -5, 10, 5);
