@@ -1,5 +1,6 @@
 #include "widgets/base/device_text.h"
 
+#include <QFileInfo>
 #include <QLabel>
 #include <QTextDocument>
 
@@ -41,6 +42,8 @@ QString deviceText(std::string_view text)
     const auto size = std::min<std::size_t>(text.size(), std::size_t{4} * (kDeviceTextLength + 1));
     return deviceText(QString::fromUtf8(text.data(), static_cast<qsizetype>(size)));
 }
+
+QString fileNameText(const QString &path) { return deviceText(QFileInfo(path).fileName()); }
 
 QString deviceToolTip(std::string_view text) { return deviceText(text).toHtmlEscaped(); }
 

@@ -19,6 +19,9 @@ inline constexpr int kDeviceTextLength = 64;
 QString deviceText(std::string_view text);
 QString deviceText(const QString &text);
 
+/// The name of a file, without its folder.
+QString fileNameText(const QString &path);
+
 /// deviceText() for a place that takes rich text (tool tips guess): escaped.
 QString deviceToolTip(std::string_view text);
 

@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QFileInfo>
 
 namespace widgets {
 namespace {
@@ -93,7 +92,7 @@ FileJob *importCsv(const QString &path, QWidget *window,
     capture::Capture::Config config)
 {
     return new FileJob(
-        Imports::tr("Importing %1").arg(deviceText(QFileInfo(path).fileName())),
+        Imports::tr("Importing %1").arg(fileNameText(path)),
         [path, config = std::move(config), take = std::move(take), fail = std::move(fail)](
             const FileJob::Proceed &proceed) -> FileJob::Finish {
             auto imported =

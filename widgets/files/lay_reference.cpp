@@ -7,7 +7,6 @@
 #include "widgets/scope/scope_view.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QKeySequence>
 
 #include <algorithm>
@@ -50,7 +49,7 @@ std::vector<Instant> instantsOf(const OpenedRecording &opened, double begin)
 QString layReference(
     ScopeView &scope, const capture::Capture &shown, OpenedRecording &opened, bool &good)
 {
-    const QString name = deviceText(QFileInfo(opened.path).fileName());
+    const QString name = fileNameText(opened.path);
     std::vector<capture::ChannelId> all;
     for (const capture::ChannelInfo &info : opened.capture.channels())
         all.push_back(info.id);

@@ -283,7 +283,7 @@ void MarkerFile::saveAs(const QString &path, std::function<void()> goOn)
         return; // meanwhile
     const Markers now = markersOf(m_events);
     new FileJob(
-        tr("Saving %1").arg(deviceText(QFileInfo(path).fileName())),
+        tr("Saving %1").arg(fileNameText(path)),
         [this, path, now, goOn = std::move(goOn), source = m_path, known = m_known,
             notes = differences(m_saved, now)](const FileJob::Proceed &proceed) -> FileJob::Finish {
             bool cancelled = false;

@@ -7,7 +7,6 @@
 #include "widgets/scope/events/event_log.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ FileJob *openRecording(const QString &path, QWidget *window,
     capture::Capture::Config config)
 {
     return new FileJob(
-        Opening::tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
+        Opening::tr("Opening %1").arg(fileNameText(path)),
         [path, config = std::move(config), take = std::move(take), fail = std::move(fail)](
             const FileJob::Proceed &proceed) -> FileJob::Finish {
             auto opened = std::make_shared<OpenedRecording>(

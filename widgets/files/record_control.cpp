@@ -24,8 +24,6 @@ namespace {
 constexpr double kMega = 1e6;
 constexpr double kLongest = 100.0 * 3600.0; ///< seconds left on the disk that are worth a number
 
-QString fileName(const QString &path) { return deviceText(QFileInfo(path).fileName()); }
-
 } // namespace
 
 QString suggestedRecordingName(const QDateTime &now)
@@ -142,11 +140,11 @@ void RecordControl::started(const QString &path)
 {
     m_folder = QFileInfo(path).path();
     m_start = m_parts.now();
-    m_name = fileName(path);
+    m_name = fileNameText(path);
     m_line->show(Lamp::Light::On, m_name);
     m_line->setToolTip(deviceText(path).toHtmlEscaped());
     m_line->setVisible(true);
-    m_parts.events.add(EventKind::Command, m_start, tr("Recording to %1").arg(fileName(path)));
+    m_parts.events.add(EventKind::Command, m_start, tr("Recording to %1").arg(fileNameText(path)));
     update();
 }
 
@@ -173,7 +171,7 @@ void RecordControl::progressed(const session::RecordingProgress &progress)
 void RecordControl::finished(const session::RecordingResult &result)
 {
     using session::RecordingOutcome;
-    const QString name = fileName(result.path);
+    const QString name = fileNameText(result.path);
     const QString why = deviceText(result.systemText);
     const std::optional<Markers> told = std::exchange(m_told, {});
     update();

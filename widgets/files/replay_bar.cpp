@@ -11,7 +11,6 @@
 
 #include <QComboBox>
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
@@ -121,8 +120,8 @@ void ReplayBar::follow()
 void ReplayBar::tell(const session::ReplayState &state)
 {
     QString text = tr("%1: %2, %3 %", "file name, duration, part of the file")
-                       .arg(deviceText(QFileInfo(state.path).fileName()),
-                           durationText(state.seconds), numberText(state.fraction * 100.0, 0));
+                       .arg(fileNameText(state.path), durationText(state.seconds),
+                           numberText(state.fraction * 100.0, 0));
     if (state.damagedPlaces > 0)
         text += tr(", %n damaged place(s)", nullptr, static_cast<int>(state.damagedPlaces));
     if (state.ended)

@@ -275,7 +275,7 @@ void MotorForm::openFile()
 void MotorForm::take(const QString &path)
 {
     m_folder = QFileInfo(path).path();
-    const QString name = deviceText(QFileInfo(path).fileName());
+    const QString name = fileNameText(path);
     const auto file = session::readMotorFile(path);
     if (!file) {
         say(tr("%1 was not opened. %2", "file, sentence")
@@ -334,7 +334,7 @@ void MotorForm::saveFile()
         [this, sheet = *sheet](const QString &path) {
             m_folder = QFileInfo(path).path();
             const QString problem = session::writeWholeFile(path, session::motorJson(sheet));
-            const QString name = deviceText(QFileInfo(path).fileName());
+            const QString name = fileNameText(path);
             say(problem.isEmpty() ? tr("Saved as %1.").arg(name)
                                   : tr("%1 was not saved: %2", "file, reason").arg(name, problem));
         });

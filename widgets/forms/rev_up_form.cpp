@@ -540,7 +540,7 @@ void RevUpForm::openFile()
 void RevUpForm::readFile(const QString &path)
 {
     using Kind = session::RevUpFileError::Kind;
-    const QString name = deviceText(QFileInfo(path).fileName());
+    const QString name = fileNameText(path);
     const auto content = session::readWholeFile(path, kLargestFile);
     if (!content)
         return Q_EMIT failed(tr("%1 cannot be read: %2.").arg(name, content.error()));
@@ -580,7 +580,7 @@ void RevUpForm::saveFile()
         const RevUpFacts &facts = m_model->facts();
         const QString why = session::writeWholeFile(
             path, session::revUpJson(m_model->stages(), facts.sixStep ? 0.0 : facts.ampsPerDigit));
-        const QString name = deviceText(QFileInfo(path).fileName());
+        const QString name = fileNameText(path);
         if (!why.isEmpty())
             return Q_EMIT failed(tr("%1 cannot be written: %2.").arg(name, why));
         m_folder = QFileInfo(path).path();

@@ -11,7 +11,6 @@
 #include "widgets/runs/run_book_model.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -151,7 +150,7 @@ void RunBookPanel::askRecording()
 
 void RunBookPanel::split(const QString &recording)
 {
-    const QString name = deviceText(QFileInfo(recording).fileName());
+    const QString name = fileNameText(recording);
     new FileJob(
         tr("Adding %1").arg(name),
         [this, name, recording, folder = m_keeper.folder()](

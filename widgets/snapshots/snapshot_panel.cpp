@@ -91,7 +91,7 @@ void SnapshotPanel::listSources()
     std::erase_if(m_sources, [this](const Source &one) {
         return one.kind >= Kind::Kept && one.key != m_a.key && one.key != m_b.key;
     });
-    const QString recording = deviceText(QFileInfo(m_recorded.path).fileName());
+    const QString recording = fileNameText(m_recorded.path);
     const std::size_t recorded = m_recorded.all.size();
     for (std::size_t i = recorded - std::min(recorded, kMostRecorded); i < recorded; ++i) {
         const QString key = QStringLiteral("%1#%2").arg(m_recorded.path, QString::number(i));
@@ -166,7 +166,7 @@ bool SnapshotPanel::load(const QString &path, Side &side)
     const auto content = session::readWholeFile(path);
     if (!content) {
         tell(tr("%1 cannot be read: %2.", "file, the system's words")
-                 .arg(deviceText(QFileInfo(path).fileName()), deviceText(content.error())));
+                 .arg(fileNameText(path), deviceText(content.error())));
         return false;
     }
     auto snapshot = session::readSnapshotJson(*content);
@@ -179,8 +179,7 @@ bool SnapshotPanel::load(const QString &path, Side &side)
     if (Source *known = source(path))
         known->snapshot = value;
     else
-        m_sources.insert(m_sources.begin() + 1,
-            {Kind::File, path, deviceText(QFileInfo(path).fileName()), value});
+        m_sources.insert(m_sources.begin() + 1, {Kind::File, path, fileNameText(path), value});
     side.key = path;
     if (source(path)->kind == Kind::File)
         m_folder = QFileInfo(path).path();

@@ -6,7 +6,6 @@
 #include "widgets/base/value_text.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QLocale>
 
 #include <cmath>
@@ -99,7 +98,7 @@ QString snapshotRawText(const snapshots::Entry *entry)
 
 QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error)
 {
-    const QString name = deviceText(QFileInfo(file).fileName());
+    const QString name = fileNameText(file);
     const QString what = problemText(error.problem);
     const QString line = QString::number(error.line);
     if (error.problem == session::SnapshotProblem::NotJson)

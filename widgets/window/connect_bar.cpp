@@ -12,7 +12,6 @@
 #include "widgets/window/settings.h"
 
 #include <QComboBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -277,7 +276,7 @@ void ConnectBar::openReplay(const QString &path)
     if (connecting())
         return;
     m_pathBefore = this->path();
-    m_port->setEditText(deviceText(QFileInfo(path).fileName()));
+    m_port->setEditText(fileNameText(path));
     session::Endpoint endpoint;
     endpoint.kind = session::Endpoint::Kind::Trace;
     endpoint.path = path;

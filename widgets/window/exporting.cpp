@@ -69,7 +69,7 @@ void Exporting::carryOut(const ExportOrder &order)
     std::vector<session::LoggedMotion> log; // as it is now, too
     if (!order.motionLog.isEmpty())
         log = m_parts.workbench.motionLog().log();
-    write(tr("Exporting %1").arg(deviceText(QFileInfo(order.path).fileName())),
+    write(tr("Exporting %1").arg(fileNameText(order.path)),
         [order, done, log = std::move(log)](const FileJob::Proceed &proceed) -> FileJob::Finish {
             ExportResult result = widgets::carryOut(order, proceed);
             if (result.ok() && !order.motionLog.isEmpty())
@@ -111,7 +111,7 @@ void Exporting::tellCapture(const QString &path, const QString &motionLog, const
     QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
     Banner::Kind kind = Banner::Kind::Note;
     if (!motionLog.isEmpty()) {
-        const QString name = deviceText(QFileInfo(motionLog).fileName());
+        const QString name = fileNameText(motionLog);
         if (!wrong.isEmpty())
             kind = Banner::Kind::Warning;
         sentence += QLatin1Char(' ')

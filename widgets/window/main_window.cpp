@@ -48,7 +48,6 @@
 #include <QChildEvent>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QStackedWidget>
@@ -504,12 +503,11 @@ void MainWindow::updateFrame()
         title = tr("%1 \u2013 Rotorscope", "what is connected")
                     .arg(real ? deviceText(m_device.endpoint().path)
                             : replaying(m_device)
-                            ? tr("Replay of %1")
-                                  .arg(deviceText(QFileInfo(m_device.endpoint().path).fileName()))
+                            ? tr("Replay of %1").arg(fileNameText(m_device.endpoint().path))
                             : tr("Simulated board"));
     else if (m_workbench.signalPlan().showsFile())
-        title = tr("%1 \u2013 Rotorscope", "what is connected")
-                    .arg(deviceText(QFileInfo(m_opening->shown()).fileName()));
+        title =
+            tr("%1 \u2013 Rotorscope", "what is connected").arg(fileNameText(m_opening->shown()));
     setWindowTitle(title);
 }
 

@@ -188,7 +188,7 @@ void Opening::open(const QString &path)
     if (QFileInfo(path).size() < m_parts.outlineFrom)
         return read(path);
     new FileJob(
-        tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
+        tr("Opening %1").arg(fileNameText(path)),
         [this, path](const FileJob::Proceed &) -> FileJob::Finish {
             const auto outline = std::make_shared<capture::Capture>();
             const bool there = session::readOverview(path, *outline);

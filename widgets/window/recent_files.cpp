@@ -35,7 +35,7 @@ void RecentFiles::fill()
     m_menu.setEnabled(!m_paths.isEmpty()); // a disabled menu is not asked
     int number = 0;
     for (const QString &path : std::as_const(m_paths)) {
-        QString name = deviceText(QFileInfo(path).fileName());
+        QString name = fileNameText(path);
         name.replace(QLatin1Char('&'), QLatin1String("&&"));
         QAction *action =
             m_menu.addAction(QStringLiteral("&%1  %2").arg(QString::number(++number), name));

@@ -6,8 +6,6 @@
 #include "widgets/files/record_control.h"
 #include "widgets/window/workbench.h"
 
-#include <QFileInfo>
-
 namespace widgets {
 
 using Kind = Answer::Kind;
@@ -90,7 +88,7 @@ QString Replacing::markersText() const
         return tr("Markers of this recording were changed and are in no file.");
     case MarkerFile::Place::Recorded:
         return tr("The recording %1 does not hold all markers as they are now.")
-            .arg(deviceText(QFileInfo(m_parts.markers.path()).fileName()));
+            .arg(fileNameText(m_parts.markers.path()));
     case MarkerFile::Place::Running:
         return tr(
             "The recording that runs does not hold all markers: some were set before it began.");

@@ -8,7 +8,6 @@
 #include "widgets/base/value_text.h"
 #include "widgets/control/fault_texts.h"
 
-#include <QFileInfo>
 #include <QResizeEvent>
 
 #include <initializer_list>
@@ -146,7 +145,7 @@ QString StatusStrip::endpointText() const
 {
     const session::Endpoint &endpoint = m_device.endpoint();
     if (replaying(m_device))
-        return tr("replay of %1").arg(deviceText(QFileInfo(endpoint.path).fileName()));
+        return tr("replay of %1").arg(fileNameText(endpoint.path));
     const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
         ? tr("simulated board")
         : deviceText(endpoint.path);
