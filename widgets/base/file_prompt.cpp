@@ -1,13 +1,15 @@
 #include "widgets/base/file_prompt.h"
 
+#include <QDir>
 #include <QFileDialog>
 
 namespace widgets {
 
 namespace {
 
-void openDialog(QFileDialog *dialog, QWidget *parent, FilePrompt::Answer answer)
+void openDialog(QFileDialog *dialog, const char *name, QWidget *parent, FilePrompt::Answer answer)
 {
+    dialog->setObjectName(QLatin1String(name));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QFileDialog::DontUseNativeDialog);
     QObject::connect(dialog, &QFileDialog::fileSelected, parent,
@@ -20,31 +22,30 @@ void openDialog(QFileDialog *dialog, QWidget *parent, FilePrompt::Answer answer)
 
 } // namespace
 
+QString orHome(const QString &folder) { return folder.isEmpty() ? QDir::homePath() : folder; }
+
 void FilePrompt::askSave(QWidget *parent, const SaveQuestion &question, Answer answer)
 {
     auto *dialog = new QFileDialog(parent, question.title, question.folder, question.filter);
-    dialog->setObjectName(QStringLiteral("saveDialog"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(question.suffix);
     dialog->selectFile(question.suggestedName);
-    openDialog(dialog, parent, std::move(answer));
+    openDialog(dialog, "saveDialog", parent, std::move(answer));
 }
 
 void FilePrompt::askOpen(QWidget *parent, const OpenQuestion &question, Answer answer)
 {
     auto *dialog = new QFileDialog(parent, question.title, question.folder, question.filter);
-    dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    openDialog(dialog, parent, std::move(answer));
+    openDialog(dialog, "openDialog", parent, std::move(answer));
 }
 
 void FilePrompt::askFolder(QWidget *parent, const FolderQuestion &question, Answer answer)
 {
     auto *dialog = new QFileDialog(parent, question.title, question.folder);
-    dialog->setObjectName(QStringLiteral("folderDialog"));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    openDialog(dialog, parent, std::move(answer));
+    openDialog(dialog, "folderDialog", parent, std::move(answer));
 }
 
 } // namespace widgets

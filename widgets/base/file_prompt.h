@@ -29,6 +29,9 @@ struct FolderQuestion {
     QString folder; ///< in which it is looked for
 };
 
+/// That folder; the person's own where there is none yet.
+QString orHome(const QString &folder);
+
 /// Calls back with the path chosen; not at all if the person gave up. Existing files are asked about.
 class FilePrompt {
 public:

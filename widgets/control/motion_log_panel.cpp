@@ -88,14 +88,10 @@ void MotionLogPanel::copy()
 
 void MotionLogPanel::save()
 {
-    SaveQuestion question;
-    question.title = tr("Save the motion log");
-    question.folder = QDir::homePath();
-    question.suggestedName =
-        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
-        + QStringLiteral("_motion.csv");
-    question.filter = tr("CSV files (*.csv)");
-    question.suffix = QStringLiteral("csv");
+    const QString now =
+        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
+    const SaveQuestion question{tr("Save the motion log"), QDir::homePath(),
+        now + QStringLiteral("_motion.csv"), tr("CSV files (*.csv)"), QStringLiteral("csv")};
     m_files.askSave(this, question, [this](const QString &path) {
         const QString wrong = session::writeWholeFile(path, m_log.text());
         if (wrong.isEmpty())

@@ -207,12 +207,9 @@ void ExportDialog::updateSummary()
 
 void ExportDialog::ask()
 {
-    SaveQuestion question;
-    question.title = tr("Export");
-    question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime(), suffix());
-    question.filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    question.suffix = suffix();
+    const SaveQuestion question{tr("Export"), orHome(m_folder),
+        suggestedCaptureName(QDateTime::currentDateTime(), suffix()),
+        tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix()), suffix()};
     m_files.askSave(this, question, [this](const QString &path) { order(path); });
 }
 

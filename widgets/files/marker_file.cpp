@@ -9,7 +9,6 @@
 #include "widgets/scope/events/event_log.h"
 
 #include <QAction>
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -230,26 +229,19 @@ void MarkerFile::saveThen(std::function<void()> goOn)
 
 void MarkerFile::askForCopy(std::function<void()> goOn)
 {
-    SaveQuestion question;
-    question.title = tr("Save the recording with its markers");
-    question.folder = QFileInfo(m_path).path();
-    question.suggestedName = QFileInfo(m_path).fileName();
-    question.filter = tr("Recordings (*.pcapng)");
-    question.suffix = QStringLiteral("pcapng");
+    const QFileInfo file(m_path);
+    const SaveQuestion question{tr("Save the recording with its markers"), file.path(),
+        file.fileName(), tr("Recordings (*.pcapng)"), QStringLiteral("pcapng")};
     m_files.askSave(m_window, question,
         [this, goOn = std::move(goOn)](const QString &path) { saveAs(path, goOn); });
 }
 
 void MarkerFile::askForList(std::function<void()> goOn)
 {
-    SaveQuestion question;
-    question.title = tr("Save the markers as a list");
-    question.folder = m_record.folder().isEmpty() ? QDir::homePath() : m_record.folder();
-    question.suggestedName =
-        QLocale::c().toString(QDateTime::currentDateTime(), QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
-        + QStringLiteral("_markers.csv");
-    question.filter = tr("CSV files (*.csv)");
-    question.suffix = QStringLiteral("csv");
+    const QString time =
+        QLocale::c().toString(QDateTime::currentDateTime(), QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
+    const SaveQuestion question{tr("Save the markers as a list"), orHome(m_record.folder()),
+        time + QStringLiteral("_markers.csv"), tr("CSV files (*.csv)"), QStringLiteral("csv")};
     m_files.askSave(m_window, question, [this, goOn = std::move(goOn)](const QString &path) {
         const Markers now = markersOf(m_events);
         if (const QString why = session::writeWholeFile(path, markerList(now)); !why.isEmpty()) {

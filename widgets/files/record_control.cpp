@@ -12,7 +12,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -113,12 +112,9 @@ void RecordControl::ask()
         m_parts.recording.stop();
         return;
     }
-    SaveQuestion question;
-    question.title = tr("Record to disk");
-    question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.suggestedName = suggestedRecordingName(QDateTime::currentDateTime());
-    question.filter = tr("Recordings (*.pcapng)");
-    question.suffix = QStringLiteral("pcapng");
+    const SaveQuestion question{tr("Record to disk"), orHome(m_folder),
+        suggestedRecordingName(QDateTime::currentDateTime()), tr("Recordings (*.pcapng)"),
+        QStringLiteral("pcapng")};
     m_parts.files.askSave(m_line->window(), question, [this](const QString &path) { start(path); });
 }
 

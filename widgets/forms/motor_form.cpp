@@ -17,7 +17,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
@@ -266,9 +265,7 @@ void MotorForm::say(const QString &sentence, bool bad)
 
 void MotorForm::openFile()
 {
-    m_files.askOpen(this,
-        {tr("Open a motor file"), m_folder.isEmpty() ? QDir::homePath() : m_folder,
-            tr("Motor files (*.json)")},
+    m_files.askOpen(this, {tr("Open a motor file"), orHome(m_folder), tr("Motor files (*.json)")},
         [this](const QString &path) { take(path); });
 }
 
@@ -329,8 +326,8 @@ void MotorForm::saveFile()
     if (!sheet)
         return;
     m_files.askSave(this,
-        {tr("Save the motor"), m_folder.isEmpty() ? QDir::homePath() : m_folder,
-            QStringLiteral("motor.json"), tr("Motor files (*.json)"), QStringLiteral("json")},
+        {tr("Save the motor"), orHome(m_folder), QStringLiteral("motor.json"),
+            tr("Motor files (*.json)"), QStringLiteral("json")},
         [this, sheet = *sheet](const QString &path) {
             m_folder = QFileInfo(path).path();
             const QString problem = session::writeWholeFile(path, session::motorJson(sheet));

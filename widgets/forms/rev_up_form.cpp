@@ -570,12 +570,8 @@ void RevUpForm::readFile(const QString &path)
 
 void RevUpForm::saveFile()
 {
-    SaveQuestion question;
-    question.title = tr("Save the rev-up");
-    question.folder = m_folder;
-    question.suggestedName = QStringLiteral("rev-up.json");
-    question.filter = tr("Rev-ups (*.json);;All files (*)");
-    question.suffix = QStringLiteral("json");
+    const SaveQuestion question{tr("Save the rev-up"), m_folder, QStringLiteral("rev-up.json"),
+        tr("Rev-ups (*.json);;All files (*)"), QStringLiteral("json")};
     m_files.askSave(this, question, [this](const QString &path) {
         const RevUpFacts &facts = m_model->facts();
         const QString why = session::writeWholeFile(

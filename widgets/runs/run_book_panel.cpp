@@ -10,7 +10,6 @@
 #include "widgets/files/file_job.h"
 #include "widgets/runs/run_book_model.h"
 
-#include <QDir>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -132,20 +131,15 @@ bool RunBookPanel::eventFilter(QObject *watched, QEvent *event)
 
 void RunBookPanel::askFolder()
 {
-    FolderQuestion question;
-    question.title = tr("Keep experiments in a folder");
-    question.folder = m_keeper.folder().isEmpty() ? QDir::homePath() : m_keeper.folder();
-    m_files.askFolder(
-        window(), question, [this](const QString &path) { m_keeper.setFolder(path); });
+    m_files.askFolder(window(), {tr("Keep experiments in a folder"), orHome(m_keeper.folder())},
+        [this](const QString &path) { m_keeper.setFolder(path); });
 }
 
 void RunBookPanel::askRecording()
 {
-    OpenQuestion question;
-    question.title = tr("Add a recording to the run book");
-    question.folder = m_keeper.folder();
-    question.filter = tr("Recordings (*.pcapng)");
-    m_files.askOpen(window(), question, [this](const QString &path) { split(path); });
+    m_files.askOpen(window(),
+        {tr("Add a recording to the run book"), m_keeper.folder(), tr("Recordings (*.pcapng)")},
+        [this](const QString &path) { split(path); });
 }
 
 void RunBookPanel::split(const QString &recording)

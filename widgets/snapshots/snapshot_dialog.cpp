@@ -9,7 +9,6 @@
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -117,13 +116,11 @@ void SnapshotDialog::read(const BoardReading &reading)
 void SnapshotDialog::ask()
 {
     const bool json = m_form == Form::Snapshot;
-    SaveQuestion question;
-    question.title = windowTitle();
-    question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.suggestedName = suggestedFileName(QDateTime::currentDateTime(),
+    const QString name = suggestedFileName(QDateTime::currentDateTime(),
         json ? QStringLiteral("snapshot.json") : QStringLiteral("drive_parameters.h"));
-    question.filter = json ? tr("Snapshots (*.json)") : tr("C headers (*.h)");
-    question.suffix = json ? QStringLiteral("json") : QStringLiteral("h");
+    const SaveQuestion question{windowTitle(), orHome(m_folder), name,
+        json ? tr("Snapshots (*.json)") : tr("C headers (*.h)"),
+        json ? QStringLiteral("json") : QStringLiteral("h")};
     m_files.askSave(this, question, [this](const QString &path) { save(path); });
 }
 

@@ -9,7 +9,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -142,10 +141,7 @@ void SnapshotPanel::chooseSource(Side &side, int index)
 
 void SnapshotPanel::askFile(Side &side)
 {
-    OpenQuestion question;
-    question.title = tr("Open a snapshot");
-    question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.filter = tr("Snapshots (*.json)");
+    const OpenQuestion question{tr("Open a snapshot"), orHome(m_folder), tr("Snapshots (*.json)")};
     m_files.askOpen(window(), question, [this, &side](const QString &path) {
         if (load(path, side))
             sourcesChanged();

@@ -13,15 +13,12 @@
 #include "widgets/window/replacing.h"
 #include "widgets/window/workbench.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <utility>
 
 namespace widgets {
 namespace {
-
-QString orHome(const QString &folder) { return folder.isEmpty() ? QDir::homePath() : folder; }
 
 /// Of a file's signals, that the scope has no room for so many.
 QString leftText(int signalsLeft)
@@ -112,21 +109,16 @@ void Opening::askForRecording()
             tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
             [this] { askForRecording(); }, [this] { askForReference(); }))
         return;
-    OpenQuestion question;
-    question.title = tr("Open a recording");
-    question.folder = orHome(m_parts.recordFolder());
-    question.filter = tr("Recordings (*.pcapng)");
-    ask(question, [this](const QString &path) { open(path); });
+    ask({tr("Open a recording"), orHome(m_parts.recordFolder()), tr("Recordings (*.pcapng)")},
+        [this](const QString &path) { open(path); });
 }
 
 void Opening::askForReference()
 {
-    OpenQuestion question;
-    question.title = tr("Open a recording as a reference");
-    question.folder = orHome(m_parts.recordFolder());
-    question.filter = tr("Recordings (*.pcapng)");
-    m_parts.files.askOpen(
-        m_parts.window, question, [this](const QString &path) { layBeside(path); });
+    m_parts.files.askOpen(m_parts.window,
+        {tr("Open a recording as a reference"), orHome(m_parts.recordFolder()),
+            tr("Recordings (*.pcapng)")},
+        [this](const QString &path) { layBeside(path); });
 }
 
 /// What is connected, and what was recorded of it, stay as they are.
@@ -150,11 +142,8 @@ void Opening::askForReplay()
     if (!isFree(tr("Replay a recording"), tr("A replay takes the place of a board."),
             [this] { askForReplay(); }))
         return;
-    OpenQuestion question;
-    question.title = tr("Replay a recording");
-    question.folder = orHome(m_parts.recordFolder());
-    question.filter = tr("Recordings (*.pcapng)");
-    ask(question, [this](const QString &path) { replay(path); });
+    ask({tr("Replay a recording"), orHome(m_parts.recordFolder()), tr("Recordings (*.pcapng)")},
+        [this](const QString &path) { replay(path); });
 }
 
 void Opening::askForCsv()
@@ -162,11 +151,8 @@ void Opening::askForCsv()
     if (!isFree(tr("Import CSV"), tr("What is imported takes the place of what the scope shows."),
             [this] { askForCsv(); }))
         return;
-    OpenQuestion question;
-    question.title = tr("Import CSV");
-    question.folder = orHome(m_parts.exportFolder());
-    question.filter = tr("CSV files (*.csv *.txt)");
-    ask(question, [this](const QString &path) { import(path); });
+    ask({tr("Import CSV"), orHome(m_parts.exportFolder()), tr("CSV files (*.csv *.txt)")},
+        [this](const QString &path) { import(path); });
 }
 
 void Opening::openPath(const QString &path)

@@ -10,7 +10,6 @@
 #include "widgets/window/tools.h"
 #include "widgets/window/workbench.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QMainWindow>
 
