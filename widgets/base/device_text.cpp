@@ -43,6 +43,14 @@ QString deviceText(std::string_view text)
     return deviceText(QString::fromUtf8(text.data(), static_cast<qsizetype>(size)));
 }
 
+QString deviceNames(const std::vector<std::string> &names)
+{
+    QStringList texts;
+    for (const std::string &name : names)
+        texts.append(deviceText(name));
+    return texts.join(QStringLiteral(", "));
+}
+
 QString fileNameText(const QString &path) { return deviceText(QFileInfo(path).fileName()); }
 
 QString deviceToolTip(std::string_view text) { return deviceText(text).toHtmlEscaped(); }

@@ -4,7 +4,9 @@
 
 #include <QString>
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 class QLabel;
 class QWidget;
@@ -18,6 +20,9 @@ inline constexpr int kDeviceTextLength = 64;
 /// an ellipsis after kDeviceTextLength characters.
 QString deviceText(std::string_view text);
 QString deviceText(const QString &text);
+
+/// Names that a device has for several things, in one line with commas between.
+QString deviceNames(const std::vector<std::string> &names);
 
 /// The name of a file, without its folder.
 QString fileNameText(const QString &path);

@@ -25,14 +25,6 @@ SteadyLabel *lineLabel(QWidget *parent, const char *objectName)
     return label;
 }
 
-QString joined(const std::vector<std::string> &names)
-{
-    QStringList texts;
-    for (const std::string &name : names)
-        texts.append(deviceText(name));
-    return texts.join(QStringLiteral(", "));
-}
-
 } // namespace
 
 StateBox::StateBox(Device &device, QWidget *parent)
@@ -127,12 +119,12 @@ void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
     m_faultsNow->setText(!believed ? tr("Faults are not known")
             : status.faultsNow.empty()
             ? tr("No fault present")
-            : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
+            : QStringLiteral("\u2716 ") + tr("Present: %1").arg(deviceNames(status.faultsNow)));
     m_faultsNow->setEnabled(believed);
     const std::vector<std::string> over = faultsOver(status);
     m_faultsNow->setVisible(!believed || !status.faultsNow.empty() || over.empty());
     m_faultsPast->setVisible(believed && !over.empty());
-    m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));
+    m_faultsPast->setText(tr("To acknowledge: %1").arg(deviceNames(over)));
     m_causes->setVisible(believed && (!status.faultsNow.empty() || !over.empty()));
 }
 

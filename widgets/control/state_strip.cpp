@@ -139,10 +139,7 @@ bool StateStrip::event(QEvent *event)
     for (std::size_t i = 0; i < m_steps.size(); ++i) {
         if (!cellRect(i).contains(help->pos()))
             continue;
-        QStringList names;
-        for (const std::string &name : m_steps[i].names)
-            names.append(deviceText(name));
-        QToolTip::showText(help->globalPos(), plainToolTip(names.join(QStringLiteral(", "))), this);
+        QToolTip::showText(help->globalPos(), plainToolTip(deviceNames(m_steps[i].names)), this);
         return true;
     }
     QToolTip::hideText();

@@ -72,11 +72,7 @@ void RevUpStart::takeStatus(int motor)
         return;
     using State = drive::MotorState;
     if (drive::hasFault(status.state)) {
-        QStringList names;
-        for (const std::string &name :
-            status.faultsNow.empty() ? status.faultsPast : status.faultsNow)
-            names.append(deviceText(name));
-        m_fault = names.join(QStringLiteral(", "));
+        m_fault = deviceNames(status.faultsNow.empty() ? status.faultsPast : status.faultsNow);
         return end(Result::Failed);
     }
     end(status.state == State::Running ? Result::Running : Result::Stopped);

@@ -41,10 +41,7 @@ ExperimentBar::Evaluate Identification::evaluation(
             m_findings.take(*found);
             if (whole(*found))
                 return {};
-            QStringList notes;
-            for (const std::string &note : found->notes)
-                notes.append(labSentence(note));
-            return {notConclusive(notes.join(QLatin1Char(' ')))};
+            return {notConclusive(labSentences(found->notes).join(QLatin1Char(' ')))};
         };
     };
 }

@@ -279,4 +279,12 @@ QString labSentence(const std::string &words)
     return text + QLatin1Char('.');
 }
 
+QStringList labSentences(const std::vector<std::string> &all)
+{
+    QStringList sentences;
+    for (const std::string &words : all)
+        sentences.append(labSentence(words));
+    return sentences;
+}
+
 } // namespace widgets

@@ -2,9 +2,10 @@
 // its result. Its words are English sentences with numbers and names in them, several of them with semicolons between.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include <string>
+#include <vector>
 
 namespace widgets {
 
@@ -13,5 +14,6 @@ QString labText(const std::string &words);
 
 /// The same as a sentence: begins with a capital, ends with a full stop.
 QString labSentence(const std::string &words);
+QStringList labSentences(const std::vector<std::string> &all);
 
 } // namespace widgets

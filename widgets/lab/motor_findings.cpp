@@ -45,10 +45,7 @@ QString figure(std::size_t row, const std::optional<double> &value, double place
 
 QString notesText(const std::vector<std::string> &notes)
 {
-    QStringList all;
-    for (const std::string &note : notes)
-        all.append(labSentence(note));
-    return all.join(QLatin1Char(' '));
+    return labSentences(notes).join(QLatin1Char(' '));
 }
 
 } // namespace

@@ -184,8 +184,7 @@ QString StepRuns::tip(const StepResult &result) const
                              : tr("Step %1, down: %2", "number, what was measured"))
                          .arg(QString::number(++count), values.join(QStringLiteral(", "))));
     }
-    for (const std::string &note : result.series.notes)
-        lines.append(labSentence(note));
+    lines += labSentences(result.series.notes);
     constexpr qsizetype kMostLines = 24;
     if (lines.size() > kMostLines)
         lines = lines.mid(0, kMostLines) << QStringLiteral("\u2026");

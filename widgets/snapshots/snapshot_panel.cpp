@@ -293,14 +293,11 @@ void SnapshotPanel::offer()
         canBe ? snapshots::planRestore(*a, *b, *catalog, {}, moving) : snapshots::RestorePlan());
     const auto others =
         canBe ? snapshots::otherHardware(a->board, b->board) : std::vector<std::string>();
-    QStringList names;
-    for (const std::string &name : others)
-        names.append(deviceText(name));
-    if (names.isEmpty())
+    if (others.empty())
         m_otherHardware->setChecked(false);
-    m_otherHardware->setVisible(!names.isEmpty());
+    m_otherHardware->setVisible(!others.empty());
     m_otherHardware->setText(tr("A was taken of other hardware; restore it all the same"));
-    m_otherHardware->setToolTip(plainToolTip(names.join(QStringLiteral(", "))));
+    m_otherHardware->setToolTip(plainToolTip(deviceNames(others)));
     updateTexts();
 }
 

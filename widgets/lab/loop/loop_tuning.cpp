@@ -34,7 +34,6 @@ LoopTuning::LoopTuning(Device &device, RegisterModel &registers, RegisterEdits &
     const Experiments &experiments, QObject *parent)
     : QObject(parent)
     , m_device(device)
-    , m_registers(registers)
     , m_edits(edits)
     , m_experiments(experiments)
     , m_facts(device, registers)
@@ -149,10 +148,7 @@ Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::millisec
                 return {tr("Not conclusive: %1").arg(labSentence(found.error()))};
             m_current = *found;
             Q_EMIT changed();
-            QStringList notes;
-            for (const std::string &note : found->notes)
-                notes.append(labSentence(note));
-            return notes;
+            return labSentences(found->notes);
         };
     };
     return ExperimentBar::Run{
@@ -191,10 +187,7 @@ ExperimentBar::Run LoopTuning::responseRun(
             Q_EMIT changed();
             if (toProve)
                 return {verdict()};
-            QStringList notes;
-            for (const std::string &note : response->notes)
-                notes.append(labSentence(note));
-            return notes;
+            return labSentences(response->notes);
         };
     };
     return {{{plan, subject}}, evaluate, loop.regulator};

@@ -88,7 +88,6 @@ private:
     lab::Promise promised(const Gains &gains) const;
 
     Device &m_device;
-    RegisterModel &m_registers;
     RegisterEdits &m_edits;
     const Experiments &m_experiments;
     BoardFacts m_facts;
