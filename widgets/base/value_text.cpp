@@ -63,13 +63,6 @@ QString flagsText(const catalog::RegisterInfo &info, std::int64_t bits)
     return parts.join(QLatin1String("; "));
 }
 
-QString floatText(double value, int digits)
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return std::isfinite(value) ? locale.toString(value, 'g', digits) : QStringLiteral("\u2013");
-}
-
 /// What is only read is measured, and no better than to a thousandth.
 QString measuredText(double value, int digits)
 {
@@ -93,6 +86,13 @@ int decimalsFor(double factor)
     if (!(step > 0.0) || !std::isfinite(step))
         return 0;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 4);
+}
+
+QString floatText(double value, int digits)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return std::isfinite(value) ? locale.toString(value, 'g', digits) : QStringLiteral("\u2013");
 }
 
 QString numberText(double value, int decimals)

@@ -19,6 +19,8 @@ QString unitText(const QString &unit);
 QString unitText(std::string_view unit);
 /// What a digit of this unit is worth, one sentence; empty where the unit says it, or nothing does.
 QString unitHelp(std::string_view unit);
+/// The same with so many digits that count, and an exponent where they need one.
+QString floatText(double value, int digits);
 
 /// Of a floating-point number, which has no step of its own.
 constexpr int kFloatDigits = 6;

@@ -1,7 +1,7 @@
 #include "widgets/forms/gain_number.h"
 
 #include "widgets/base/setpoint_text.h"
-#include "widgets/base/value_text.h"
+#include "widgets/base/si_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +16,7 @@ constexpr double kFine = 1.02, kCoarse = 1.2;
 
 QString significantText(double value, int digits)
 {
-    if (!std::isfinite(value))
-        return {};
-    if (value == 0.0)
-        return numberText(0.0, 0);
-    constexpr int kMostDecimals = 12;
-    const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    const int decimals = std::clamp(digits - 1 - magnitude, 0, kMostDecimals);
-    QString text = numberText(value, decimals);
-    if (decimals > 0) {
-        while (text.endsWith(QLatin1Char('0')))
-            text.chop(1);
-        if (!text.back().isDigit())
-            text.chop(1);
-    }
-    return text;
+    return std::isfinite(value) ? plainNumberText(value, digits) : QString();
 }
 
 GainNumber::GainNumber(const char *name, const QString &label, const QString &unit, double least,

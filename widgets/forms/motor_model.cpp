@@ -4,12 +4,10 @@
 #include "widgets/base/look/bold.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/forms/motor_messages.h"
 
-#include <QLocale>
-
 #include <algorithm>
-#include <cmath>
 
 namespace widgets {
 namespace {
@@ -23,20 +21,14 @@ QString hexText(std::int64_t bits)
         + QString::number(bits, 16).toUpper().rightJustified(4, QLatin1Char('0'));
 }
 
-/// In the unit without prefix, with all the digits that a board's float has.
-QString baseText(double value)
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return std::isfinite(value) ? locale.toString(value, 'g', 7) : QStringLiteral("\u2013");
-}
+constexpr int kBoardDigits = 7; ///< all that a board's float has
 
 QString rawOf(const drive::StructureField &field)
 {
     if (const auto *whole = std::get_if<std::int64_t>(&field.value))
         return field.flags || *whole > 0xFFFFFF ? hexText(*whole) : QString::number(*whole);
     if (const auto *real = std::get_if<double>(&field.value))
-        return baseText(*real);
+        return floatText(*real, kBoardDigits);
     return {};
 }
 
@@ -206,13 +198,14 @@ MotorModel::Group MotorModel::comparisonGroup() const
     for (const motor::MotorComparison &row : motor::compareMotors(sheet, *m_file)) {
         const QString name = motorQuantityText(row.quantity);
         const auto &info = motor::motorQuantities()[static_cast<std::size_t>(row.quantity)];
-        const QString raw = row.here ? baseText(*row.here) : QString();
+        const QString raw = row.here ? floatText(*row.here, kBoardDigits) : QString();
         group.rows.push_back({QStringLiteral("compare %1").arg(int(row.quantity)), name,
             figureText(row.quantity, row.here), raw,
             (row.differs ? QStringLiteral("\u2260 ") : QString())
                 + figureText(row.quantity, row.there),
             row.differs ? tr("The file has another value; in %1: %2", "unit, number")
-                              .arg(QString::fromUtf8(info.unit), baseText(row.there.value_or(0.0)))
+                              .arg(QString::fromUtf8(info.unit),
+                                  floatText(row.there.value_or(0.0), kBoardDigits))
                         : QString(),
             row.differs});
     }

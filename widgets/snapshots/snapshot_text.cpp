@@ -82,12 +82,8 @@ QString snapshotValueText(const snapshots::Entry *entry)
         return kDash;
     if (const auto *whole = std::get_if<std::int64_t>(&entry->value))
         return wholeText(*entry, *whole);
-    if (const auto *number = std::get_if<double>(&entry->value)) {
-        QLocale locale;
-        locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        const double shown = entry->shown.value_or(*number);
-        return std::isfinite(shown) ? locale.toString(shown, 'g', 7) : kDash;
-    }
+    if (const auto *number = std::get_if<double>(&entry->value))
+        return floatText(entry->shown.value_or(*number), 7);
     return snapshotRawText(entry);
 }
 
