@@ -205,7 +205,12 @@ void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
         return;
     if (drive::hasFault(status.state)) {
         const auto &faults = status.faultsNow.empty() ? status.faultsPast : status.faultsNow;
-        m_soFar = {End::Aborted, "the board reports a fault: " + namesOf(faults), {}};
+        // Of its own start, which an experiment only asks for.
+        const bool early = !m_ran && (m_phase == Phase::Starting || m_phase == Phase::Approaching);
+        m_soFar = {End::Aborted,
+            (early ? "the motor did not get to its first speed: " : "")
+                + ("the board reports a fault: " + namesOf(faults)),
+            {}};
         return finish();
     }
     const bool rests = status.state == MotorState::Idle || status.state == MotorState::Stopping;

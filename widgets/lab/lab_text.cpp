@@ -50,6 +50,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the drive is not armed"), QT_TRANSLATE_NOOP("Lab", "no answer"),
     QT_TRANSLATE_NOOP("Lab", "too late: it was asked for more than half a second ago"),
     QT_TRANSLATE_NOOP("Lab", "then %1"), QT_TRANSLATE_NOOP("Lab", "the board reports a fault: %1"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "the motor did not get to its first speed: the board reports a fault: %1"),
     QT_TRANSLATE_NOOP("Lab", "something else stopped the motor"),
     QT_TRANSLATE_NOOP("Lab", "the start-up went on to turn the motor"),
     QT_TRANSLATE_NOOP("Lab", "the motor did not come to run within %1 s"),

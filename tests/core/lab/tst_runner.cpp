@@ -31,6 +31,7 @@ private Q_SLOTS:
     void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
     void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
     void aFaultEndsItAndIsNamed();
+    void aFaultOfTheStartIsNotOfTheExperiment();
     void aLostLinkStopsWhatMoves();
     void whatIsNotAPlanMovesNothing_data();
     void whatIsNotAPlanMovesNothing();
@@ -420,6 +421,20 @@ void TestRunner::aFaultEndsItAndIsNamed()
             || bench.runner->outcome().reason.find("OVER_CURR") != std::string::npos,
         bench.runner->outcome().reason.c_str());
     QVERIFY(bench.runner->outcome().reason.find("set-point is 1500 rpm now") != std::string::npos);
+    QVERIFY(bench.runner->outcome().reason.starts_with("the board reports a fault: "));
+}
+
+void TestRunner::aFaultOfTheStartIsNotOfTheExperiment()
+{
+    LabBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.pair.board->truth(1).driven; }, 20s));
+    bench.pair.board->setFaults(0x0040);
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
+    QVERIFY2(bench.runner->outcome().reason.starts_with(
+                 "the motor did not get to its first speed: the board reports a fault: "),
+        bench.runner->outcome().reason.c_str());
 }
 
 void TestRunner::aLostLinkStopsWhatMoves()

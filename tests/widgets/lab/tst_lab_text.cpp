@@ -74,9 +74,9 @@ void TestLabText::initTestCase()
 void TestLabText::englishStaysAsItIs()
 {
     QLocale::setDefault(QLocale::c());
-    for (const char *words :
-        {"no samples came for 0.5 s", "words that nobody knows",
-            "the series ended early: the board reports a fault: SPEED_FDBK; the motor has to turn"})
+    for (const char *words : {"no samples came for 0.5 s", "words that nobody knows",
+             "the series ended early: the board reports a fault: SPEED_FDBK; the motor has to turn",
+             "the motor did not get to its first speed: the board reports a fault: SPEED_FDBK"})
         QCOMPARE(labText(words), QString::fromUtf8(words));
     QLocale::setDefault(QLocale(QLocale::German));
 }
