@@ -165,9 +165,7 @@ ControlPanel::ControlPanel(
     Scroll *scroll = scrolled(makeBody(), "controlScroll", this);
 
     auto *fixed = new QWidget(this);
-    auto *top = new QVBoxLayout(fixed);
-    top->setContentsMargins(kMargin, kFineGrid, kMargin, 0);
-    top->setSpacing(kFineGrid);
+    auto *top = edged(new QVBoxLayout(fixed), {kMargin, kFineGrid, kMargin, 0}, kFineGrid);
     top->addWidget(m_state);
     connect(m_state, &StateBox::causesWanted, this, &ControlPanel::causesWanted);
     top->addWidget(line(this));
@@ -178,9 +176,7 @@ ControlPanel::ControlPanel(
     m_words->hide();
     // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
     auto *read = new QWidget(this);
-    auto *bottom = new QVBoxLayout(read);
-    bottom->setContentsMargins(kMargin, 0, kMargin, kFineGrid);
-    bottom->setSpacing(kFineGrid);
+    auto *bottom = edged(new QVBoxLayout(read), {kMargin, 0, kMargin, kFineGrid}, kFineGrid);
     bottom->addWidget(line(this)); // what is measured has names of its own
     bottom->addWidget(m_readouts);
     auto *layout = bare(new QVBoxLayout(this), 0);
@@ -230,9 +226,7 @@ QWidget *ControlPanel::makeBody()
     m_changeScale->setToolTip(tr("The current of 32768 digits, which the board does not tell."));
     m_changeScale->setFocusPolicy(Qt::TabFocus);
     m_readouts->putBeside("I_Q_MEAS", *m_changeScale);
-    auto *layout = new QVBoxLayout(body);
-    layout->setContentsMargins(kMargin, kFineGrid, kMargin, 0);
-    layout->setSpacing(kFineGrid);
+    auto *layout = edged(new QVBoxLayout(body), {kMargin, kFineGrid, kMargin, 0}, kFineGrid);
     layout->addWidget(m_setpoints);
     layout->addWidget(line(this)); // its row has its name
     layout->addWidget(m_jog);

@@ -64,9 +64,7 @@ CurrentScaleDialog::CurrentScaleDialog(int motor, double fullScaleAmps, QWidget 
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_amps, &QLineEdit::textChanged, this, &CurrentScaleDialog::follow);
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    form->setSpacing(kGrid);
+    auto *form = edged(new QFormLayout(this), kDialogEdges, kGrid);
     form->addRow(explain);
     form->addRow(tr("&Full-scale current [A] (peak, 32768 digits)"), m_amps);
     form->addRow(makeCircuit());

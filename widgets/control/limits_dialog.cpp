@@ -61,9 +61,7 @@ LimitsDialog::LimitsDialog(const drive::UserLimits &limits, QWidget *parent)
     m_ok = buttons->button(QDialogButtonBox::Ok);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    form->setSpacing(kGrid);
+    auto *form = edged(new QFormLayout(this), kDialogEdges, kGrid);
     form->addRow(explain);
     form->addRow(tr("Greatest &speed [rpm]"), m_speed);
     form->addRow(tr("Greatest &current [A]"), m_current);

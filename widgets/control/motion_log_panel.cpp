@@ -52,7 +52,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     side->addWidget(m_copy);
     side->addWidget(m_save);
     side->addStretch(1);
-    auto *layout = padded(new QHBoxLayout(this));
+    auto *layout = edged(new QHBoxLayout(this), kToolEdges);
     layout->addWidget(m_table, 1);
     layout->addLayout(side);
 

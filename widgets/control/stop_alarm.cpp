@@ -48,9 +48,8 @@ void StopAlarm::make()
         Q_EMIT takenBack();
         reject();
     });
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, kDialogEdge);
-    layout->setSpacing(kDialogEdge);
+    auto *layout =
+        edged(new QVBoxLayout(this), {3 * kGrid, 3 * kGrid, 3 * kGrid, kDialogEdge}, kDialogEdge);
     // Always as large as what it has room for: what a word-wrapped label needs in height is asked for by no other constraint.
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_text);

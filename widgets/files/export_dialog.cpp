@@ -115,9 +115,7 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     form->addRow(tr("&Format"), m_format);
     form->addRow(tr("&Range"), m_range);
     form->addRow(tr("R&ates"), m_rates);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QVBoxLayout(this), kDialogEdges, kGrid);
     layout->addLayout(form);
     layout->addWidget(m_summary);
     layout->addWidget(buttons);

@@ -15,7 +15,7 @@ NotesPanel::NotesPanel(const QString &text, QWidget *parent)
     setObjectName(QStringLiteral("notesPanel"));
     m_text->setPlaceholderText(tr("What is tried, and what came of it. Kept with the workspace."));
     m_text->setTabChangesFocus(true);
-    auto *layout = padded(new QVBoxLayout(this));
+    auto *layout = edged(new QVBoxLayout(this), kToolEdges);
     layout->addWidget(m_text);
 }
 

@@ -66,9 +66,7 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     paintBadge();
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(this), {kGrid, 0, kGrid, kHalfGrid}, kGrid);
     layout->addWidget(m_badge);
     layout->addWidget(m_pause);
     layout->addWidget(m_speed);

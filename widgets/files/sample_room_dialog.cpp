@@ -77,9 +77,7 @@ SampleRoomDialog::SampleRoomDialog(const SampleRoom &room, QWidget *parent)
     m_ok = buttons->button(QDialogButtonBox::Ok);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    form->setSpacing(kGrid);
+    auto *form = edged(new QFormLayout(this), kDialogEdges, kGrid);
     form->addRow(explain);
     form->addRow(tr("&Room on disk [GB]"), m_size);
     form->addRow(m_meaning);

@@ -71,8 +71,7 @@ GainLab::GainLab(RegisterModel &model, QWidget *parent)
     , m_forecast(new GainForecast(this))
 {
     setObjectName(QStringLiteral("gainLab"));
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(kHalfGrid, kHalfGrid, kHalfGrid, 0);
+    auto *grid = edged(new QGridLayout(this), {kHalfGrid, kHalfGrid, kHalfGrid, 0});
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(kHalfGrid);
     grid->addWidget(m_motor, 0, 0);

@@ -150,8 +150,7 @@ GainTable::GainTable(RegisterModel &model, QWidget *parent)
     , m_none(new QLabel(tr("No gains: connect a board."), this))
 {
     setObjectName(QStringLiteral("gainTable"));
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(kHalfGrid, kHalfGrid, kHalfGrid, kHalfGrid);
+    auto *grid = edged(new QGridLayout(this), {kHalfGrid, kHalfGrid, kHalfGrid, kHalfGrid});
     grid->setVerticalSpacing(kFineGrid);
     grid->setHorizontalSpacing(kHalfGrid);
     const QString heads[] = {tr("Proportional"), tr("Integral"), tr("Derivative")};

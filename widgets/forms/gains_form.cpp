@@ -57,9 +57,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     m_pages->setCornerWidget(m_board);
     m_pages->addTab(m_table, tr("&Regulators"));
     m_pages->addTab(m_lab, tr("Gain &lab"));
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kHalfGrid, 0, kHalfGrid, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QVBoxLayout(this), {kHalfGrid, 0, kHalfGrid, 0}, kHalfGrid);
     layout->addWidget(m_pages, 1);
     // What a page wishes and what is written stay in view together where the page itself has to scroll.
     m_footer = new QWidget(this);

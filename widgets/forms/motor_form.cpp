@@ -40,8 +40,7 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription 
     , m_files(files)
 {
     setObjectName(QStringLiteral("motorForm"));
-    auto *layout = padded(new QHBoxLayout(this));
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(this), kToolEdges, kGrid);
     layout->addWidget(makeLeft(), 1);
     layout->addWidget(makeRight());
 
@@ -100,8 +99,7 @@ QWidget *MotorForm::makeLeft()
     connect(m_close, &QPushButton::clicked, this, &MotorForm::closeFile);
     connect(m_save, &QPushButton::clicked, this, &MotorForm::saveFile);
     connect(m_back, &QPushButton::clicked, &m_description, &MotorDescription::takeBack);
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(kGrid);
+    auto *buttons = bare(new QHBoxLayout, kGrid);
     for (QPushButton *button : {m_again, m_open, m_close, m_back, m_save})
         buttons->addWidget(button);
     buttons->addStretch(1);

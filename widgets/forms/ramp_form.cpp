@@ -42,8 +42,7 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
     , m_motion(motion)
 {
     setObjectName(QStringLiteral("rampForm"));
-    auto *left = new QVBoxLayout;
-    left->setSpacing(kGrid);
+    auto *left = bare(new QVBoxLayout, kGrid);
     left->addWidget(makeLines());
     left->addWidget(makePresets());
     left->addStretch(1);
@@ -51,9 +50,7 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
     m_preview->setMinimumHeight(120);
     m_preview->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_footer = makeProgress();
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0}, kGrid);
     layout->addLayout(left);
     layout->addWidget(m_preview, 1);
 
@@ -129,9 +126,7 @@ QWidget *RampForm::makePresets()
     m_delete = named(new QPushButton(tr("Delete", "a named ramp"), box), "rampPresetDelete");
     auto *label = new QLabel(tr("&Named"), box);
     label->setBuddy(m_preset);
-    auto *layout = new QHBoxLayout(box);
-    layout->setContentsMargins(0, kHalfGrid, 0, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(box), {0, kHalfGrid, 0, 0}, kGrid);
     layout->addWidget(label);
     layout->addWidget(m_preset, 1);
     layout->addWidget(m_save);

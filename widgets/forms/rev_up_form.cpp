@@ -61,15 +61,12 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
     setObjectName(QStringLiteral("revUpForm"));
     m_reason = wrappedLabel("revUpReason", this);
     m_reason->setFont(inBold(m_reason->font()));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(kGrid);
+    auto *row = bare(new QHBoxLayout, kGrid);
     row->addWidget(makeLeft());
     row->addWidget(makeMiddle(), 1);
     row->addWidget(makeRight());
     m_footer = makeFooter(parts);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0}, kHalfGrid);
     layout->addWidget(m_reason);
     layout->addLayout(row, 1);
     connectParts();
@@ -104,8 +101,7 @@ QWidget *RevUpForm::makeLeft()
         tr("&Up", "move a stage"), "revUpUp", tr("Moves the selected stage up (Alt+Up)"));
     m_down = makeButton(
         tr("Dow&n", "move a stage"), "revUpDown", tr("Moves the selected stage down (Alt+Down)"));
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(kHalfGrid);
+    auto *buttons = bare(new QHBoxLayout, kHalfGrid);
     for (QPushButton *button : {m_add, m_remove, m_up, m_down})
         buttons->addWidget(button, 1);
     auto *layout = bare(new QVBoxLayout(left), kHalfGrid);

@@ -19,8 +19,7 @@ IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
     setObjectName(QStringLiteral("identifyPage"));
     makeTable();
     makeBar();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0});
     layout->addWidget(m_table);
     connect(&parts.registers, &RegisterModel::catalogSet, this, &IdentifyPage::boardChanged);
     connect(&findings(), &QAbstractItemModel::dataChanged, this, &IdentifyPage::enableButtons);

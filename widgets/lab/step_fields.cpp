@@ -62,8 +62,7 @@ SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *
     label->setBuddy(edit);
     edit->setAccessibleName(tr("%1, rpm", "a field").arg(QString(text).remove(QLatin1Char('&'))));
     auto *unit = new QLabel(tr("rpm"), this);
-    auto *both = new QHBoxLayout;
-    both->setSpacing(kHalfGrid);
+    auto *both = bare(new QHBoxLayout, kHalfGrid);
     both->addWidget(edit);
     both->addWidget(unit);
     m_grid->addWidget(label, 0, column);

@@ -44,7 +44,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
 {
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
-    auto *layout = padded(new QHBoxLayout(this));
+    auto *layout = edged(new QHBoxLayout(this), kToolEdges);
     layout->addWidget(makeEditor());
     layout->addWidget(m_list, 1);
 

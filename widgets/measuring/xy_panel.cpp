@@ -68,7 +68,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     side->addWidget(m_equal);
     side->addWidget(m_note);
     side->addStretch(1);
-    auto *layout = padded(new QHBoxLayout(this));
+    auto *layout = edged(new QHBoxLayout(this), kToolEdges);
     layout->addWidget(sideWidget);
     layout->addWidget(m_plot, 1);
 

@@ -64,8 +64,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     // Before every edit bar: they show the actions as they are.
     connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
 
-    auto *layout = padded(new QVBoxLayout(this));
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QVBoxLayout(this), kToolEdges, kGrid);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
     layout->addWidget(m_details);

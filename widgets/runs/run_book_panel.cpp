@@ -72,7 +72,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     below->addWidget(m_registers);
     below->addWidget(m_reference);
     below->addWidget(m_open);
-    auto *layout = padded(new QVBoxLayout(this));
+    auto *layout = edged(new QVBoxLayout(this), kToolEdges);
     layout->addLayout(above);
     layout->addWidget(m_table, 1);
     layout->addLayout(below);

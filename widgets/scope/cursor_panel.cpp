@@ -59,9 +59,7 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setHighlightSections(false);
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kFineGrid, kGrid, kFineGrid);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(this), {kGrid, kFineGrid, kGrid, kFineGrid}, kGrid);
     layout->addWidget(makeSide());
     layout->addWidget(m_table, 1);
     connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
@@ -108,8 +106,7 @@ QWidget *CursorPanel::makeSide()
     m_distance->setTextFormat(Qt::PlainText);
     m_distance->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(kFineGrid);
+    auto *buttons = bare(new QHBoxLayout, kFineGrid);
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
     buttons->addWidget(m_copy);

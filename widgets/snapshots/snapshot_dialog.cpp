@@ -60,9 +60,7 @@ SnapshotDialog::SnapshotDialog(
         m_progress->setValue(done);
     });
     connect(&m_reader, &SnapshotReader::finished, this, &SnapshotDialog::read);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QVBoxLayout(this), kDialogEdges, kGrid);
     layout->addWidget(m_summary);
     layout->addWidget(m_progress);
     layout->addWidget(buttons);

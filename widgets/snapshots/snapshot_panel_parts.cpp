@@ -33,8 +33,7 @@ constexpr int kReportHeight = 96;
 void SnapshotPanel::makeWidgets()
 {
     makeTable();
-    auto *layout = padded(new QVBoxLayout(this));
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QVBoxLayout(this), kToolEdges, kGrid);
     layout->addWidget(makeSides());
     layout->addWidget(makeFilters());
     layout->addWidget(m_table, 1);

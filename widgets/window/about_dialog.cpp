@@ -44,9 +44,7 @@ QDialog *makeDialog(QWidget *parent, const QString &title)
     auto *dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
-    auto *layout = new QVBoxLayout(dialog);
-    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
-    layout->setSpacing(kGrid);
+    edged(new QVBoxLayout(dialog), kDialogEdges, kGrid);
     return dialog;
 }
 

@@ -126,12 +126,10 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_board->setEnabled(false);
 
-    auto *lamps = new QVBoxLayout;
-    lamps->setSpacing(kFineGrid);
+    auto *lamps = bare(new QVBoxLayout, kFineGrid);
     lamps->addWidget(m_portLamp);
     lamps->addWidget(m_boardLamp);
-    auto *who = new QVBoxLayout;
-    who->setSpacing(kFineGrid);
+    auto *who = bare(new QVBoxLayout, kFineGrid);
     who->addWidget(m_firmware);
     who->addWidget(m_board);
     auto *layout = bare(new QHBoxLayout(this), kGrid);

@@ -64,9 +64,7 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     m_rest->setSpacing(kGap);
     m_rest->addWidget(m_text, 1);
     m_rest->addWidget(m_answers);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(12, 6, kGap, kGap);
-    layout->setSpacing(kFineGrid);
+    auto *layout = edged(new QVBoxLayout(this), {12, 6, kGap, kGap}, kFineGrid);
     layout->addLayout(head);
     layout->addLayout(m_rest, 1);
 

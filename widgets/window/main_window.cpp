@@ -240,8 +240,7 @@ QWidget *MainWindow::makeTop()
     Q_ASSERT(application); // without it Esc would not stop
     connect(application, &Application::stopPressed, this, [this] { m_device.stop(); });
 
-    auto *stripLayout = padded(new QHBoxLayout(strip));
-    stripLayout->setSpacing(kGrid);
+    auto *stripLayout = edged(new QHBoxLayout(strip), kToolEdges, kGrid);
     stripLayout->addWidget(m_connectBar, 1);
     stripLayout->addWidget(stop);
 

@@ -226,8 +226,7 @@ QWidget *ScopePage::makeBar()
 {
     auto *bar = new QWidget(this);
     bar->setStyleSheet(barStyle(palette()));
-    auto *layout = padded(new QHBoxLayout(bar));
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QHBoxLayout(bar), kToolEdges, kHalfGrid);
     auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
     auto *flow = new FlowLayout(kHalfGrid, buttons);
     for (QAction *action :

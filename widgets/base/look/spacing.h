@@ -1,6 +1,7 @@
-// The grid on which everything in the window stands: distances are whole or half steps of it. And layouts with the edges that
-// most of them have.
+// The grid on which everything in the window stands: distances are whole or half steps of it. And layouts that keep them.
 #pragma once
+
+#include <QMargins>
 
 namespace widgets {
 
@@ -9,36 +10,31 @@ constexpr int kHalfGrid = 4; ///< between what belongs together
 constexpr int kFineGrid = 2; ///< between rows of a dense table
 constexpr int kDialogEdge = 2 * kGrid; ///< around a dialog
 
-/// A layout without edges of its own. @return  it
+inline constexpr QMargins kToolEdges{kGrid, kHalfGrid, kGrid, kHalfGrid};
+inline constexpr QMargins kDialogEdges{kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge};
+
+/// @param edges  of the layout itself
+/// @param gap    between its parts; -1: as the style has it
+/// @return       the layout
 template <class Layout>
-Layout *bare(Layout *layout)
+Layout *edged(Layout *layout, const QMargins &edges, int gap = -1)
 {
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(edges);
+    layout->setSpacing(gap);
     return layout;
 }
 
-/// @param gap  between its parts
 template <class Layout>
-Layout *bare(Layout *layout, int gap)
+Layout *bare(Layout *layout, int gap = -1)
 {
-    layout->setSpacing(gap);
-    return bare(layout);
+    return edged(layout, {}, gap);
 }
 
 /// @param across, down  between columns, and between rows
 template <class Layout>
 Layout *bare(Layout *layout, int across, int down)
 {
-    layout->setHorizontalSpacing(across);
-    layout->setVerticalSpacing(down);
-    return bare(layout);
-}
-
-/// A layout with the edges of a tool. @return  it
-template <class Layout>
-Layout *padded(Layout *layout)
-{
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    edged(layout, {}, across)->setVerticalSpacing(down);
     return layout;
 }
 

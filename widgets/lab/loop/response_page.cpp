@@ -88,9 +88,7 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     both->setStretchFactor(1, 1);
     both->setSizes({1000, 1200}); // shares of what there is
     makeTable();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0}, kHalfGrid);
     layout->addWidget(makeChoices());
     layout->addWidget(both, 1);
     makeBar();

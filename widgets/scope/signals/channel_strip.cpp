@@ -99,9 +99,7 @@ public:
         remove->setText(QStringLiteral("\u00d7"));
         remove->setAccessibleName(ChannelStrip::tr("Remove %1").arg(name));
         remove->setToolTip(ChannelStrip::tr("Take it off the scope"));
-        auto *layout = new QHBoxLayout(this);
-        layout->setContentsMargins(19, 1, 2, 1);
-        layout->setSpacing(kFineGrid);
+        auto *layout = edged(new QHBoxLayout(this), {19, 1, 2, 1}, kFineGrid);
         layout->addWidget(label);
         layout->addWidget(tag);
         layout->addWidget(remove);
@@ -165,15 +163,13 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
         fold();
     });
     m_rateLabel->setBuddy(m_rate);
-    auto *bottom = new QHBoxLayout;
-    bottom->setSpacing(kGrid);
+    auto *bottom = bare(new QHBoxLayout, kGrid);
     bottom->addWidget(m_fold);
     bottom->addWidget(m_rateLabel);
     bottom->addWidget(m_rate);
     bottom->addSpacing(kGrid);
     bottom->addWidget(m_budget, 1);
-    auto *layout = padded(new QVBoxLayout(this));
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QVBoxLayout(this), kToolEdges, kHalfGrid);
     layout->addWidget(m_empty);
     layout->addWidget(m_chips);
     layout->addLayout(bottom);

@@ -113,9 +113,7 @@ void TriggerBar::makeBar()
     button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
     button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QHBoxLayout(this), {kGrid, 0, kGrid, kHalfGrid}, kHalfGrid);
     auto *fields = new QWidget(this); // two lines where the words are long and the screen is small
     auto *flow = new FlowLayout(kHalfGrid, fields);
     for (QWidget *widget : std::initializer_list<QWidget *>{
