@@ -1481,6 +1481,10 @@
         <source>%1 was cut short: nothing is told of its current</source>
         <translation>%1 wurde abgebrochen: von seinem Strom wird nichts genannt</translation>
     </message>
+    <message>
+        <source>the motor did not get to its first speed: the board reports a fault: %1</source>
+        <translation>der Motor kam nicht auf seine erste Drehzahl: das Board meldet einen Fehler: %1</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>

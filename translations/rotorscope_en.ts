@@ -1477,6 +1477,14 @@
         <source>%1 was cut short: nothing is told of its current</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the motor did not get to its first speed: the board reports a fault: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed did not come to rest before the first torque: its speed loop swings</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2655,6 +2663,22 @@
         <source>It rests: it is started for each of these, and stopped afterwards.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 times the nominal current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times the greatest current of the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your own limit of the current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limits in the control panel bound what is asked for, these caps what is measured: up to %1 beyond the plan, and %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -2686,6 +2710,15 @@
     <message>
         <source>past: %1</source>
         <comment>faults that occurred</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>digits</source>
+        <comment>unit of a raw number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>32767 digits are the full scale of the current sensor, which this board does not tell.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

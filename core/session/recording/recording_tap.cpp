@@ -100,9 +100,11 @@ void RecordingTap::send(std::vector<record::Entry> entries, std::size_t bytes, T
     }
     if (m_lost != record::Lost{})
         entries.insert(entries.begin(), std::exchange(m_lost, {}));
-    m_waiting += bytes;
+    const std::size_t before = m_waiting.fetch_add(bytes), many = m_mostWaiting / 4;
     Q_EMIT told(std::make_shared<const Told>(
         Told{m_recording, now.time_since_epoch().count(), std::move(entries), bytes}));
+    if (before < many && before + bytes >= many)
+        Q_EMIT crowded();
 }
 
 void RecordingTap::drop(const std::vector<record::Entry> &entries)

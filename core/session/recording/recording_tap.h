@@ -1,6 +1,6 @@
 // RecordingTap: takes what a session does for a recording, before anything is dropped for display. It stands in the
-// session's thread and never waits: entries go to the recorder by a queued signal, and while more than the bound wait
-// there, because the disk is slow, further ones are dropped, counted, and told as Lost.
+// session's thread and never waits: entries are told to the recorder, and while more than the bound wait there, because
+// the disk is slow, further ones are dropped, counted, and told as Lost.
 //
 // Two wrappers feed it: tapped() puts them around a session's transport and drive, so that the session itself knows
 // nothing of recordings.
@@ -56,7 +56,9 @@ public:
     void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now) override;
 
 Q_SIGNALS:
-    void told(const session::ToldPtr &told); ///< connect it queued
+    /// Connect it queued, or to what may be called in the session's thread.
+    void told(const session::ToldPtr &told);
+    void crowded(); ///< a quarter of what may wait does; connect it queued
 
 private:
     bool isOn();

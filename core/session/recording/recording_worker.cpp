@@ -25,6 +25,23 @@ RecordingOutcome outcomeOf(record::End::Reason reason)
 
 } // namespace
 
+void Inbox::put(ToldPtr told)
+{
+    auto sheet = std::make_unique<Sheet>(Sheet{std::move(told), m_top.load()});
+    while (!m_top.compare_exchange_weak(sheet->below, sheet.get()))
+        ;
+    (void)sheet.release(); // take() has it from here on
+}
+
+std::vector<ToldPtr> Inbox::take()
+{
+    std::vector<ToldPtr> all;
+    for (std::unique_ptr<Sheet> sheet(m_top.exchange(nullptr)); sheet; sheet.reset(sheet->below))
+        all.push_back(std::move(sheet->told));
+    std::reverse(all.begin(), all.end());
+    return all;
+}
+
 RecordingWorker::RecordingWorker(
     std::shared_ptr<RecordingTap> tap, RecordingLimits limits, MakeSink makeSink)
     : m_tap(std::move(tap))
@@ -33,7 +50,11 @@ RecordingWorker::RecordingWorker(
     , m_timer(this)
 {
     qRegisterMetaType<ToldPtr>("session::ToldPtr");
-    connect(m_tap.get(), &RecordingTap::told, this, &RecordingWorker::take, Qt::QueuedConnection);
+    connect(
+        m_tap.get(), &RecordingTap::told, this,
+        [inbox = m_inbox](const ToldPtr &told) { inbox->put(told); }, Qt::DirectConnection);
+    connect(
+        m_tap.get(), &RecordingTap::crowded, this, &RecordingWorker::takeAll, Qt::QueuedConnection);
     connect(&m_timer, &QTimer::timeout, this, &RecordingWorker::tick);
 }
 
@@ -70,6 +91,12 @@ void RecordingWorker::start(
     Q_EMIT started(path);
 }
 
+void RecordingWorker::takeAll()
+{
+    for (const ToldPtr &told : m_inbox->take())
+        take(told);
+}
+
 void RecordingWorker::take(const ToldPtr &told)
 {
     m_tap->release(told->bytes);
@@ -91,12 +118,14 @@ void RecordingWorker::take(const ToldPtr &told)
 
 void RecordingWorker::add(record::Nanos at, record::Entry entry)
 {
+    takeAll();
     if (m_file && !m_file->add(at, std::move(entry)))
         finish();
 }
 
 void RecordingWorker::tick()
 {
+    takeAll();
     if (!m_file)
         return;
     bool goesOn = m_file->flushAll();
@@ -116,6 +145,7 @@ void RecordingWorker::tick()
 
 void RecordingWorker::stop()
 {
+    takeAll();
     if (!m_file)
         return;
     (void)m_file->end();
@@ -138,6 +168,7 @@ void RecordingWorker::finish()
     result.complete = result.outcome == RecordingOutcome::Stopped && m_lost == record::Lost{}
         && m_file->leftOut() == 0;
     m_file.reset();
+    takeAll(); // what was told meanwhile is in no file and holds no memory
     Q_EMIT finished(result);
 }
 
