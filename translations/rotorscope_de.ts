@@ -2695,8 +2695,8 @@
         <translation>Digits</translation>
     </message>
     <message>
-        <source>32767 digits are the full scale of the current sensor, which this board does not tell.</source>
-        <translation>32767 Digits sind der Vollausschlag des Stromsensors, den dieses Board nicht nennt.</translation>
+        <source>32768 digits are the full scale of the current sensor, which this board does not tell.</source>
+        <translation>32768 Digits sind der Vollausschlag des Stromsensors, den dieses Board nicht nennt.</translation>
     </message>
     <message>
         <source>no</source>

@@ -2718,7 +2718,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>32767 digits are the full scale of the current sensor, which this board does not tell.</source>
+        <source>32768 digits are the full scale of the current sensor, which this board does not tell.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -121,7 +121,7 @@ QString unitText(std::string_view unit)
 
 QString unitHelp(std::string_view unit)
 {
-    return unit == "s16A" ? QObject::tr("32767 digits are the full scale of the current sensor, "
+    return unit == "s16A" ? QObject::tr("32768 digits are the full scale of the current sensor, "
                                         "which this board does not tell.")
                           : QString();
 }

@@ -242,7 +242,7 @@ void EventRecorder::acted(const drive::MotionRecord &record)
         return;
     const auto before = std::exchange(m_experimented, {record.act, record.asked});
     if (record.outcome == drive::Outcome::Ok && record.act == before.first
-        && record.asked < before.second + kExcites)
+        && record.asked >= before.second && record.asked < before.second + kExcites)
         return;
     QString text = motionActText(record.act);
     if (!record.detail.empty())

@@ -11,7 +11,8 @@ double lastPlaceOf(const Estimate &estimate)
     if (!estimate.low || !estimate.high)
         return 0.0;
     const double half = (*estimate.high - *estimate.low) / 2.0;
-    return half > 0.0 ? std::pow(10.0, std::floor(std::log10(half)) - 1.0) : 0.0;
+    return half > 0.0 && std::isfinite(half) ? std::pow(10.0, std::floor(std::log10(half)) - 1.0)
+                                             : 0.0;
 }
 
 /// Two-sided 95 % of Student's distribution: a table up to 30 degrees of freedom, behind it the series of Cornish and

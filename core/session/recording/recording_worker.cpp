@@ -1,6 +1,7 @@
 #include "session/recording/recording_worker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace session {
 
@@ -93,8 +94,10 @@ void RecordingWorker::start(
 
 void RecordingWorker::takeAll()
 {
-    for (const ToldPtr &told : m_inbox->take())
-        take(told);
+    // Each is let go as soon as it counts as written.
+    std::vector<ToldPtr> all = m_inbox->take();
+    for (ToldPtr &told : all)
+        take(std::exchange(told, {}));
 }
 
 void RecordingWorker::take(const ToldPtr &told)

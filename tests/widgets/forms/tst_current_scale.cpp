@@ -81,11 +81,11 @@ void TestCurrentScale::theScaleIsAskedForUsedAndRemembered()
         QCOMPARE(unitOf(rig, "I_Q_REF"), std::string("s16A"));
         QCOMPARE(registers.describe(iqRef, std::int64_t{100}), QStringLiteral("100\u202fdigits"));
         QVERIFY(
-            registers.details(iqRef).contains(QLatin1String("32767 digits are the full scale")));
+            registers.details(iqRef).contains(QLatin1String("32768 digits are the full scale")));
         QVERIFY(registers.indexOf(iqRef)
                     .data(Qt::ToolTipRole)
                     .toString()
-                    .contains(QLatin1String("32767 digits are the full scale")));
+                    .contains(QLatin1String("32768 digits are the full scale")));
         const auto typed = registers.readEntry(
             iqRef, widgets::RegisterModel::ValueColumn, QStringLiteral("100 digits"));
         QVERIFY(typed && *typed == catalog::Value(std::int64_t{100}));
