@@ -89,8 +89,8 @@ ExperimentBar::Progress progress(const lab::Happenings &happenings)
 StepPage::StepPage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
-    , m_fields(new StepFields(this))
     , m_gains(new SpeedGains(parts.device, parts.registers, parts.edits, this))
+    , m_fields(new StepFields(this))
     , m_direction(named(new QComboBox(this), "stepDirection", tr("Steps in the picture")))
     , m_overlay(new StepOverlay(this))
     , m_runs(new StepRuns(this))
@@ -128,8 +128,9 @@ QWidget *StepPage::makeSide()
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kGrid);
-    layout->addWidget(m_fields);
+    // What is changed from step to step is in view, also where the rest has to scroll.
     layout->addWidget(m_gains);
+    layout->addWidget(m_fields);
     auto *shown = new QHBoxLayout;
     auto *label = new QLabel(tr("In the picture"), side);
     label->setBuddy(m_direction);

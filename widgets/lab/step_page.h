@@ -60,8 +60,8 @@ private:
 
     Parts m_parts;
 
-    StepFields *m_fields;
     SpeedGains *m_gains;
+    StepFields *m_fields;
     QComboBox *m_direction;
     StepOverlay *m_overlay;
     StepRuns *m_runs;
