@@ -61,6 +61,7 @@ private Q_SLOTS:
     void theLogIsAModelInOrder();
     void theLogForgetsButNeverANote();
     void manyAtOnceAreShownAtOnce();
+    void whatComesTogetherIsPaintedTogether();
     void aFileFillsTheLogInOneStep();
     void everyKindHasAShapeOfItsOwn();
     void theClockOfTheSessionIsFoundFromStamps();
@@ -557,6 +558,32 @@ void TestScopeEvents::manyAtOnceAreShownAtOnce()
     QVERIFY(list->model() == &log()); // nothing that looks at every row stands between
     m_rig->find<QCheckBox>("onlyMarkers")->setChecked(true);
     QCOMPARE(list->model()->rowCount(), 0);
+}
+
+void TestScopeEvents::whatComesTogetherIsPaintedTogether()
+{
+    struct Paints : QObject {
+        bool eventFilter(QObject *, QEvent *event) override
+        {
+            count += event->type() == QEvent::Paint ? 1 : 0;
+            return false;
+        }
+        int count = 0;
+    };
+    QTreeView *list = openList();
+    QTRY_VERIFY(list->updatesEnabled());
+    QCoreApplication::processEvents();
+    Paints paints;
+    list->viewport()->installEventFilter(&paints);
+    for (int round = 0; round < 2; ++round) {
+        log().add(EventKind::State, 4.0 + round, QStringLiteral("RUN"));
+        QVERIFY(!list->updatesEnabled());
+        log().add(EventKind::State, 4.5 + round, QStringLiteral("IDLE"));
+        const int before = paints.count;
+        QTRY_VERIFY(list->updatesEnabled() && paints.count > before);
+        const QModelIndex last = log().index(log().rowCount() - 1, EventLog::TextColumn);
+        QVERIFY(list->viewport()->rect().intersects(list->visualRect(last)));
+    }
 }
 
 void TestScopeEvents::aFileFillsTheLogInOneStep()

@@ -24,6 +24,7 @@ namespace widgets {
 namespace {
 constexpr int kTimeWidth = 120;
 constexpr int kKindWidth = 110;
+constexpr int kGather_ms = 50; ///< a list that fills is painted no oftener
 
 /// Markers only.
 class MarkerFilter : public QSortFilterProxyModel {
@@ -79,7 +80,13 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     m_scroll.setSingleShot(true);
     m_scroll.setInterval(0);
     connect(&m_scroll, &QTimer::timeout, this, &EventPanel::scrollToEnd);
-    connect(&scope.events(), &QAbstractItemModel::rowsInserted, this, &EventPanel::follow);
+    m_paint.setSingleShot(true);
+    m_paint.setInterval(kGather_ms);
+    connect(&m_paint, &QTimer::timeout, this, [this] { m_list->setUpdatesEnabled(true); });
+    connect(&scope.events(), &QAbstractItemModel::rowsInserted, this, [this] {
+        follow();
+        gather();
+    });
     connect(&scope.events(), &QAbstractItemModel::modelReset, this, &EventPanel::follow);
 }
 
@@ -101,6 +108,15 @@ void EventPanel::follow()
     const QScrollBar *bar = m_list->verticalScrollBar();
     if (bar->value() == bar->maximum())
         m_scroll.start();
+}
+
+/// What comes together is painted together, which is most of what an event costs. Places of rows are right at any time.
+void EventPanel::gather()
+{
+    if (m_paint.isActive())
+        return;
+    m_list->setUpdatesEnabled(false);
+    m_paint.start();
 }
 
 void EventPanel::scrollToEnd()

@@ -31,6 +31,7 @@ protected:
 private:
     void showKinds(bool onlyMarkers);
     void follow();
+    void gather();
     void scrollToEnd();
     void jump(const QModelIndex &index);
     void removeChosen();
@@ -42,6 +43,7 @@ private:
     QTreeView *m_list;
     QCheckBox *m_onlyMarkers;
     QTimer m_scroll;
+    QTimer m_paint; ///< until then the list is not painted
     bool m_behind = false; ///< its end is to be shown when it is seen
 };
 
