@@ -5,6 +5,8 @@
 #include <QJsonObject>
 #include <QtEndian>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -59,12 +61,21 @@ QByteArray packed(const std::vector<Stretch> &stretches)
     return qCompress(bytes);
 }
 
-/// What they take when they are unpacked, as their first four bytes say; none may say more than there is room for.
-bool isPlausible(const QByteArray &packed)
+/// What qCompress() packed; empty if it says that it is more than there is room for, or is not as long as it says:
+/// qUncompress() would go on until no memory is left.
+QByteArray bytesOf(const QByteArray &packed)
 {
     constexpr std::size_t kMostBytes = 2 * kSampleBytes * kMostReferenceSamples;
-    return packed.size() > qsizetype{sizeof(quint32)}
-    && qFromBigEndian<quint32>(packed.constData()) <= kMostBytes;
+    constexpr qsizetype kSizeBytes = sizeof(quint32);
+    if (packed.size() <= kSizeBytes || qFromBigEndian<quint32>(packed.constData()) > kMostBytes)
+        return {};
+    QByteArray bytes(qFromBigEndian<quint32>(packed.constData()), Qt::Uninitialized);
+    auto size = static_cast<uLongf>(bytes.size());
+    const bool whole = uncompress(reinterpret_cast<Bytef *>(bytes.data()), &size,
+                           reinterpret_cast<const Bytef *>(packed.constData()) + kSizeBytes,
+                           static_cast<uLong>(packed.size() - kSizeBytes))
+        == Z_OK;
+    return whole && size == static_cast<uLongf>(bytes.size()) ? bytes : QByteArray();
 }
 
 bool readStretch(QDataStream &in, std::size_t room, Nanos after, Stretch &stretch)
@@ -99,9 +110,7 @@ bool readStretch(QDataStream &in, std::size_t room, Nanos after, Stretch &stretc
 /// Empty if anything in it makes no sense.
 std::vector<Stretch> unpacked(const QByteArray &packed)
 {
-    if (!isPlausible(packed))
-        return {};
-    const QByteArray bytes = qUncompress(packed);
+    const QByteArray bytes = bytesOf(packed);
     QDataStream in(bytes);
     std::vector<Stretch> all;
     std::size_t room = kMostReferenceSamples;

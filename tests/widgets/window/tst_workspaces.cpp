@@ -276,6 +276,9 @@ private Q_SLOTS:
         QTest::newRow("4 GB, it says") << QByteArray("\xff\xff\xff\xffnonsense", 12);
         QTest::newRow("cut") << qCompress(QByteArray("\0\0\0\1\0\0", 6));
         QTest::newRow("four milliards") << qCompress(QByteArray(40, '\xff'));
+        QByteArray longer = qCompress(QByteArray("\0\0\0\1", 4) + QByteArray(24, '\0'));
+        longer[3] = 27; // and is 28
+        QTest::newRow("longer than it says") << longer;
         QTest::newRow("none in a stretch") << qCompress(QByteArray(40, '\0'));
     }
     void whatIsNoReferenceIsNamed()
