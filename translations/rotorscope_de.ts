@@ -1214,6 +1214,10 @@
         <translation>ein Teil der Reibung ist vielleicht die eines Lüfters: der Winkel von Hallsensoren unterscheidet das eine bei diesen Drehzahlen nicht vom anderen</translation>
     </message>
     <message>
+        <source>the rotor turns by up to %1 electrical degrees within a control period: what its current does meanwhile is not seen</source>
+        <translation>der Rotor dreht sich innerhalb einer Regelperiode um bis zu %1 elektrische Grad: was sein Strom dabei tut, ist nicht zu sehen</translation>
+    </message>
+    <message>
         <source>the voltages tell magnets of %1 mWb, the board of %2 mWb (%3 %): the voltages were believed; perhaps the angle of its rotor is off, as after an alignment against friction</source>
         <translation>die Spannungen sprechen für Magnete von %1 mWb, das Board nennt %2 mWb (%3 %): den Spannungen wurde geglaubt; vielleicht stimmt der Winkel des Rotors nicht, wie nach einem Ausrichten gegen Reibung</translation>
     </message>
@@ -1250,8 +1254,12 @@
         <translation>während er drehte, folgt aus den Spannungen keine Induktivität</translation>
     </message>
     <message>
-        <source>what the dead time takes cannot be told from the resistance: every current swung through zero within a PWM period</source>
-        <translation>was die Totzeit nimmt, ist vom Widerstand nicht zu unterscheiden: jeder Strom schwang innerhalb einer PWM-Periode durch null</translation>
+        <source>it turned too slowly to tell the inductance along the magnets</source>
+        <translation>er drehte zu langsam, um die Induktivität längs der Magnete zu zeigen</translation>
+    </message>
+    <message>
+        <source>what the dead time takes cannot be told from the resistance: currents swung through zero within a PWM period</source>
+        <translation>was die Totzeit nimmt, ist vom Widerstand nicht zu unterscheiden: Ströme schwangen innerhalb einer PWM-Periode durch null</translation>
     </message>
     <message>
         <source>nothing follows from it</source>

@@ -1210,6 +1210,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the rotor turns by up to %1 electrical degrees within a control period: what its current does meanwhile is not seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the voltages tell magnets of %1 mWb, the board of %2 mWb (%3 %): the voltages were believed; perhaps the angle of its rotor is off, as after an alignment against friction</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1246,7 +1250,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what the dead time takes cannot be told from the resistance: every current swung through zero within a PWM period</source>
+        <source>it turned too slowly to tell the inductance along the magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the dead time takes cannot be told from the resistance: currents swung through zero within a PWM period</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal current
-constexpr int kLevels = 4; ///< along the magnets
+constexpr int kLevels = 4; ///< against the magnets
 constexpr milliseconds kSpare =
     2s; ///< of the last stage: a host that stalls must not let a start-up fail
 constexpr double kDrawnMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
@@ -64,7 +64,7 @@ private:
     bool m_over = false;
 };
 
-/// One current after the other along the magnets.
+/// One current after the other against the magnets: a board that can weaken them takes none that would strengthen them.
 class LevelCourse : public Course {
 public:
     LevelCourse(const RestPlan &plan, int motor)
@@ -85,7 +85,7 @@ public:
         const bool last = m_level++ == kLevels;
         if (last)
             m_due = moment.now;
-        return drive::CurrentReference{m_motor, 0.0, last ? 0.0 : amps};
+        return drive::CurrentReference{m_motor, 0.0, last ? 0.0 : -amps};
     }
     TimePoint due() const override { return m_due; }
     bool over() const override { return m_over; }

@@ -144,6 +144,9 @@ constexpr const char *kLabTexts[] = {
         "part of the friction may be a fan's: the angle of Hall sensors at these speeds does not "
         "tell the one from the other"),
     QT_TRANSLATE_NOOP("Lab",
+        "the rotor turns by up to %1 electrical degrees within a control period: what its current "
+        "does meanwhile is not seen"),
+    QT_TRANSLATE_NOOP("Lab",
         "the voltages tell magnets of %1 mWb, the board of %2 mWb (%3 %): the voltages were "
         "believed; perhaps the angle of its rotor is off, as after an alignment against friction"),
     QT_TRANSLATE_NOOP("Lab",
@@ -166,9 +169,10 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "it does not tell the nominal current of the motor"),
     QT_TRANSLATE_NOOP("Lab", "while it turned the current along the magnets hardly changed"),
     QT_TRANSLATE_NOOP("Lab", "while it turned no inductance follows from the voltages"),
+    QT_TRANSLATE_NOOP("Lab", "it turned too slowly to tell the inductance along the magnets"),
     QT_TRANSLATE_NOOP("Lab",
-        "what the dead time takes cannot be told from the resistance: every current swung through "
-        "zero within a PWM period"),
+        "what the dead time takes cannot be told from the resistance: currents swung through zero "
+        "within a PWM period"),
     QT_TRANSLATE_NOOP("Lab", "nothing follows from it"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: no step of this series could be measured"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: not all of it could be measured"),

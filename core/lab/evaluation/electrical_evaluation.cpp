@@ -132,6 +132,22 @@ double rangeAlongD(const std::vector<TurningSlices> &slices)
     return most - least;
 }
 
+std::vector<TurningSlices> slicesFrom(const std::vector<Segment> &segments, double slice_s)
+{
+    std::vector<TurningSlices> slices;
+    for (const Segment &segment : segments)
+        if (TurningSlices one = slicesOf(segment, slice_s); !one.all.empty())
+            slices.push_back(std::move(one));
+    rotorSpeeds(slices);
+    return slices;
+}
+
+/// What another length of the slices changes is not known, and as much again.
+Estimate withLength(const Estimate &found, const Estimate &coarse)
+{
+    return withScale(found, 2.0 * std::abs(coarse.value / found.value - 1.0));
+}
+
 /// What is known so far.
 struct Parts {
     Electrics found;
@@ -139,6 +155,7 @@ struct Parts {
     std::optional<TurningFit> turning;
     double bus_v = 0.0; ///< what a board's full scale of voltage is of
     double period_s = 0.0; ///< of the control loops, while it turned
+    bool turnedAtRest = false; ///< as one that swings does while its encoder is aligned
 };
 
 /// @return  why nothing follows, empty if it does
@@ -157,20 +174,18 @@ std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
     Plateaus plateaus(rest.nominalAmps, byEncoder(rest.angle) || byHall(rest.angle));
     for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
         plateaus.take(segment);
+    parts.turnedAtRest = plateaus.turning > 0;
     constexpr double kLeastRatio = 1.3;
     if (!(plateaus.strongest_a >= kLeastRatio * plateaus.weakest_a))
-        return plateaus.turning > 0 ? "the rotor turned where it was to rest: neither its "
-                                      "resistance nor the angle that it was aligned to is sure"
-                                    : "at rest no two different currents were held for long enough";
+        return parts.turnedAtRest ? "the rotor turned where it was to rest: neither its "
+                                    "resistance nor the angle that it was aligned to is sure"
+                                  : "at rest no two different currents were held for long enough";
     const auto fit = leastSquares(plateaus.rows, std::array{kResistance, kDeadTime});
     if (!fit || !(fit->values[kResistance] > 0.0))
         return "at rest no resistance follows from the voltages";
     parts.found.rs_ohm = withScale(fit->estimate(kResistance), kScaleAtRest);
     parts.found.deadTime_v = fit->estimate(kDeadTime);
     parts.rest = std::move(plateaus);
-    constexpr double kFullScale = 32767.0; // of a phase: bus / sqrt(3)
-    parts.bus_v =
-        fastChannel(capture, rest.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
     return {};
 }
 
@@ -183,23 +198,36 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     if (!(spin.nominalAmps > 0.0))
         return "it does not tell the nominal current of the motor";
     constexpr double kLeastRange = 0.2; // of the nominal current
-    std::vector<TurningSlices> slices;
-    for (const Segment &segment : whileTurning(
-             segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin)))
-        if (TurningSlices one = slicesOf(segment); !one.all.empty())
-            slices.push_back(std::move(one));
+    constexpr double kSlice_s = 0.5e-3;
+    constexpr double kFullScale = 32767.0; // of a phase: bus / sqrt(3)
+    parts.bus_v =
+        fastChannel(capture, spin.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
+    const std::vector<Segment> segments = whileTurning(
+        segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin));
+    const auto slices = slicesFrom(segments, kSlice_s);
     if (!(rangeAlongD(slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";
-    rotorSpeeds(slices);
     Electrics &found = parts.found;
     const bool hall = byHall(spin.angle);
-    const auto fit = turningFit(slices, spin.nominalAmps,
-        found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
-    if (!fit)
+    const auto fitTo = [&](const std::vector<TurningSlices> &rows) {
+        return turningFit(rows, {parts.bus_v, spin.nominalAmps},
+            found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
+    };
+    const auto fit = fitTo(slices), coarse = fitTo(slicesFrom(segments, 2.0 * kSlice_s));
+    if (!fit || !coarse)
         return "while it turned no inductance follows from the voltages";
-    found.ld_h = withScale(fit->ld_h, hall ? kAlongByHall : kAlong);
-    found.lq_h = withScale(fit->lq_h, hall ? kJumpByHall : kJump);
-    found.flux_wb = withScale(fit->flux_wb, kVoltageScale);
+    found.ld_h = withLength(withScale(fit->ld_h, hall ? kAlongByHall : kAlong), coarse->ld_h);
+    found.lq_h = withLength(withScale(fit->lq_h, hall ? kJumpByHall : kJump), coarse->lq_h);
+    found.flux_wb = withLength(withScale(fit->flux_wb, kVoltageScale), coarse->flux_wb);
+    constexpr double kAside =
+        1.06; // 1 / cos(20 degrees): the angle that it may have been aligned to
+    if (parts.turnedAtRest)
+        found.flux_wb->high = *found.flux_wb->high * kAside;
+    constexpr double kTold = 0.5; // of its value: less is as good as nothing
+    if (!(*found.ld_h->low > kTold * found.ld_h->value)) {
+        found.ld_h.reset();
+        found.notes.emplace_back("it turned too slowly to tell the inductance along the magnets");
+    }
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
     parts.turning = fit;
@@ -214,17 +242,18 @@ void takeSwingOut(Parts &parts)
     Electrics &found = parts.found;
     const double perSwing =
         16.0 * turning.ld_h.value / parts.period_s; // volts of the bus an ampere
-    if (!(*turning.lost_v.low > 0.0)) {
-        if (!(parts.bus_v > perSwing * parts.rest->strongest_a))
-            return; // the bridge makes up for its dead time
+    constexpr double kFarBeyond = 1.5;
+    if (parts.bus_v * kFarBeyond > perSwing * parts.rest->strongest_a) {
         // Resistance and dead time are one: td / T of the bus over the current up to which it swings.
         constexpr double kLongest_s = 1.5e-6;
         found.rs_ohm->low =
             std::max(0.0, *found.rs_ohm->low - perSwing * kLongest_s / parts.period_s);
-        found.notes.push_back("what the dead time takes cannot be told from the resistance: every "
-                              "current swung through zero within a PWM period");
+        found.notes.push_back("what the dead time takes cannot be told from the resistance: "
+                              "currents swung through zero within a PWM period");
         return;
     }
+    if (!(*turning.lost_v.low > 0.0))
+        return; // the bridge makes up for its dead time
     const auto fitWith = [&parts](double swing_a) {
         const Rows &all = parts.rest->rows;
         Rows rows;
@@ -263,7 +292,7 @@ Result<Electrics, std::string> evaluateElectrics(
         std::string failed;
         if (const auto rest = recordedPlan<RestPlan>(at->second); rest && !found.rs_ohm)
             failed = addResting(parts, *rest, capture, at, happenings.end());
-        else if (const auto spin = recordedPlan<SpinPlan>(at->second); spin && !found.ld_h)
+        else if (const auto spin = recordedPlan<SpinPlan>(at->second); spin && !parts.turning)
             failed = addTurning(parts, *spin, capture, at, happenings.end());
         else
             continue;
@@ -273,9 +302,9 @@ Result<Electrics, std::string> evaluateElectrics(
     }
     if (!any)
         return fail(std::string("it is no recording of an electrical identification"));
-    if (!found.rs_ohm && !found.ld_h)
+    if (!found.rs_ohm && !parts.turning)
         return fail(found.notes.empty() ? std::string("nothing follows from it") : found.notes[0]);
-    if (parts.rest && parts.turning)
+    if (parts.rest && found.ld_h)
         takeSwingOut(parts);
     return found;
 }

@@ -55,6 +55,14 @@ double hallLag(
     return std::sqrt(squares / static_cast<double>(instants.size()));
 }
 
+/// What the current does within a control period is not seen: where the rotor turns far in one, and the inductance is small, its
+/// mean is beside its samples. As a share of the torque, the square of that angle in rad; next to nothing up to 17 degrees.
+double seldomSeen(double turn_rad)
+{
+    constexpr double kLittle_rad = 0.3;
+    return turn_rad > kLittle_rad ? turn_rad * turn_rad : 0.0;
+}
+
 /// To either side by itself: what cannot be below 0 has its value at one end.
 void grow(Estimate &one, double by)
 {
@@ -108,7 +116,7 @@ struct Fits {
     const Fit &plain, &fan; ///< without a fan, and with one
     double fastest; ///< rad/s
     double digit_nm; ///< of the current
-    double unsure; ///< share of all torques, by Hall sensors
+    double unsure; ///< share of all torques
 };
 
 /// The numbers of the model that explains the run.
@@ -147,9 +155,10 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
         cover(found.inertia_kgm2, other.inertia_kgm2);
         cover(found.viscous_nms, other.viscous_nms);
         cover(found.dry_nm, other.dry_nm);
-        found.notes.emplace_back(
-            "part of the friction may be a fan's: the angle of Hall sensors at "
-            "these speeds does not tell the one from the other");
+        if (byHall(spin.angle))
+            found.notes.emplace_back(
+                "part of the friction may be a fan's: the angle of Hall sensors at "
+                "these speeds does not tell the one from the other");
     }
     return found;
 }
@@ -269,13 +278,20 @@ Result<Mechanics, std::string> evaluateMechanics(
     const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
         return fail(std::string("the speed hardly changed: no inertia follows from it"));
-    const double unsure = kByLag * hallLag(*plan, stretches.instants, *plain);
-    if (unsure > kMostUnsure)
+    const double lag = kByLag * hallLag(*plan, stretches.instants, *plain);
+    if (lag > kMostUnsure)
         return fail(
             "this motor changes its speed too fast for its Hall sensors: between two of their "
             "edges their angle is too far from the rotor's to tell a torque");
     const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
+    const double turn_rad = stretches.fastest * plan->polePairs * segments.front().period_s;
+    const double unsure = std::hypot(lag, seldomSeen(turn_rad));
     Mechanics found = mechanicsOf(*plan, {*plain, *fan, stretches.fastest, digit_nm, unsure});
+    if (seldomSeen(turn_rad) > 0.0)
+        found.notes.push_back("the rotor turns by up to "
+            + decimalText(turn_rad * 180.0 / std::numbers::pi, 2)
+            + " electrical degrees within a control period: what its current does meanwhile is "
+              "not seen");
     const Fit &chosen = found.fan ? *fan : *plain;
     take(found, aside);
     if (flux)

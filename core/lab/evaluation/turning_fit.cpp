@@ -12,40 +12,44 @@ namespace lab {
 
 namespace {
 
-enum Unknown : std::size_t { kRs, kLoss, kAlongD, kAlongQ, kMagnets, kAside, kAsideTwice };
+enum Unknown : std::size_t { kRs, kLoss, kAlongD, kAlongQ, kMagnets, kAside };
 
-/// From which change on a current jumps; 0: too few do. Smaller ones are noise, and what the angle is off by moves with them.
+/// From which change on a current jumps: half of what twenty exceed, or as far as noise does not go. Smaller ones move with what
+/// the angle is off by.
 double leastJump(const std::vector<TurningSlices> &slices)
 {
     constexpr double kFar = 3.0, kDeviation = 1.4826; // of a normal distribution, from its median
+    constexpr std::size_t kFew = 20;
     std::vector<double> changes;
     for (const TurningSlices &one : slices)
         for (const TurningSlice &slice : one.all)
             changes.push_back(std::abs(slice.dq));
-    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
-    std::nth_element(changes.begin(), middle, changes.end());
-    const double least = kFar * kDeviation * *middle;
-    constexpr std::ptrdiff_t kFew = 20;
-    const auto jumps = std::count_if(
-        changes.begin(), changes.end(), [least](double change) { return change >= least; });
-    return jumps < kFew ? 0.0 : least;
+    if (changes.size() <= kFew)
+        return 0.0;
+    const auto inOrder = [&](std::size_t place) {
+        const auto at = changes.begin() + static_cast<std::ptrdiff_t>(place);
+        std::nth_element(changes.begin(), at, changes.end());
+        return *at;
+    };
+    const double noise = kFar * kDeviation * inOrder(changes.size() / 2);
+    const double jump = inOrder(changes.size() - kFew);
+    return std::clamp(noise, jump / 2.0, jump);
 }
 
-/// One row for each slice, or every so many-th, but for what the dead time takes. Lq is told by the jumps alone: they are its instrument.
-Rows rowsOf(const std::vector<TurningSlices> &slices, bool angleJumps, std::size_t every)
+/// One row for each slice, or every so many-th, but for what the dead time takes.
+/// @param least  Lq is told by jumps alone, changes of so much: they are its instrument. 0: by all
+Rows rowsOf(const std::vector<TurningSlices> &slices, double least, std::size_t every)
 {
     Rows rows;
-    const double least = angleJumps ? 0.0 : leastJump(slices);
     std::size_t cluster = 0;
     for (const TurningSlices &one : slices) {
         constexpr double kCluster_s = 0.1; // what disturbs one slice disturbs the next
         const auto length = static_cast<std::size_t>(std::lround(kCluster_s / one.step_s));
         for (std::size_t at = 0; at < one.all.size(); at += every) {
             const TurningSlice &w = one.all[at];
-            const double aside = w.rotorSpeed * w.aside_rad;
             cluster += at % length < every ? 1 : 0;
-            rows.known.push_back(
-                {w.q_a, 0.0, w.speed * w.d_a, w.dq, w.rotorSpeed, aside, aside * w.aside_rad});
+            rows.known.push_back({w.q_a, 0.0, w.speed * w.d_a, w.dq,
+                w.rotorSpeed * std::cos(w.aside_rad), w.rotorSpeed * w.aside_rad});
             rows.instruments.push_back(rows.known.back());
             if (std::abs(w.dq) < least)
                 rows.instruments.back()[kAlongQ] = 0.0;
@@ -54,14 +58,6 @@ Rows rowsOf(const std::vector<TurningSlices> &slices, bool angleJumps, std::size
         }
     }
     return rows;
-}
-
-/// How far a phase's current swings within a PWM period is not known, so that it is tried: shares of the nominal current.
-constexpr std::size_t kSwings = 25;
-double swingShare(std::size_t swing)
-{
-    constexpr double kLeast = 0.005, kNext = 1.25;
-    return kLeast * std::pow(kNext, static_cast<double>(swing));
 }
 
 void setSwing(
@@ -73,66 +69,91 @@ void setSwing(
             rows.known[row][kLoss] = rows.instruments[row][kLoss] = one.lossAlongQ(at, swing_a);
 }
 
+/// Rows take a current for a straight line from sample to sample, where it goes to its end as e^(-R t / L). Of an inductance L
+/// they find R T / 2 / tanh(R T / (2 L)). @return  L
+double bent(double found, double rs_ohm, double period_s)
+{
+    const double half = rs_ohm * period_s / 2.0;
+    return half > 0.0 && found > half ? half / std::atanh(half / found) : found;
+}
+
+Estimate bent(const Estimate &found, double rs_ohm, double period_s)
+{
+    constexpr double kUnsure =
+        1.0 / 3.0; // of the difference: within its swing a dead time acts as a resistance, too
+    const double value = bent(found.value, rs_ohm, period_s);
+    const double share = value / found.value, unsure = kUnsure * (found.value - value);
+    return {value, *found.low * share - unsure, *found.high * share + unsure};
+}
+
+/// Where every current swings through zero, resistance and loss are one.
+std::optional<Fit> fitOf(const Rows &rows, bool aside)
+{
+    constexpr std::array<std::size_t, 6> kAll{kLoss, kRs, kAlongD, kAlongQ, kMagnets, kAside};
+    const auto unknowns = std::span(kAll).first(aside ? kAll.size() : kAll.size() - 1);
+    const auto fit = leastSquares(rows, unknowns);
+    return fit ? fit : leastSquares(rows, unknowns.subspan(1));
+}
+
 struct BestFit {
     Fit fit;
-    Row changes{}; ///< by what the unknowns change with it that the coordinates stand aside
+    Row changes{}; ///< by what the unknowns change with it that the coordinates stand aside, and else
     double swing_a = 0.0;
 };
 
-/// Of the swings that are tried the one that leaves least: what is left falls towards it and rises behind it.
-template <class Left>
-std::size_t leastSwing(Left left)
+/// How far a phase's current swings within a PWM period follows from the inductance, bus T / (16 L), which in turn depends on what
+/// the dead time takes: swings are tried, shares of the nominal current, and those that fit the inductance count. The loops may
+/// run once in several PWM periods.
+std::optional<BestFit> bestFit(const std::vector<TurningSlices> &slices, const Bridge &bridge,
+    std::optional<double> rs_ohm, bool angleJumps)
 {
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    const auto attempt = [&](std::size_t swing) {
-        if (const double now = left(swing); now < least) {
-            least = now;
-            best = swing;
-        }
-    };
-    constexpr std::size_t kFirst = 6;
-    for (std::size_t swing = 0; swing < kSwings; swing += kFirst)
-        attempt(swing);
-    for (const std::size_t stride : {3, 2, 1}) {
-        const std::size_t middle = best;
-        if (middle >= stride)
-            attempt(middle - stride);
-        if (middle + stride < kSwings)
-            attempt(middle + stride);
-    }
-    return best;
-}
-
-std::optional<BestFit> bestFit(
-    const std::vector<TurningSlices> &slices, double nominal_a, bool angleJumps)
-{
-    constexpr std::array<std::size_t, 7> kAll{
-        kRs, kLoss, kAlongD, kAlongQ, kMagnets, kAside, kAsideTwice};
+    constexpr double kFirstShare = 0.005, kLastShare = 1.5, kNext = 1.25;
+    constexpr double kMostPeriods = 4.0, kFits = 1.3;
     constexpr std::size_t kSome = 4; // slices tell the swing as well as all
-    Rows some = rowsOf(slices, angleJumps, kSome);
+    const double period_s = slices.front().period_s;
+    const auto swingOf = [&](const Fit &fit) {
+        const double ohm = rs_ohm.value_or(fit.values[kRs]);
+        return bridge.bus_v * period_s / (16.0 * bent(fit.values[kAlongD], ohm, period_s));
+    };
+    Rows rows = rowsOf(slices, 0.0, kSome);
     const bool aside = std::any_of(
-        some.known.begin(), some.known.end(), [](const Row &row) { return row[kAside] != 0.0; });
-    const std::span unknowns(kAll.data(), aside ? kAll.size() : std::size_t{kAside});
-    BestFit found;
-    found.swing_a = nominal_a * swingShare(leastSwing([&](std::size_t swing) {
-        setSwing(some, slices, kSome, swingShare(swing) * nominal_a);
-        const auto fit = leastSquares(some, unknowns);
-        return fit ? fit->residual : std::numeric_limits<double>::infinity();
-    }));
-    Rows rows = rowsOf(slices, angleJumps, 1);
-    setSwing(rows, slices, 1, found.swing_a);
-    const auto fit = leastSquares(rows, unknowns);
-    if (!fit)
+        rows.known.begin(), rows.known.end(), [](const Row &row) { return row[kAside] != 0.0; });
+    std::optional<Fit> best;
+    double periods = 1.0;
+    for (double share = kFirstShare; share < kLastShare; share *= kNext) {
+        const double swing_a = share * bridge.nominal_a;
+        setSwing(rows, slices, kSome, swing_a);
+        const auto fit = fitOf(rows, aside);
+        if (!fit || !(fit->values[kAlongD] > 0.0) || (best && best->residual <= fit->residual))
+            continue;
+        const double many = swingOf(*fit) / swing_a;
+        if (many < 1.0 / kFits || many > kMostPeriods * kFits)
+            continue;
+        best = fit;
+        periods = std::clamp(std::round(many), 1.0, kMostPeriods);
+    }
+    rows = rowsOf(slices, angleJumps ? 0.0 : leastJump(slices), 1);
+    double swing_a = 0.0;
+    for (int round = 0; round < 2 && best && best->values[kAlongD] > 0.0; ++round) {
+        swing_a = swingOf(*best) / periods;
+        setSwing(rows, slices, 1, swing_a);
+        best = fitOf(rows, aside);
+    }
+    if (!best)
         return std::nullopt;
-    found.fit = *fit;
-    if (const auto straight = leastSquares(rows, unknowns.first(kAside)))
+    BestFit found{*best, {}, swing_a};
+    if (const auto straight = fitOf(rows, false))
         for (std::size_t i = 0; i < kAside; ++i)
-            found.changes[i] = std::abs(fit->values[i] - straight->values[i]);
+            found.changes[i] = std::abs(best->values[i] - straight->values[i]);
+    const auto [least, most] = std::minmax_element(rows.known.begin(), rows.known.end(),
+        [](const Row &a, const Row &b) { return a[kAlongD] < b[kAlongD]; });
+    const double range = ((*most)[kAlongD] - (*least)[kAlongD]) / 2.0;
+    found.changes[kAlongD] = std::hypot(found.changes[kAlongD], best->residual / range);
     return found;
 }
 
-/// The change by the coordinates that stand aside is in its interval: they are known from currents and angle alone.
+/// The change by the coordinates that stand aside is in its interval: they are known from currents and angle alone. So is, in that of
+/// Ld, which slow turns tell badly, that what the fit leaves might go with the current along the magnets.
 Estimate unknownOf(const BestFit &found, std::size_t unknown)
 {
     const Estimate own = found.fit.estimate(unknown);
@@ -140,28 +161,14 @@ Estimate unknownOf(const BestFit &found, std::size_t unknown)
     return {own.value, own.value - half, own.value + half};
 }
 
-/// Rows take a current for a straight line from sample to sample, where it goes to its end as e^(-R t / L). Of an inductance L
-/// they find R T / 2 / tanh(R T / (2 L)).
-Estimate bent(const Estimate &found, double rs_ohm, double period_s)
-{
-    constexpr double kUnsure =
-        1.0 / 3.0; // of the difference: within its swing a dead time acts as a resistance, too
-    const double half = rs_ohm * period_s / 2.0;
-    if (!(half > 0.0) || !(found.value > half))
-        return found;
-    const double value = half / std::atanh(half / found.value);
-    const double share = value / found.value, unsure = kUnsure * (found.value - value);
-    return {value, *found.low * share - unsure, *found.high * share + unsure};
-}
-
 } // namespace
 
-std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, double nominal_a,
+std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, const Bridge &bridge,
     std::optional<double> rs_ohm, bool angleJumps)
 {
     if (slices.empty())
         return std::nullopt;
-    const auto best = bestFit(slices, nominal_a, angleJumps);
+    const auto best = bestFit(slices, bridge, rs_ohm, angleJumps);
     if (!best)
         return std::nullopt;
     const Row &values = best->fit.values;

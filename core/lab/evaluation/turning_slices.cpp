@@ -12,7 +12,7 @@ namespace lab {
 
 namespace {
 
-constexpr double kSlice_s = 1e-3, kWindow_s = 50e-3;
+constexpr double kWindow_s = 50e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// Of a sample at an edge: currents go in straight lines from sample to sample.
@@ -153,10 +153,10 @@ double TurningSlices::lossAlongQ(std::size_t slice, double swing_a) const
     return sum / static_cast<double>(length);
 }
 
-TurningSlices slicesOf(const Segment &segment)
+TurningSlices slicesOf(const Segment &segment, double slice_s)
 {
     TurningSlices slices;
-    const auto length = static_cast<std::size_t>(std::lround(kSlice_s / segment.step_s));
+    const auto length = static_cast<std::size_t>(std::lround(slice_s / segment.step_s));
     slices.step_s = static_cast<double>(length) * segment.step_s;
     slices.period_s = segment.period_s;
     slices.length = length;

@@ -1,4 +1,4 @@
-// A turning motor in slices of a millisecond, in the coordinates of the rotor as its board sees it: what the equations of its
+// A turning motor in slices of some samples, in the coordinates of the rotor as its board sees it: what the equations of its
 // voltages are solved with. Pure.
 #pragma once
 
@@ -68,7 +68,8 @@ struct TurningSlices {
 };
 
 /// @param segment  with Iq, Id and Vq as its values, in this order
-TurningSlices slicesOf(const Segment &segment);
+/// @param slice_s  as long as that, or a sample less or more
+TurningSlices slicesOf(const Segment &segment, double slice_s);
 
 /// Fills in how fast the rotor itself turned. What a board observes of its rotor lags behind when the torque jumps, and so
 /// do the coordinates; the rotor does what its inertia and its friction allow: within stretches of 50 ms its angle is

@@ -99,6 +99,36 @@ PlantParameters hubMotor(double rpm, int polePairs, double inertia_kgm2, double 
 class TestMechanical : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// What its current does while it turns by 24 degrees looks like a fan.
+    void aRotorThatTurnsFarInAControlPeriodIsToldHonestly()
+    {
+        simulation::BoardOptions options;
+        options.plant = *simulation::findPreset("pm24");
+        simulation::MotorParameters &truth = options.plant->motor;
+        truth.polePairs = 7;
+        truth.rs_ohm = 0.11;
+        truth.ld_h = truth.lq_h = 18e-6;
+        truth.flux_wb = 0.46e-3;
+        truth.inertia_kgm2 = 3e-6;
+        truth.viscous_nms = 5e-7;
+        truth.coulomb_nm = 0.8e-3;
+        truth.nominal_a = 5.0;
+        truth.maxSpeed_rpm = 13000;
+        options.plant->inverter.supply_v = 11.0;
+        const Measured measured = measure(options, 1);
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        const Mechanics &found = *measured.found;
+        VERIFY_WITHIN(found.inertia_kgm2, truth.inertia_kgm2, 2.0);
+        VERIFY_HOLDS(found.inertia_kgm2, truth.inertia_kgm2);
+        VERIFY_HOLDS(found.viscous_nms, truth.viscous_nms);
+        VERIFY_HOLDS(found.dry_nm, truth.coulomb_nm);
+        VERIFY_HOLDS(found.fan_nms2, 0.0);
+        QVERIFY(!found.fan);
+        QVERIFY(std::any_of(found.notes.begin(), found.notes.end(), [](const std::string &note) {
+            return note.find("within a control period") != std::string::npos;
+        }));
+    }
+
     void allPresetsAreMeasured_data()
     {
         QTest::addColumn<QString>("motor");
