@@ -30,7 +30,9 @@ constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
 constexpr double kJump =
     0.5; ///< to either side, of what accelerates, or of what is left while it coasts
-/// What held the first speed was measured for a moment only: if too much of it is left, the motor goes on to accelerate.
+/// What held the first speed may have been measured badly: if too much of it is left, the motor goes on to accelerate.
+constexpr Duration kLook = 20ms;
+constexpr int kLooks = SpinPlan::kListen / kLook;
 constexpr double kAway = 0.2; ///< of the way, beyond the upper speed
 constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
@@ -54,12 +56,9 @@ public:
 
     std::optional<Ask> next(const Moment &moment) override
     {
-        m_due = moment.now + 20ms;
-        if (!m_began) {
-            m_began = moment.now;
-            m_hold = std::max(0.0, moment.amps.value_or(0.0) * m_sign);
-            return turn(true, moment.now);
-        }
+        if (!m_began)
+            return listen(moment);
+        m_due = moment.now + kLook;
         if (moment.now - *m_began >= m_plan.length)
             m_over = moment.answered;
         if (m_over || !moment.answered || !moment.rpm)
@@ -86,6 +85,18 @@ public:
     bool over() const override { return m_over; }
 
 private:
+    std::optional<Ask> listen(const Moment &moment)
+    {
+        if (moment.now < m_due)
+            return std::nullopt;
+        m_due = moment.now + kLook;
+        m_hold += std::max(0.0, moment.amps.value_or(0.0) * m_sign) / kLooks;
+        if (++m_looks < kLooks)
+            return std::nullopt;
+        m_began = moment.now;
+        return turn(true, moment.now);
+    }
+
     Ask turn(bool push, TimePoint now)
     {
         m_pushing = push;
@@ -115,7 +126,8 @@ private:
     double m_nominal; ///< A
     Draw m_draw;
     double m_way_s;
-    double m_hold = 0.0; ///< A that hold the first speed
+    double m_hold = 0.0; ///< A that hold the first speed: a mean, for its loop makes noise
+    int m_looks = 0;
     double m_push = 0.0; ///< A above it
     double m_used = 0.0; ///< of one of the two, last
     double m_drop = kFirstDrop; ///< share of it that is taken away

@@ -14,6 +14,7 @@ namespace lab {
 
 struct SpinPlan {
     static constexpr const char *kEntry = "spin plan"; ///< of its recording
+    static constexpr milliseconds kListen{300}; ///< to what holds the first speed
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000}; ///< spinPlanFor() says a longer one for most motors
     milliseconds approach{500};

@@ -218,7 +218,8 @@ bool beganSwinging(const Happenings &asked, int motor, Nanos from)
             waited_ms = (static_cast<double>(from) - static_cast<double>(at)) / kNanosPerMs
                 - numberOf(what, "ms").value_or(0.0);
     return waited_ms
-        >= std::chrono::duration<double, std::milli>(kSwingsAfter).count() - kSooner_ms;
+        >= std::chrono::duration<double, std::milli>(kSwingsAfter + SpinPlan::kListen).count()
+        - kSooner_ms;
 }
 
 /// As FluxValue has them, as far as they were recorded.
