@@ -3,7 +3,7 @@
 
 #include "arguments.h"
 #include "drive/event.h"
-#include "session/files/piece_file.h"
+#include "session/files/whole_file.h"
 #include "session/transports/endpoint.h"
 
 namespace cli {

@@ -4,7 +4,7 @@
 
 #include "drive/event.h"
 #include "drive/motion_caution.h"
-#include "session/files/piece_file.h"
+#include "session/files/whole_file.h"
 #include "session/link/dead_man.h"
 #include "session/transports/endpoint.h"
 

@@ -2,7 +2,7 @@
 // paper.
 #pragma once
 
-#include "session/files/piece_file.h"
+#include "session/files/whole_file.h"
 
 #include <QByteArray>
 

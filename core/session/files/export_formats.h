@@ -2,7 +2,7 @@
 #pragma once
 
 #include "capture/wav_export.h"
-#include "session/files/piece_file.h"
+#include "session/files/whole_file.h"
 
 #include <span>
 

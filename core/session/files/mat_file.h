@@ -3,7 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "session/files/piece_file.h"
+#include "session/files/whole_file.h"
 
 namespace session {
 

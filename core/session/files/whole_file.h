@@ -1,4 +1,5 @@
-// Small files that appear whole or not at all, and that are read with a bound.
+// Files that appear whole or not at all: what was there before stays until then. Small ones are made at once and read with a
+// bound, others are made piece by piece.
 #pragma once
 
 #include "base/result.h"
@@ -6,7 +7,32 @@
 #include <QByteArray>
 #include <QString>
 
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
 namespace session {
+
+enum class FileError : std::uint8_t {
+    None,
+    Cancelled,
+    NotAFile, ///< a device, a pipe or a folder: taking its place would harm it
+    CannotOpen, ///< folder missing, read-only, no permission
+    CannotWrite, ///< disk full, drive gone; nothing was replaced
+    CannotReplace, ///< written, but could not take the file's place
+};
+
+struct FileResult {
+    FileError error = FileError::None;
+    QString systemText; ///< the system's words for it, e.g. "No space left on device"
+    qint64 bytes = 0;
+};
+
+/// Writes the pieces until there are none.
+/// @param next      shows the next piece, which need not live beyond the following call; false when there is none
+/// @param proceed   called behind each piece; false cancels
+FileResult writePieces(const QString &path, const std::function<bool(std::string_view &)> &next,
+    const std::function<bool()> &proceed = {});
 
 constexpr qint64 kMostText = 1 << 20; ///< bytes of a file of parameters, which has a few hundred
 
