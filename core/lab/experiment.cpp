@@ -76,9 +76,10 @@ record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &re
         experiment.plan);
 }
 
-record::Happening entryOfEnd(bool complete, const std::string &reason)
+record::Happening entryOfEnd(const Outcome &outcome)
 {
-    return {kEndEntry, {{"outcome", complete ? "complete" : "ended early"}, {"reason", reason}}};
+    const char *how = outcome.end == End::Complete ? "complete" : "ended early";
+    return {kEndEntry, {{"outcome", how}, {"reason", outcome.reason}}};
 }
 
 } // namespace lab

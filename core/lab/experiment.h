@@ -1,6 +1,7 @@
-// An experiment: a plan of any kind and the motor that it is for. Plain values, which may cross threads.
+// An experiment: a plan of any kind and the motor that it is for; and how it ended. Plain values, which may cross threads.
 #pragma once
 
+#include "base/time.h"
 #include "lab/course.h"
 #include "lab/current_step_plan.h"
 #include "lab/response_plan.h"
@@ -8,6 +9,9 @@
 #include "lab/spin_plan.h"
 #include "lab/step_plan.h"
 
+#include <cstdint>
+#include <memory>
+#include <string>
 #include <variant>
 
 namespace lab {
@@ -28,8 +32,27 @@ std::unique_ptr<Course> courseOf(const Experiment &experiment);
 
 /// The plan as an entry of its recording. @param regulator  that closes the speed loop; its gains are 0 if not known
 record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator);
-/// How it ended, as an entry of its recording.
-record::Happening entryOfEnd(bool complete, const std::string &reason);
+
+/// How it ended.
+enum class End : std::uint8_t {
+    Complete,
+    Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
+    Aborted, ///< the envelope was broken, or the board reported a fault
+    Interrupted, ///< somebody stopped, disarmed or took the motor over
+    Lost, ///< the link or the port went
+};
+
+struct Outcome {
+    End end = End::Complete;
+    /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
+    std::string reason;
+    TimePoint at{}; ///< when it ended; the session says it
+    bool swings = false; ///< it ended before it began: the speed did not come to rest
+    bool operator==(const Outcome &) const = default;
+};
+
+/// The same as an entry of its recording.
+record::Happening entryOfEnd(const Outcome &outcome);
 inline constexpr const char *kEndEntry = "experiment ended";
 
 } // namespace lab

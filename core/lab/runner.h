@@ -13,7 +13,6 @@
 #include "drive/start_target.h"
 #include "lab/envelope.h"
 #include "lab/experiment.h"
-#include "lab/outcome.h"
 
 #include <deque>
 #include <map>

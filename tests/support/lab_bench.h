@@ -138,7 +138,7 @@ struct LabBench {
         if (!runUntil([this] { return runner->over(); }))
             return {lab::End::Refused, "it never ended", {}};
         const lab::Outcome outcome = runner->outcome();
-        keep(lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
+        keep(lab::entryOfEnd(outcome));
         return outcome;
     }
     Result<lab::StepSeries, std::string> series() const

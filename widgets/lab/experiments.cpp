@@ -130,7 +130,7 @@ void Experiments::end(const lab::Outcome &outcome)
 {
     if (!running())
         return;
-    note(outcome.at, lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
+    note(outcome.at, lab::entryOfEnd(outcome));
     lab::Outcome all = outcome;
     all.reason = m_said.empty() || outcome.reason.empty() ? m_said + outcome.reason
                                                           : m_said + "; " + outcome.reason;

@@ -8,7 +8,6 @@
 
 #include "lab/caps.h"
 #include "lab/happenings.h"
-#include "lab/outcome.h"
 #include "record/restore.h"
 #include "session/recording/recording_tap.h"
 #include "widgets/base/device.h"

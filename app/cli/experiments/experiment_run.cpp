@@ -111,8 +111,7 @@ Outcome<lab::Outcome> ExperimentRun::runAll(
         auto outcome = m_desk.talk.run(part.experiment);
         if (!outcome)
             return outcome;
-        recording.add(
-            outcome->at, lab::entryOfEnd(outcome->end == lab::End::Complete, outcome->reason));
+        recording.add(outcome->at, lab::entryOfEnd(*outcome));
         const std::string before = all.reason.empty() ? std::string() : all.reason + "; ";
         all = *outcome;
         all.reason = before + all.reason;

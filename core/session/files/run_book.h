@@ -3,7 +3,7 @@
 // what came of it (docs/run-book.md). All of it looks at a disk, so it belongs into a job.
 #pragma once
 
-#include "lab/outcome.h"
+#include "lab/experiment.h"
 #include "session/files/run.h"
 #include "session/recording/recording_tap.h"
 #include "snapshots/snapshot.h"

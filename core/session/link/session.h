@@ -32,7 +32,6 @@
 #pragma once
 
 #include "drive/drive.h"
-#include "lab/outcome.h"
 #include "session/link/batcher.h"
 #include "session/link/dead_man.h"
 #include "session/link/driven_motors.h"
@@ -54,6 +53,7 @@
 
 namespace lab {
 struct Experiment;
+struct Outcome;
 class Runner;
 } // namespace lab
 
@@ -223,4 +223,3 @@ Q_DECLARE_METATYPE(session::BatchPtr)
 Q_DECLARE_METATYPE(session::PortState)
 Q_DECLARE_METATYPE(session::Interruption)
 Q_DECLARE_METATYPE(drive::Wish)
-Q_DECLARE_METATYPE(lab::Outcome)

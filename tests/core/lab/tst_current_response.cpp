@@ -186,7 +186,7 @@ private Q_SLOTS:
             measure(ideal("servo24"), 1, [](LabBench &bench) { bench.happenings.clear(); });
         QVERIFY(!other.found);
         const Measured early = measure(ideal("servo24"), 1, [](LabBench &bench) {
-            bench.happenings.back().second = entryOfEnd(false, "somebody stopped it");
+            bench.happenings.back().second = entryOfEnd({End::Interrupted, "somebody stopped it"});
         });
         QVERIFY(early.found && early.found->notes.size() == 2);
     }

@@ -220,7 +220,7 @@ private Q_SLOTS:
         const Happenings happenings{{0, entryOf(plan, motor.experiment.subject, {})},
             {20 * kMilli, torque(plan.fromAmps)}, {48 * kMilli, torque(plan.toAmps)},
             {70 * kMilli, torque(plan.fromAmps)}, {70 * kMilli, torque(0.0)},
-            {90 * kMilli, entryOfEnd(true, {})}};
+            {90 * kMilli, entryOfEnd({})}};
         const auto found = currentSteps(capture, happenings);
         QVERIFY2(found, found ? "" : found.error().c_str());
         QCOMPARE(found->runs.size(), 2U);

@@ -380,7 +380,7 @@ private Q_SLOTS:
             for (auto &[at, what] : bench.happenings)
                 if (what.name == "torque ramp")
                     bench.happenings.emplace_back(
-                        at + 1'000'000'000, entryOfEnd(false, "it was interrupted"));
+                        at + 1'000'000'000, entryOfEnd({End::Interrupted, "it was interrupted"}));
             std::stable_sort(bench.happenings.begin(), bench.happenings.end(),
                 [](const auto &a, const auto &b) { return a.first < b.first; });
         });

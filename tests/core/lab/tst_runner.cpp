@@ -632,7 +632,7 @@ void TestRunner::aStepThatIsCutShortTellsNothing()
     bench.pair.runFor(60ms);
     bench.runner->interrupt("the drive was disarmed");
     bench.happenings.emplace_back(bench.pair.now.time_since_epoch().count(),
-        lab::entryOfEnd(false, "the drive was disarmed"));
+        lab::entryOfEnd({End::Interrupted, "the drive was disarmed"}));
     const auto series = bench.series();
     QVERIFY2(series, series ? "" : series.error().c_str());
     QVERIFY(series->runs.size() >= 2);
