@@ -1,5 +1,7 @@
 #include "catalog/names.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 
 namespace catalog {
@@ -126,5 +128,17 @@ std::span<const NamedValue> namedFlags(std::string_view registerName)
 }
 
 bool holdsPastFaults(std::string_view registerName) { return registerName == "FAULTS_FLAGS"; }
+
+FaultKind faultKindOf(std::string_view name)
+{
+    using enum FaultKind;
+    static constexpr Word<FaultKind> kKinds[] = {{"DURATION", Duration}, {"OVER_VOLT", OverVoltage},
+        {"UNDER_VOLT", UnderVoltage}, {"OVER_TEMP", OverTemperature}, {"START_UP", StartUp},
+        {"SPEED_FDBK", SpeedFeedback}, {"OVER_CURR", OverCurrent}, {"OVER_CURR_SW", OverCurrent},
+        {"BREAK_IN", OverCurrent}, {"SW_ERROR", Software}, {"SAMPLE_FAULT", Sampling},
+        {"DP_FAULT", DriverProtection}, {"DRIVER_PROTECTION", DriverProtection}};
+    const FaultKind *kind = findWord(kKinds, name);
+    return kind == nullptr ? Other : *kind;
+}
 
 } // namespace catalog

@@ -1,5 +1,6 @@
 // Names of numbers: states, modes, faults and configuration flags, in English. Those in capitals are the firmware's own
-// words; a window may translate the others. Facts: firmware 6.0 to 6.4.2.
+// words; a window may translate the others. And what kind of fault stands behind a name, so that a window can explain it
+// whatever the protocol. Facts: firmware 6.0 to 6.4.2.
 #pragma once
 
 #include <cstdint>
@@ -29,5 +30,22 @@ std::vector<std::string> flagNames(std::string_view registerName, std::uint32_t 
 bool holdsPastFaults(std::string_view registerName);
 /// Every bit of a flags register that has a name; `value` is the mask.
 std::span<const NamedValue> namedFlags(std::string_view registerName);
+
+enum class FaultKind : std::uint8_t {
+    Other,
+    Duration, ///< the control loop did not finish in time
+    OverVoltage,
+    UnderVoltage,
+    OverTemperature,
+    StartUp, ///< a sensorless start failed
+    SpeedFeedback, ///< the speed is not to be relied on
+    OverCurrent, ///< the power stage's own switch-off, or the current measured
+    Software,
+    Sampling, ///< the currents could not be sampled
+    DriverProtection, ///< the gate driver's protection pin
+};
+
+/// By the firmware's name, e.g. "OVER_VOLT"; Other for names that are not known here.
+FaultKind faultKindOf(std::string_view name);
 
 } // namespace catalog

@@ -16,7 +16,7 @@ namespace {
 
 QString sectionOf(const std::string &name)
 {
-    const FaultText text = faultText(drive::faultKindOf(name));
+    const FaultText text = faultText(catalog::faultKindOf(name));
     QString html = QStringLiteral("<h3>%1</h3><p>%2</p><ol>")
                        .arg(deviceText(name).toHtmlEscaped(), text.meaning.toHtmlEscaped());
     for (const FaultText::Cause &cause : text.causes)

@@ -56,9 +56,9 @@ FaultText overCurrent()
 
 } // namespace
 
-FaultText faultText(drive::FaultKind kind)
+FaultText faultText(catalog::FaultKind kind)
 {
-    using drive::FaultKind;
+    using catalog::FaultKind;
     switch (kind) {
     case FaultKind::StartUp:
         return startUp();

@@ -2,8 +2,8 @@
 // such drives found in the end; nothing here looks at the board.
 #pragma once
 
+#include "catalog/names.h"
 #include "drive/event.h"
-#include "drive/fault.h"
 
 #include <QStringList>
 
@@ -18,7 +18,7 @@ struct FaultText {
     QList<Cause> causes; ///< the likeliest first
 };
 
-FaultText faultText(drive::FaultKind kind);
+FaultText faultText(catalog::FaultKind kind);
 /// Faults that are over and wait to be acknowledged: one that is still present is told as present, and not twice.
 std::vector<std::string> faultsOver(const drive::MotorStatus &status);
 

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void brokenTablesNameTheLine();
     void quotesHoldSeparatorsAndLineEnds();
     void statesFaultsAndFlagsHaveNames();
+    void everyNamedFaultHasAKind();
 };
 
 void TestCatalog::everyIdAgreesWithElementAndType()
@@ -225,6 +226,15 @@ void TestCatalog::statesFaultsAndFlagsHaveNames()
         if (info.meaning == Meaning::Enumeration && info.name != "PFC_STATUS"
             && info.name != "HT_STATE")
             QVERIFY2(!namedValues(info.name).empty(), info.name.c_str());
+}
+
+void TestCatalog::everyNamedFaultHasAKind()
+{
+    for (unsigned bit = 0; bit < 16; ++bit)
+        for (const std::string &name : faultNames(static_cast<std::uint16_t>(1U << bit)))
+            QCOMPARE(faultKindOf(name) == FaultKind::Other, name.starts_with("bit "));
+    QVERIFY(faultKindOf("") == FaultKind::Other);
+    QVERIFY(faultKindOf("over_volt ") == FaultKind::Other);
 }
 
 QTEST_APPLESS_MAIN(TestCatalog)

@@ -422,8 +422,8 @@ private Q_SLOTS:
 
     void everyFaultHasCausesAndRemedies()
     {
-        for (int kind = 0; kind <= int(drive::FaultKind::DriverProtection); ++kind) {
-            const widgets::FaultText text = widgets::faultText(drive::FaultKind(kind));
+        for (int kind = 0; kind <= int(catalog::FaultKind::DriverProtection); ++kind) {
+            const widgets::FaultText text = widgets::faultText(catalog::FaultKind(kind));
             QVERIFY(!text.meaning.isEmpty());
             QVERIFY(!text.causes.isEmpty());
             for (const auto &cause : text.causes)

@@ -1,6 +1,5 @@
-// The names of faults and states that a drive tells.
+// The steps in which a drive tells the states of a run.
 #include "catalog/names.h"
-#include "drive/fault.h"
 #include "drive/mcp/mcp_vitals.h"
 
 #include <QTest>
@@ -9,20 +8,10 @@
 
 using namespace drive;
 
-class TestFault : public QObject {
+class TestStateSteps : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyNamedFaultHasAKind()
-    {
-        for (unsigned bit = 0; bit < 16; ++bit)
-            for (const std::string &name :
-                catalog::faultNames(static_cast<std::uint16_t>(1U << bit)))
-                QCOMPARE(faultKindOf(name) == FaultKind::Other, name.starts_with("bit "));
-        QVERIFY(faultKindOf("") == FaultKind::Other);
-        QVERIFY(faultKindOf("over_volt ") == FaultKind::Other);
-    }
-
     void everyNamedStateIsInOneStep()
     {
         std::set<std::string> seen;
@@ -37,5 +26,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFault)
-#include "tst_fault.moc"
+QTEST_GUILESS_MAIN(TestStateSteps)
+#include "tst_state_steps.moc"
