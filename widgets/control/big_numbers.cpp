@@ -1,7 +1,7 @@
 #include "widgets/control/big_numbers.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/messages.h"
 #include "widgets/control/readout_box.h"
 #include "widgets/control/state_strip.h"

@@ -1,6 +1,6 @@
 #include "widgets/control/motor_button.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 
 #include <QKeyEvent>
 #include <QPainter>

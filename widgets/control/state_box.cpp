@@ -2,8 +2,8 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
-#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/steady_label.h"

@@ -1,7 +1,7 @@
 #include "widgets/control/stop_alarm.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 

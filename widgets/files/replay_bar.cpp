@@ -1,8 +1,8 @@
 #include "widgets/files/replay_bar.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"

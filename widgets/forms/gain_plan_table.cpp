@@ -1,6 +1,6 @@
 #include "widgets/forms/gain_plan_table.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"

@@ -1,7 +1,7 @@
 #include "widgets/forms/motor_model.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"

@@ -1,6 +1,6 @@
 #include "widgets/lab/step_runs.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/lab/lab_text.h"

@@ -1,6 +1,6 @@
 // What the cells of a RegisterModel show: values in both unit systems, access and help, and the words around them.
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/registers/register_model.h"

@@ -1,6 +1,6 @@
 #include "widgets/window/about_dialog.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QCoreApplication>

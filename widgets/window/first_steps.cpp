@@ -1,7 +1,7 @@
 #include "widgets/window/first_steps.h"
 
-#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 

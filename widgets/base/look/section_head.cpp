@@ -1,6 +1,5 @@
 #include "widgets/base/look/section_head.h"
 
-#include "widgets/base/look/bold.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QFrame>

@@ -1,6 +1,6 @@
 #include "widgets/scope/drawing/stale_mark.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QPainter>
