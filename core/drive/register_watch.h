@@ -5,7 +5,10 @@
 #include "drive/task.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace drive {
 

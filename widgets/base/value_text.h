@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <string_view>
+
 namespace widgets {
 
 /// Digits behind the point that one raw step of `factor` deserves, 0 to 4.
