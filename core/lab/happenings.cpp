@@ -11,7 +11,7 @@ namespace lab {
 std::optional<double> numberOf(const record::Happening &happening, std::string_view key)
 {
     constexpr double kMost = 1e9;
-    const auto value = numberIn<double>(happening.field(key));
+    const auto value = happening.number<double>(key);
     return value && std::isfinite(*value) && std::abs(*value) < kMost ? value : std::nullopt;
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "base/bytes.h"
+#include "base/text.h"
 #include "capture/sample_block.h"
 #include "capture/tick_time.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,6 +69,12 @@ struct Happening {
             if (fieldName == key)
                 return value;
         return {};
+    }
+    /// Empty: none, or no such number.
+    template <class Number>
+    std::optional<Number> number(std::string_view key) const
+    {
+        return numberIn<Number>(field(key));
     }
 };
 

@@ -4,7 +4,6 @@
 #include "record/drive_entries.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace record {
 
@@ -31,14 +30,6 @@ constexpr std::size_t kMostPending = 5000;
 constexpr Nanos kNever = std::numeric_limits<Nanos>::min();
 
 bool isPlausible(Nanos at) { return at > -kFarthest && at < kFarthest; }
-
-std::int64_t numberOf(const Happening &happening, std::string_view key, std::int64_t otherwise)
-{
-    const std::string text = happening.field(key);
-    std::int64_t number = otherwise;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
-}
 
 std::vector<std::string> wordsOf(const std::string &text)
 {
@@ -382,10 +373,10 @@ void ReplayDrive::play(Nanos at, const Happening &happening)
 void ReplayDrive::playStatus(Nanos at, const Happening &happening)
 {
     drive::MotorStatus status;
-    status.motor =
-        static_cast<int>(std::clamp<std::int64_t>(numberOf(happening, "motor", 1), 1, 7));
+    status.motor = static_cast<int>(
+        std::clamp<std::int64_t>(happening.number<std::int64_t>("motor").value_or(1), 1, 7));
     status.state = stateOf(happening.field("state"));
-    status.rawState = numberOf(happening, "raw", 0);
+    status.rawState = happening.number<std::int64_t>("raw").value_or(0);
     status.stateName = happening.field("name");
     status.faultsNow = wordsOf(happening.field("faults now"));
     status.faultsPast = wordsOf(happening.field("faults past"));

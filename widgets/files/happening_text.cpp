@@ -1,6 +1,5 @@
 #include "widgets/files/happening_text.h"
 
-#include "base/text.h"
 #include "drive/event.h"
 #include "drive/wish.h"
 #include "record/drive_entries.h"
@@ -22,12 +21,6 @@ struct Happenings {
 
 using record::Happening;
 
-template <class Number>
-std::optional<Number> numberOf(const Happening &happening, std::string_view key)
-{
-    return numberIn<Number>(happening.field(key));
-}
-
 template <class Enum, std::size_t N>
 std::optional<Enum> wordOf(
     const Happening &happening, std::string_view key, const std::array<const char *, N> &words)
@@ -37,7 +30,7 @@ std::optional<Enum> wordOf(
                                 : std::optional(static_cast<Enum>(found - words.begin()));
 }
 
-int motorOf(const Happening &happening) { return numberOf<int>(happening, "motor").value_or(1); }
+int motorOf(const Happening &happening) { return happening.number<int>("motor").value_or(1); }
 
 /// A file does not say how many motors there were: the first one is not named.
 QString ofMotor(const Happening &happening, const QString &text)
@@ -49,12 +42,12 @@ QString ofMotor(const Happening &happening, const QString &text)
 std::optional<drive::Wish> wishOf(const Happening &happening)
 {
     const int motor = motorOf(happening);
-    const auto amps = numberOf<double>(happening, "A");
-    const auto radians = numberOf<double>(happening, "rad");
-    const auto rpm = numberOf<std::int32_t>(happening, "rpm");
-    const auto iq = numberOf<double>(happening, "Iq A");
-    const auto id = numberOf<double>(happening, "Id A");
-    const auto ms = numberOf<std::int64_t>(happening, "ms");
+    const auto amps = happening.number<double>("A");
+    const auto radians = happening.number<double>("rad");
+    const auto rpm = happening.number<std::int32_t>("rpm");
+    const auto iq = happening.number<double>("Iq A");
+    const auto id = happening.number<double>("Id A");
+    const auto ms = happening.number<std::int64_t>("ms");
     const std::chrono::milliseconds time(ms.value_or(0));
     drive::Wish wish;
     const auto action = wordOf<drive::MotorAction>(happening, "action", record::kActionWords);
@@ -107,7 +100,7 @@ QString troubleText(const Happening &happening)
         {"skipped stream packets", Happenings::tr("skipped packets: %1")}};
     QStringList texts;
     for (const auto &[key, text] : counters)
-        if (const auto count = numberOf<std::uint64_t>(happening, key); count && *count > 0)
+        if (const auto count = happening.number<std::uint64_t>(key); count && *count > 0)
             texts.append(text.arg(QString::number(*count)));
     return texts.join(QStringLiteral(", "));
 }
