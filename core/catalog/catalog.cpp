@@ -76,7 +76,7 @@ std::optional<RegisterId> Catalog::resolve(std::string_view nameAtMotor) const
     return withMotor(*info, *motor);
 }
 
-RegisterId Catalog::withMotor(const RegisterInfo &info, int motor) const
+RegisterId Catalog::withMotor(const RegisterInfo &info, int motor)
 {
     return info.perMotor ? info.id | (static_cast<RegisterId>(motor) & kMotorBits) : info.id;
 }

@@ -43,7 +43,7 @@ public:
     std::optional<RegisterId> resolve(std::string_view nameAtMotor) const;
 
     /// For the wire; a register of the board has the same with each motor.
-    RegisterId withMotor(const RegisterInfo &info, int motor) const;
+    static RegisterId withMotor(const RegisterInfo &info, int motor);
     int motorOf(RegisterId id) const; ///< 0 for registers of the board
 
     /// Name for people: the register's, "@2" behind it where a board has several motors, the id in

@@ -144,7 +144,7 @@ void FcpIdentification::probeRegisters()
     for (int motor = 1; motor <= m_board.motors; ++motor)
         for (const catalog::RegisterInfo &info : all)
             if (info.readable() && (info.perMotor || motor == 1))
-                ids.push_back(info.perMotor ? info.id | static_cast<RegisterId>(motor) : info.id);
+                ids.push_back(catalog::Catalog::withMotor(info, motor));
     m_reader.start(ids);
 }
 
@@ -210,8 +210,7 @@ void FcpIdentification::finish()
     for (catalog::RegisterInfo &info : fcpRegisters(m_board.dialect, revUp)) {
         bool there = !info.readable() || isFcpRevUp(info.id);
         for (int motor = 1; motor <= m_board.motors; ++motor) {
-            const RegisterId id =
-                info.perMotor ? info.id | static_cast<RegisterId>(motor) : info.id;
+            const RegisterId id = catalog::Catalog::withMotor(info, motor);
             const bool has = m_values.contains(id);
             there = there || has;
             if (!has && info.readable() && !isFcpRevUp(info.id))
