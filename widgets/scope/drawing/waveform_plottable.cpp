@@ -73,34 +73,6 @@ WaveformPlottable::WaveformPlottable(const ScopePlot &plot, const capture::Captu
 {
 }
 
-double WaveformPlottable::selectTest(const QPointF &, bool, QVariant *) const { return -1; }
-
-QCPRange WaveformPlottable::getKeyRange(bool &found, QCP::SignDomain) const
-{
-    QCPRange range;
-    found = false;
-    for (const Trace &trace : m_scopePlot.traces) {
-        if (const auto span = m_capture.timeSpan(trace.channel)) {
-            if (found)
-                range.expand({span->from, span->to});
-            else
-                range = {span->from, span->to};
-            found = true;
-        }
-    }
-    return range;
-}
-
-QCPRange WaveformPlottable::getValueRange(
-    bool &found, QCP::SignDomain, const QCPRange &inKeyRange) const
-{
-    capture::MinMax all;
-    for (const Trace &trace : m_scopePlot.traces)
-        all.include(m_capture.extremes(trace.channel, inKeyRange.lower, inKeyRange.upper));
-    found = !all.empty();
-    return found ? QCPRange(double(all.min), double(all.max)) : QCPRange();
-}
-
 void WaveformPlottable::draw(QCPPainter *painter)
 {
     const QRect rect = m_scopePlot.rect->rect();
@@ -521,7 +493,5 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
         painter->drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, label.text);
     }
 }
-
-void WaveformPlottable::drawLegendIcon(QCPPainter *, const QRectF &) const { }
 
 } // namespace widgets

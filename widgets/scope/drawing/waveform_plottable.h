@@ -14,14 +14,21 @@ public:
     /// @param plot  outlives the plottable; its axis rect has a time axis and a value axis already
     WaveformPlottable(const ScopePlot &plot, const capture::Capture &capture);
 
-    double selectTest(const QPointF &pos, bool onlySelectable, QVariant *details) const override;
-    QCPRange getKeyRange(bool &found, QCP::SignDomain domain) const override;
-    QCPRange getValueRange(
-        bool &found, QCP::SignDomain domain, const QCPRange &inKeyRange) const override;
+    // What the library can ask a plottable for, and nobody here does: the stack fits the ranges.
+    double selectTest(const QPointF &, bool, QVariant *) const override { return -1; }
+    QCPRange getKeyRange(bool &found, QCP::SignDomain) const override
+    {
+        found = false;
+        return {};
+    }
+    QCPRange getValueRange(bool &found, QCP::SignDomain domain, const QCPRange &) const override
+    {
+        return getKeyRange(found, domain);
+    }
 
 protected:
     void draw(QCPPainter *painter) override;
-    void drawLegendIcon(QCPPainter *painter, const QRectF &rect) const override;
+    void drawLegendIcon(QCPPainter *, const QRectF &) const override { }
 
 private:
     struct View; ///< the picture's size and time range, for one redraw
