@@ -1,16 +1,10 @@
 #include "widgets/base/device.h"
 
+#include "base/overloaded.h"
 #include "drive/board_facts.h"
 
 namespace widgets {
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>; // clang 14 does not deduce it by itself
 
 /// Expert mode is for one connection to one board that was not reset meanwhile.
 bool forgetsExperts(const drive::LinkChanged &link)

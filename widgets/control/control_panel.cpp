@@ -30,7 +30,6 @@ namespace {
 constexpr int kMargin = kGrid;
 constexpr int kLeastScrolled = 60; ///< pixels: a set-point
 constexpr int kLeastRead = 40; ///< pixels: two of the read-outs
-/// Nothing has to be scrolled on a low screen after a stop, when its words stand there.
 
 /// As high as what is in it at its width, and lower where there is no room.
 class Scroll : public QScrollArea {

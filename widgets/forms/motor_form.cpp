@@ -27,9 +27,6 @@
 #include <algorithm>
 
 namespace widgets {
-namespace {
-
-} // namespace
 
 MotorForm::MotorForm(Device &device, RegisterModel &registers, MotorDescription &description,
     FilePrompt &files, QWidget *parent)

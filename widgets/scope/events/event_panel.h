@@ -22,7 +22,6 @@ public:
     double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
     void editNote(quint32 marker); ///< selects it and opens its note
-    /// To the end, since it was made: each looks at all rows.
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
