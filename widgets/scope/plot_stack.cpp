@@ -193,13 +193,9 @@ int PlotStack::slotFor(const capture::ChannelInfo &channel)
     if (known != m_slots.end())
         return known->second;
     std::array<int, kTraceColors> uses{};
-    for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces) {
-            // Not its own, which it is to lose.
-            if (trace.info.registerId != channel.registerId)
-                ++uses[std::size_t(trace.colorSlot)];
-        }
-    }
+    for (const Trace *trace : traces())
+        if (trace->info.registerId != channel.registerId) // not its own, which it is to lose
+            ++uses[std::size_t(trace->colorSlot)];
     // The first free one of its family's; where none is free, one that the fewest have.
     const int preferred = preferredSlot(QString::fromStdString(channel.unit));
     int slot = preferred;
@@ -256,24 +252,28 @@ bool PlotStack::move(capture::ChannelId channel, int index)
     return true;
 }
 
+std::vector<Trace *> PlotStack::traces() const
+{
+    std::vector<Trace *> all;
+    for (const auto &plot : m_plots)
+        for (Trace &trace : plot->traces)
+            all.push_back(&trace);
+    return all;
+}
+
 const Trace *PlotStack::trace(capture::ChannelId channel) const
 {
-    for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces) {
-            if (trace.channel == channel)
-                return &trace;
-        }
-    }
+    for (const Trace *trace : traces())
+        if (trace->channel == channel)
+            return trace;
     return nullptr;
 }
 
 std::vector<capture::ChannelId> PlotStack::channels() const
 {
     std::vector<capture::ChannelId> result;
-    for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces)
-            result.push_back(trace.channel);
-    }
+    for (const Trace *trace : traces())
+        result.push_back(trace->channel);
     return result;
 }
 
@@ -298,10 +298,8 @@ QColor PlotStack::colorOf(capture::ChannelId channel) const
 void PlotStack::forgetColor()
 {
     QSet<QString> shown;
-    for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces)
-            shown.insert(QString::fromStdString(trace.info.name));
-    }
+    for (const Trace *trace : traces())
+        shown.insert(QString::fromStdString(trace->info.name));
     auto forgotten = m_chosen.begin();
     while (std::next(forgotten) != m_chosen.end() && shown.contains(forgotten.key()))
         ++forgotten;
@@ -343,18 +341,16 @@ bool PlotStack::adoptChannels()
 {
     bool changed = false;
     std::vector<capture::ChannelId> lost;
-    for (const auto &plot : m_plots) {
-        for (Trace &trace : plot->traces) {
-            if (m_capture.channel(trace.channel))
-                continue;
-            changed = true;
-            const auto successor = m_capture.find(trace.info.registerId, trace.info.kind);
-            if (successor && plotOf(*successor) < 0) {
-                trace.channel = *successor;
-                trace.info = *m_capture.info(*successor);
-            } else {
-                lost.push_back(trace.channel);
-            }
+    for (Trace *trace : traces()) {
+        if (m_capture.channel(trace->channel))
+            continue;
+        changed = true;
+        const auto successor = m_capture.find(trace->info.registerId, trace->info.kind);
+        if (successor && plotOf(*successor) < 0) {
+            trace->channel = *successor;
+            trace->info = *m_capture.info(*successor);
+        } else {
+            lost.push_back(trace->channel);
         }
     }
     for (const capture::ChannelId channel : lost)
@@ -371,37 +367,30 @@ bool isOld(const Trace &trace, const capture::Capture &capture)
 bool PlotStack::beat(bool waits)
 {
     bool changed = false;
-    for (const auto &plot : m_plots) {
-        for (Trace &trace : plot->traces) {
-            const capture::Channel *channel = m_capture.channel(trace.channel);
-            const capture::Index end = channel ? channel->end() : 0;
-            const bool came = std::exchange(trace.end, end) != end;
-            // Behind a closed port the first beat tells: what stood before it is older than any wait.
-            trace.beats = came || !trace.info.isBoards() ? 0
-                : waits                                  ? trace.beats + 1
-                                                         : kOldBeats - 1;
-            changed = changed || trace.beats == kOldBeats;
-        }
+    for (Trace *trace : traces()) {
+        const capture::Channel *channel = m_capture.channel(trace->channel);
+        const capture::Index end = channel ? channel->end() : 0;
+        const bool came = std::exchange(trace->end, end) != end;
+        // Behind a closed port the first beat tells: what stood before it is older than any wait.
+        trace->beats = came || !trace->info.isBoards() ? 0
+            : waits                                    ? trace->beats + 1
+                                                       : kOldBeats - 1;
+        changed = changed || trace->beats == kOldBeats;
     }
     return changed;
 }
 
 void PlotStack::select(std::optional<capture::ChannelId> channel)
 {
-    for (const auto &plot : m_plots) {
-        for (Trace &trace : plot->traces)
-            trace.selected = channel == trace.channel;
-    }
+    for (Trace *trace : traces())
+        trace->selected = channel == trace->channel;
 }
 
 std::optional<capture::ChannelId> PlotStack::selected() const
 {
-    for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces) {
-            if (trace.selected)
-                return trace.channel;
-        }
-    }
+    for (const Trace *trace : traces())
+        if (trace->selected)
+            return trace->channel;
     return std::nullopt;
 }
 

@@ -76,6 +76,7 @@ public:
     double timeStep() const; ///< seconds between two ticks of the time axis
 
 private:
+    std::vector<Trace *> traces() const; ///< of all plots, from the top
     ScopePlot &insert(int index);
     void removePlot(std::size_t index);
     void showTimeLabels();
