@@ -324,18 +324,17 @@ void TriggerBar::follow()
     m_level->setToolTip(
         tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
 
-    const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
     m_mode->setEnabled(awaits || triggered); // back to Roll
     m_single->setEnabled(awaits);
     m_force->setEnabled(awaits);
     m_state->setRoomFor(awaits ? stateTexts(!triggered) : QStringList{fileText()});
-    shown(m_type, on);
-    shown(m_force, triggered);
-    shown(m_more, on);
-    shown(m_source, on && fields.source);
-    shown(m_written, on && fields.written && awaits);
-    shown(m_way, on && fields.ways);
-    shown(m_level, on && fields.source);
+    m_type->setVisible(on);
+    m_force->setVisible(triggered);
+    m_more->setVisible(on);
+    m_source->setVisible(on && fields.source);
+    m_written->setVisible(on && fields.written && awaits);
+    m_way->setVisible(on && fields.ways);
+    m_level->setVisible(on && fields.source);
     if (on && !m_details)
         m_details = makeDetails(); // the button that opens them is shown from here on
     if (m_details)

@@ -27,6 +27,44 @@ scope::DurationTest durationsOf(const TriggerSetup &setup)
     using Where = scope::DurationTest::Where;
     return {nanos(setup.least), nanos(setup.most), setup.outside ? Where::Outside : Where::Inside};
 }
+
+decltype(scope::TriggerCondition::what) searchedFor(const TriggerSetup &setup)
+{
+    using namespace scope;
+    const bool first = setup.way == TriggerWay::First;
+    const EdgeTrigger edge{slopeOf(setup.way), setup.level, setup.hysteresis};
+    switch (setup.type) {
+    case TriggerType::Edge:
+        break;
+    case TriggerType::Level:
+        return LevelTrigger{
+            first ? LevelTrigger::Side::AtOrAbove : LevelTrigger::Side::AtOrBelow, setup.level};
+    case TriggerType::Window:
+        return WindowTrigger{first ? WindowTrigger::When::Leaves : WindowTrigger::When::Enters,
+            setup.level, setup.upper, setup.hysteresis};
+    case TriggerType::Pulse:
+        return PulseTrigger{
+            first ? PulseTrigger::Polarity::Positive : PulseTrigger::Polarity::Negative,
+            setup.level, setup.hysteresis, durationsOf(setup)};
+    case TriggerType::Slew:
+        return SlewTrigger{
+            slopeOf(setup.way), setup.level, setup.upper, setup.hysteresis, durationsOf(setup)};
+    case TriggerType::Dropout:
+        return DropoutTrigger{edge, nanos(setup.time)};
+    case TriggerType::NthEdge:
+        return NthEdgeTrigger{
+            edge, static_cast<std::uint32_t>(std::max(setup.count, 0)), nanos(setup.time)};
+    case TriggerType::StateChange:
+        return EventTrigger{EventTrigger::Kind::StateChange, {}};
+    case TriggerType::Fault:
+        return EventTrigger{EventTrigger::Kind::Fault, {}};
+    case TriggerType::RegisterWrite:
+        return EventTrigger{EventTrigger::Kind::RegisterWrite, {}};
+    case TriggerType::SetPoint:
+        return EventTrigger{EventTrigger::Kind::SetPoint, {}};
+    }
+    return edge;
+}
 } // namespace
 
 TriggerFields fieldsOf(TriggerType type)
@@ -191,54 +229,10 @@ QString conditionErrorText(scope::ConditionError error)
 scope::TriggerCondition conditionOf(
     const TriggerSetup &setup, const std::optional<capture::ChannelInfo> &source)
 {
-    using namespace scope;
-    const bool first = setup.way == TriggerWay::First;
-    const EdgeTrigger edge{slopeOf(setup.way), setup.level, setup.hysteresis};
-    TriggerCondition condition;
-    switch (setup.type) {
-    case TriggerType::Edge:
-        condition.what = edge;
-        break;
-    case TriggerType::Level:
-        condition.what = LevelTrigger{
-            first ? LevelTrigger::Side::AtOrAbove : LevelTrigger::Side::AtOrBelow, setup.level};
-        break;
-    case TriggerType::Window:
-        condition.what =
-            WindowTrigger{first ? WindowTrigger::When::Leaves : WindowTrigger::When::Enters,
-                setup.level, setup.upper, setup.hysteresis};
-        break;
-    case TriggerType::Pulse:
-        condition.what = PulseTrigger{
-            first ? PulseTrigger::Polarity::Positive : PulseTrigger::Polarity::Negative,
-            setup.level, setup.hysteresis, durationsOf(setup)};
-        break;
-    case TriggerType::Slew:
-        condition.what = SlewTrigger{
-            slopeOf(setup.way), setup.level, setup.upper, setup.hysteresis, durationsOf(setup)};
-        break;
-    case TriggerType::Dropout:
-        condition.what = DropoutTrigger{edge, nanos(setup.time)};
-        break;
-    case TriggerType::NthEdge:
-        condition.what = NthEdgeTrigger{
-            edge, static_cast<std::uint32_t>(std::max(setup.count, 0)), nanos(setup.time)};
-        break;
-    case TriggerType::StateChange:
-        condition.what = EventTrigger{EventTrigger::Kind::StateChange, {}};
-        break;
-    case TriggerType::Fault:
-        condition.what = EventTrigger{EventTrigger::Kind::Fault, {}};
-        break;
-    case TriggerType::RegisterWrite:
-        condition.what = EventTrigger{EventTrigger::Kind::RegisterWrite, {}};
-        break;
-    case TriggerType::SetPoint:
-        condition.what = EventTrigger{EventTrigger::Kind::SetPoint, {}};
-        break;
-    }
+    scope::TriggerCondition condition;
+    condition.what = searchedFor(setup);
     if (source)
-        condition.between = betweenSamples(*source);
+        condition.between = scope::betweenSamples(*source);
     return condition;
 }
 
