@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -22,12 +23,6 @@ constexpr int kGap = kGrid;
 constexpr int kBetween = kHalfGrid; ///< two buttons
 constexpr int kLeastText = 150; ///< pixels: narrower lines are not read
 constexpr int kLeastAround = 560; ///< height of what is around: lower, the scope needs all of it
-
-/// Which buttons a card has: none, the first, or both.
-int answersOf(FirstSteps::Step step)
-{
-    return step == FirstSteps::Step::Welcome ? 2 : step == FirstSteps::Step::Save ? 1 : 0;
-}
 
 } // namespace
 
@@ -106,20 +101,27 @@ void FirstSteps::finish()
     Q_EMIT finished();
 }
 
-QString FirstSteps::textOf(Step step)
+FirstSteps::Card FirstSteps::cardOf(Step step)
 {
     switch (step) {
     case Step::Welcome:
-        return tr(
-            "Try everything on a simulated board, or choose the port of your own board above.");
+        return {tr("Welcome to Rotorscope"),
+            tr("Try everything on a simulated board, or choose the port of your own board above."),
+            tr("Connect to simulated board"), tr("Connect my board")};
     case Step::Start:
-        return tr("Tick \"Arm\" on the right, then press Start. The Esc key stops every "
-                  "motor, wherever you are.");
+        return {tr("Connected: the scope shows live signals"),
+            tr("Tick \"Arm\" on the right, then press Start. The Esc key stops every "
+               "motor, wherever you are."),
+            {}, {}};
     case Step::Speed:
-        return tr("Type another speed and press Enter. Drag a register from the list onto "
-                  "the scope to see it too.");
+        return {tr("The motor is running"),
+            tr("Type another speed and press Enter. Drag a register from the list onto "
+               "the scope to see it too."),
+            {}, {}};
     case Step::Save:
-        return tr("The export writes the visible part, or all of it, as a CSV file with units.");
+        return {tr("Save what you see"),
+            tr("The export writes the visible part, or all of it, as a CSV file with units."),
+            tr("Export CSV"), {}};
     case Step::Done:
         break;
     }
@@ -129,29 +131,17 @@ QString FirstSteps::textOf(Step step)
 void FirstSteps::show(Step step)
 {
     m_step = step;
-    switch (step) {
-    case Step::Welcome:
-        m_title->setText(tr("Welcome to Rotorscope"));
-        m_first->setText(tr("Connect to simulated board"));
-        m_second->setText(tr("Connect my board"));
-        break;
-    case Step::Start:
-        m_title->setText(tr("Connected: the scope shows live signals"));
-        break;
-    case Step::Speed:
-        m_title->setText(tr("The motor is running"));
-        break;
-    case Step::Save:
-        m_title->setText(tr("Save what you see"));
-        m_first->setText(tr("Export CSV"));
-        break;
-    case Step::Done:
-        break;
+    const Card card = cardOf(step);
+    m_title->setText(card.title);
+    m_text->setText(card.text);
+    const std::pair<QPushButton *, QString> answers[] = {
+        {m_first, card.first}, {m_second, card.second}};
+    for (const auto &[button, says] : answers) {
+        button->setVisible(!says.isEmpty());
+        if (!says.isEmpty()) // one without words has another size, by which widths are told
+            button->setText(says);
     }
-    m_text->setText(textOf(step));
-    m_first->setVisible(answersOf(step) > 0);
-    m_second->setVisible(answersOf(step) > 1);
-    m_answers->setVisible(answersOf(step) > 0);
+    m_answers->setVisible(!card.first.isEmpty());
     place();
     fitHeight();
 }
@@ -200,23 +190,23 @@ int FirstSteps::heightWith(bool beside, bool inLine, int whole) const
         return button->sizeHint().width() + metrics.horizontalAdvance(text)
             - metrics.horizontalAdvance(button->text());
     };
-    const int first = wide(m_first, tr("Connect to simulated board"));
-    const int second = wide(m_second, tr("Connect my board"));
-    const int both = inLine ? first + kBetween + second : std::max(first, second);
     const int line = m_first->sizeHint().height();
     int highest = 0;
     for (const Step step : {Step::Welcome, Step::Start, Step::Speed, Step::Save}) {
-        const int count = answersOf(step);
-        const int across = count > 1 ? both : count > 0 ? wide(m_first, tr("Export CSV")) : 0;
-        const int answers = count == 0 ? 0 : count > 1 && !inLine ? 2 * line + kBetween : line;
-        const int room = beside && count > 0 ? whole - across - kGap : whole;
+        const Card card = cardOf(step);
+        const bool one = !card.first.isEmpty(), two = !card.second.isEmpty();
+        const int first = one ? wide(m_first, card.first) : 0;
+        const int second = two ? wide(m_second, card.second) : 0;
+        const int across = two && inLine ? first + kBetween + second : std::max(first, second);
+        const int answers = !one ? 0 : two && !inLine ? 2 * line + kBetween : line;
+        const int room = beside && one ? whole - across - kGap : whole;
         if (room < kLeastText || across > whole)
             return INT_MAX;
         const int text = m_text->fontMetrics()
-                             .boundingRect(QRect(0, 0, room, 1), Qt::TextWordWrap, textOf(step))
+                             .boundingRect(QRect(0, 0, room, 1), Qt::TextWordWrap, card.text)
                              .height();
-        highest = std::max(
-            highest, beside ? std::max(text, answers) : text + (count > 0 ? kGap : 0) + answers);
+        highest =
+            std::max(highest, beside ? std::max(text, answers) : text + (one ? kGap : 0) + answers);
     }
     return highest;
 }

@@ -39,7 +39,11 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    static QString textOf(Step step);
+    struct Card {
+        QString title, text;
+        QString first, second; ///< what its buttons say; empty: it has none
+    };
+    static Card cardOf(Step step);
     void fitHeight();
     int heightWith(bool beside, bool inLine, int whole) const;
     void show(Step step);
