@@ -229,25 +229,7 @@ QWidget *ScopePage::makeBar()
     auto *layout = edged(new QHBoxLayout(bar), kToolEdges, kHalfGrid);
     auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
     auto *flow = new FlowLayout(kHalfGrid, buttons);
-    for (QAction *action :
-        {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_tools->cursors()}) {
-        auto *button = new QToolButton(bar);
-        button->setDefaultAction(action);
-        // The bar has little room, and less in other languages; menus and screen readers get the words.
-        const bool sign =
-            action == m_fit || action == m_fitValues || action == m_zoomIn || action == m_zoomOut;
-        button->setToolButtonStyle(sign ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setMinimumHeight(kButtonHeight);
-        button->setAccessibleName(action->text());
-        connect(action, &QAction::changed, button,
-            [button, action] { button->setAccessibleName(action->text()); });
-        flow->addWidget(button);
-        if (action == m_run)
-            m_runButton = button;
-    }
-    showSource();
-    const auto end = [bar, flow](QAction *action, const QString &name) {
+    const auto put = [bar, flow](QAction *action, const QString &name) {
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -257,8 +239,20 @@ QWidget *ScopePage::makeBar()
         flow->addWidget(button);
         return button;
     };
-    keepRoomFor(*end(m_parts.record.toggle(), tr("Record to disk")), RecordControl::signs());
-    end(m_parts.save, tr("Export"));
+    for (QAction *action :
+        {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_tools->cursors()}) {
+        QToolButton *button = put(action, action->text());
+        // The bar has little room, and less in other languages; menus and screen readers get the words.
+        if (fitting().contains(action))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        connect(action, &QAction::changed, button,
+            [button, action] { button->setAccessibleName(action->text()); });
+        if (action == m_run)
+            m_runButton = button;
+    }
+    showSource();
+    keepRoomFor(*put(m_parts.record.toggle(), tr("Record to disk")), RecordControl::signs());
+    put(m_parts.save, tr("Export"));
     flow->setTrailing(2);
     layout->addWidget(buttons, 1);
     return bar;
