@@ -90,4 +90,13 @@ QColor Lamp::colorOf(Light light, const QPalette &palette)
     return palette.color(QPalette::Disabled, QPalette::WindowText);
 }
 
+Lamp::Light Lamp::lightOf(drive::LinkState state)
+{
+    using drive::LinkState;
+    return state == LinkState::Connected ? Light::On
+        : state == LinkState::Lost       ? Light::Bad
+        : state == LinkState::Closed     ? Light::Off
+                                         : Light::Waiting;
+}
+
 } // namespace widgets

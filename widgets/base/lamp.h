@@ -1,6 +1,8 @@
 // Lamp: one state as shape, colour and words, so that no one has to tell colours apart.
 #pragma once
 
+#include "drive/event.h"
+
 #include <QWidget>
 
 namespace widgets {
@@ -25,6 +27,7 @@ public:
     QString text() const;
 
     static QColor colorOf(Light light, const QPalette &palette);
+    static Light lightOf(drive::LinkState state);
 
 private:
     class Dot;

@@ -308,12 +308,7 @@ void ConnectBar::updateLink()
     using drive::LinkState;
     const LinkState state = m_device.link().state;
     const bool recorded = replay && state == LinkState::Connected;
-    const auto light = recorded         ? Lamp::Light::Off
-        : state == LinkState::Connected ? Lamp::Light::On
-        : state == LinkState::Lost      ? Lamp::Light::Bad
-        : state == LinkState::Closed    ? Lamp::Light::Off
-                                        : Lamp::Light::Waiting;
-    m_boardLamp->show(light,
+    m_boardLamp->show(recorded ? Lamp::Light::Off : Lamp::lightOf(state),
         recorded                         ? tr("board as recorded")
             : state == LinkState::Closed ? tr("no board")
                                          : linkStateText(m_device.link()));

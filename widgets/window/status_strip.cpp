@@ -40,24 +40,6 @@ QStringList motorTexts()
     return all;
 }
 
-Lamp::Light lightOf(drive::LinkState state)
-{
-    using drive::LinkState;
-    switch (state) {
-    case LinkState::Closed:
-        return Lamp::Light::Off;
-    case LinkState::Connected:
-        return Lamp::Light::On;
-    case LinkState::Lost:
-        return Lamp::Light::Bad;
-    case LinkState::Connecting:
-    case LinkState::Suspect:
-    case LinkState::Recovering:
-        break;
-    }
-    return Lamp::Light::Waiting;
-}
-
 } // namespace
 
 StatusStrip::StatusStrip(Device &device, QWidget *parent)
@@ -160,7 +142,7 @@ void StatusStrip::updateLink()
     m_link->setRoomFor(room);
     fit();
     const QString text = m_device.portOpen() ? where : linkStateText(m_device.link());
-    m_link->show(lightOf(m_device.link().state), text);
+    m_link->show(Lamp::lightOf(m_device.link().state), text);
     updateWatchdog();
     updateCounters();
     const auto identified = connected();
