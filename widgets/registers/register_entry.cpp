@@ -28,26 +28,16 @@ struct Entry {
     Q_DECLARE_TR_FUNCTIONS(Entry)
 };
 
-EntryError fromSetpoint(SetpointError error)
-{
-    switch (error) {
-    case SetpointError::Empty:
-        return EntryError::Empty;
-    case SetpointError::TwoPoints:
-        return EntryError::TwoPoints;
-    case SetpointError::TooLong:
-        return EntryError::TooLong;
-    case SetpointError::NotANumber:
-        break;
-    }
-    return EntryError::NotANumber;
-}
+// What is wrong with a plain number is wrong with an entry, too: the same words in the same order.
+static_assert(EntryError::TooLong == static_cast<EntryError>(SetpointError::TooLong)
+    && EntryError::TwoPoints == static_cast<EntryError>(SetpointError::TwoPoints)
+    && EntryError::NotANumber == static_cast<EntryError>(SetpointError::NotANumber));
 
 Result<double, EntryError> readNumber(const QString &text)
 {
     const auto number = readPlainNumber(text, kLongestNumber);
     if (!number)
-        return fail(fromSetpoint(number.error()));
+        return fail(static_cast<EntryError>(number.error()));
     return *number;
 }
 
@@ -144,20 +134,13 @@ std::optional<Result<Value, EntryError>> readName(const QString &text, const Ent
                           : std::optional<Result<Value, EntryError>>(fail(EntryError::NoSuchName));
 }
 
-QString plainDigits(double number)
+/// As many as read back to the same number, without an exponent.
+template <class Number>
+QString plainDigits(Number number)
 {
     char buffer[512];
     const auto end =
         std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::fixed).ptr;
-    return QString::fromLatin1(buffer, end - buffer);
-}
-
-QString floatDigits(double number)
-{
-    char buffer[128];
-    const auto end = std::to_chars(
-        buffer, buffer + sizeof buffer, static_cast<float>(number), std::chars_format::fixed)
-                         .ptr;
     return QString::fromLatin1(buffer, end - buffer);
 }
 
@@ -264,7 +247,8 @@ Result<Value, EntryError> readRawEntry(const QString &text, const EntryRules &ru
 QString shownEntryText(const Value &value, const EntryRules &rules)
 {
     if (const auto *real = std::get_if<double>(&value))
-        return std::isfinite(*real) ? floatDigits(*real * rules.scale.factor) : QString();
+        return std::isfinite(*real) ? plainDigits(static_cast<float>(*real * rules.scale.factor))
+                                    : QString();
     const auto *whole = std::get_if<std::int64_t>(&value);
     if (whole == nullptr)
         return {};
@@ -300,7 +284,7 @@ QString rawEntryText(const Value &value)
             reinterpret_cast<const char *>(bytes->data()), static_cast<qsizetype>(bytes->size()))
                                        .toHex(' '));
     if (const auto *real = std::get_if<double>(&value))
-        return std::isfinite(*real) ? floatDigits(*real) : QString();
+        return std::isfinite(*real) ? plainDigits(static_cast<float>(*real)) : QString();
     if (const auto *whole = std::get_if<std::int64_t>(&value))
         return QString::number(*whole);
     return {};
@@ -325,13 +309,10 @@ QString entryErrorText(EntryError error, const EntryRules &rules)
 {
     switch (error) {
     case EntryError::Empty:
-        return setpointErrorText(SetpointError::Empty);
     case EntryError::NotANumber:
-        return setpointErrorText(SetpointError::NotANumber);
     case EntryError::TwoPoints:
-        return setpointErrorText(SetpointError::TwoPoints);
     case EntryError::TooLong:
-        return setpointErrorText(SetpointError::TooLong);
+        return setpointErrorText(static_cast<SetpointError>(error));
     case EntryError::OtherUnit:
         return Entry::tr("The unit here is %1.")
             .arg(rules.scale.unit.empty() ? Entry::tr("none", "no unit")
