@@ -7,6 +7,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/control/command_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
@@ -370,14 +371,9 @@ void RampForm::updateAll()
     for (RampLine *one : m_lines)
         one->update();
     const MotionAllowed can = motionAllowed(m_device, drive::Feature::SpeedRamp);
-    if (!can.yes && m_stop->hasFocus())
-        m_stop->clearFocus();
-    m_stop->setEnabled(can.yes);
-    m_stop->setToolTip(plainToolTip(
-        can.yes ? tr("Ends a ramp where it is; the motor goes on turning.") : can.why));
+    applyAllowed(m_stop, can, tr("Ends a ramp where it is; the motor goes on turning."));
     const QString name = m_preset->currentText().trimmed();
-    const bool known = std::any_of(m_presets.begin(), m_presets.end(),
-        [&](const RampPreset &preset) { return preset.name == name; });
+    const bool known = presetOf(name) != m_presets.end();
     const bool room = known || m_presets.size() < kMostRampPresets;
     m_save->setEnabled(!name.isEmpty() && room && m_looked->content());
     m_save->setToolTip(m_save->isEnabled()
@@ -404,15 +400,19 @@ void RampForm::fillPresets(const QString &current)
     updateAll();
 }
 
+QList<RampPreset>::iterator RampForm::presetOf(const QString &name)
+{
+    return std::find_if(m_presets.begin(), m_presets.end(),
+        [&name](const RampPreset &preset) { return preset.name == name; });
+}
+
 void RampForm::savePreset()
 {
     const QString name = m_preset->currentText().trimmed();
     if (name.isEmpty() || !m_looked->content())
         return;
     const RampPreset preset = m_looked->preset(name);
-    const auto at = std::find_if(m_presets.begin(), m_presets.end(),
-        [&](const RampPreset &other) { return other.name == name; });
-    if (at != m_presets.end())
+    if (const auto at = presetOf(name); at != m_presets.end())
         *at = preset;
     else if (m_presets.size() < kMostRampPresets)
         m_presets.append(preset);
@@ -422,17 +422,13 @@ void RampForm::savePreset()
 void RampForm::deletePreset()
 {
     const QString name = m_preset->currentText().trimmed();
-    m_presets.erase(std::remove_if(m_presets.begin(), m_presets.end(),
-                        [&](const RampPreset &preset) { return preset.name == name; }),
-        m_presets.end());
+    m_presets.removeIf([&name](const RampPreset &preset) { return preset.name == name; });
     fillPresets({});
 }
 
 void RampForm::choosePreset(int index)
 {
-    const QString name = m_preset->itemData(index).toString();
-    const auto at = std::find_if(m_presets.begin(), m_presets.end(),
-        [&](const RampPreset &preset) { return preset.name == name; });
+    const auto at = presetOf(m_preset->itemData(index).toString());
     if (at == m_presets.end())
         return;
     RampLine &one = line(at->kind);

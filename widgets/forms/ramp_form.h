@@ -55,6 +55,7 @@ private:
     void deletePreset();
     void choosePreset(int index);
     void fillPresets(const QString &current);
+    QList<RampPreset>::iterator presetOf(const QString &name);
     RampLine &line(RampKind kind) const { return *m_lines[static_cast<std::size_t>(kind)]; }
 
     Device &m_device;

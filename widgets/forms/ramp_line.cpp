@@ -5,6 +5,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
+#include "widgets/control/command_box.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/shaft_move.h"
@@ -302,11 +303,7 @@ void RampLine::update()
     m_note->setText(text);
     if (can.yes && !content())
         can = {false, text};
-    if (!can.yes && m_send->hasFocus())
-        m_send->clearFocus(); // or it would move on by itself, to the next button
-    m_send->setEnabled(can.yes);
-    m_send->setToolTip(
-        plainToolTip(can.yes ? tr("Sends it (Enter in a field does the same).") : can.why));
+    applyAllowed(m_send, can, tr("Sends it (Enter in a field does the same)."));
 }
 
 } // namespace widgets
