@@ -2,8 +2,6 @@
 
 #include "widgets/base/value_text.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,8 +46,7 @@ QString plainNumberText(double value, int significant)
 {
     if (!std::isfinite(value))
         return QStringLiteral("\u2013");
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QLocale locale = plainLocale();
     const int decimals = std::clamp(significant - digitsBefore(value), 0, 12);
     QString text = locale.toString(value + 0.0, 'f', decimals);
     const QString point = locale.decimalPoint();

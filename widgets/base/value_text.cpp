@@ -3,8 +3,6 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/register_texts.h"
 
-#include <QLocale>
-
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -88,11 +86,16 @@ int decimalsFor(double factor)
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 4);
 }
 
+QLocale plainLocale(QLocale locale)
+{
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
 QString floatText(double value, int digits)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return std::isfinite(value) ? locale.toString(value, 'g', digits) : QStringLiteral("\u2013");
+    return std::isfinite(value) ? plainLocale().toString(value, 'g', digits)
+                                : QStringLiteral("\u2013");
 }
 
 QString numberText(double value, int decimals)
@@ -101,9 +104,7 @@ QString numberText(double value, int decimals)
         return QStringLiteral("\u2013");
     if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
         value = 0.0; // never "-0"
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'f', decimals);
+    return plainLocale().toString(value, 'f', decimals);
 }
 
 QString unitText(const QString &unit)

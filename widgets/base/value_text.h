@@ -4,6 +4,7 @@
 
 #include "catalog/register_info.h"
 
+#include <QLocale>
 #include <QString>
 
 #include <string_view>
@@ -12,6 +13,9 @@ namespace widgets {
 
 /// Digits behind the point that one raw step of `factor` deserves, 0 to 4.
 int decimalsFor(double factor);
+
+/// The same without group marks, which take room and have another meaning elsewhere.
+QLocale plainLocale(QLocale locale = {});
 
 /// `value` in the locale's manner, group marks left out.
 QString numberText(double value, int decimals);

@@ -3,6 +3,7 @@
 #include "motor/ramp.h"
 #include "widgets/base/plot_look.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/base/value_text.h"
 
 #include <QEvent>
 #include <QVBoxLayout>
@@ -64,9 +65,7 @@ RampPreview::RampPreview(QWidget *parent)
     setAccessibleName(tr("Preview of the ramp"));
     setFocusPolicy(Qt::NoFocus);
     m_plot->setFocusPolicy(Qt::NoFocus);
-    QLocale plain = locale();
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    m_plot->setLocale(plain);
+    m_plot->setLocale(plainLocale(locale()));
     m_plot->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_plot->xAxis->setLabel(tr("Time [s]"));
     m_plot->xAxis->setNumberFormat(QStringLiteral("g"));

@@ -1,6 +1,7 @@
 #include "widgets/forms/rev_up_chart.h"
 
 #include "motor/ramp.h"
+#include "widgets/base/axis_ticks.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_start.h"
 #include "widgets/forms/rev_up_table.h"
@@ -35,19 +36,9 @@ QString amps(double value, int decimals)
     return numberText(value, decimals) + QStringLiteral("\u202fA");
 }
 
-/// 1, 2 or 5 times a power of ten; at most `most` of them in `span`.
-double niceStep(double span, int most)
-{
-    const double least = span / most, decade = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * decade >= least)
-            return factor * decade;
-    return 10.0 * decade;
-}
-
 void setRange(QValueAxis &axis, double from, double to, int steps)
 {
-    const double step = niceStep(to - from, steps);
+    const double step = tickStep(to - from, steps);
     axis.setTickType(QValueAxis::TicksDynamic);
     axis.setTickAnchor(0.0);
     axis.setTickInterval(step);
@@ -77,9 +68,7 @@ RevUpChart::RevUpChart(RevUpModel &model, QWidget *parent)
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setBackgroundRoundness(0);
     chart()->setLocalizeNumbers(true);
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    chart()->setLocale(locale);
+    chart()->setLocale(plainLocale());
     makeSeries();
     restyle();
     connect(&model, &RevUpModel::stagesChanged, this, &RevUpChart::showStages);
@@ -269,6 +258,12 @@ void RevUpChart::select(std::optional<Point> point)
     Q_EMIT hintChanged();
     if (point)
         Q_EMIT stageSelected(point->stage);
+    announce();
+}
+
+/// The selected point, to a screen reader.
+void RevUpChart::announce()
+{
     setAccessibleDescription(hint());
     QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
     QAccessible::updateAccessibility(&changed);
@@ -396,9 +391,7 @@ bool RevUpChart::nudge(const QKeyEvent &key)
         m_model.bounds());
     if (wanted != old)
         m_model.setStage(m_selected->stage, wanted);
-    setAccessibleDescription(hint());
-    QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
-    QAccessible::updateAccessibility(&changed);
+    announce();
     return true;
 }
 

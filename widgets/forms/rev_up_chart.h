@@ -77,6 +77,7 @@ private:
     void restyle();
     void showStages();
     void select(std::optional<Point> point);
+    void announce();
     std::optional<Point> pointAt(const QPointF &position) const;
     void dragTo(const QPointF &position);
     bool nudge(const QKeyEvent &key);

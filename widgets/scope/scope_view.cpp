@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/plot_look.h"
+#include "widgets/base/value_text.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/events/event_lane.h"
@@ -70,9 +71,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
     setAccessibleName(tr("Scope"));
-    QLocale plain = locale();
-    plain.setNumberOptions(QLocale::OmitGroupSeparator); // as on the axes
-    setLocale(plain);
+    setLocale(plainLocale(locale())); // as on the axes
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 120);
     auto *layout = bare(new QVBoxLayout(this), 0);

@@ -1,10 +1,10 @@
 #include "widgets/scope/events/event_log.h"
 
 #include "widgets/base/axis_ticks.h"
+#include "widgets/base/value_text.h"
 #include "widgets/scope/events/event_icon.h"
 
 #include <QGuiApplication>
-#include <QLocale>
 #include <QPalette>
 
 #include <algorithm>
@@ -16,13 +16,6 @@ namespace {
 constexpr std::size_t kForgottenAtOnce = 500;
 constexpr double kTimeStep =
     1e-4; ///< seconds; all lines alike, so that they can be compared at a glance
-
-QLocale plainLocale()
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale;
-}
 } // namespace
 
 QString eventKindText(EventKind kind)
