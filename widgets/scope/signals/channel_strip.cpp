@@ -77,6 +77,17 @@ QString detourText(Detour detour)
     return {};
 }
 
+/// @param fill  puts them into the menu each time that it is opened
+void addColors(QMenu &menu, const std::function<void(QMenu &)> &fill)
+{
+    QMenu *colors = menu.addMenu(ChannelStrip::tr("&Colour"));
+    QObject::connect(colors, &QMenu::aboutToShow, colors, [colors, fill] {
+        colors->clear();
+        if (fill)
+            fill(*colors);
+    });
+}
+
 /// A chip: rounded, in the colour of its field, with the signal's colour at its left edge.
 class Chip : public QWidget {
 public:
@@ -89,9 +100,10 @@ public:
     /// What a right click or the menu key on the chip shows.
     void setMenu(QMenu *menu) { m_menu = menu; }
 
-    /// The name, `tag` beside it, and the button that takes it off the scope, which is returned.
-    QToolButton *fill(const QString &name, QToolButton *tag)
+    /// The name, `tag` beside it, and the button by which `takeOff` takes it off the scope.
+    void fill(const QString &name, QToolButton *tag, const std::function<void()> &takeOff)
     {
+        setObjectName(QStringLiteral("chip_") + name);
         auto *label = new QLabel(name, this);
         label->setTextFormat(Qt::PlainText);
         auto *remove = new QToolButton(this);
@@ -103,7 +115,8 @@ public:
         layout->addWidget(label);
         layout->addWidget(tag);
         layout->addWidget(remove);
-        return remove;
+        QObject::connect(
+            remove, &QToolButton::clicked, parentWidget(), takeOff, Qt::QueuedConnection);
     }
 
 protected:
@@ -230,7 +243,6 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     const quint32 id = planned.id;
     const QString name = m_selection.nameOf(id);
     auto *chip = new Chip(m_selection.colorOf(id), m_chips);
-    chip->setObjectName(QStringLiteral("chip_") + name);
     auto *tag = new QToolButton(chip);
     tag->setAutoRaise(true);
     // The style's own arrow overlaps so short a text.
@@ -262,18 +274,11 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
             [this, id, chosen = route] { m_selection.plan().setRoute(id, chosen); });
     }
     menu->addSeparator();
-    QMenu *colors = menu->addMenu(tr("&Colour"));
-    connect(colors, &QMenu::aboutToShow, colors, [this, id, colors] {
-        colors->clear();
-        m_selection.fillColors(*colors, id);
-    });
+    addColors(*menu, [this, id](QMenu &colors) { m_selection.fillColors(colors, id); });
     tag->setMenu(menu);
     chip->setMenu(menu);
 
-    QToolButton *remove = chip->fill(name, tag);
-    connect(
-        remove, &QToolButton::clicked, this, [this, id] { m_selection.remove(id); },
-        Qt::QueuedConnection);
+    chip->fill(name, tag, [this, id] { m_selection.remove(id); });
     return chip;
 }
 
@@ -309,7 +314,6 @@ QWidget *ChannelStrip::makeComputedChip(const Computed &computed)
 {
     const QString name = computed.name;
     auto *chip = new Chip(computed.color, m_chips);
-    chip->setObjectName(QStringLiteral("chip_") + name);
     auto *tag = new QToolButton(chip);
     tag->setAutoRaise(true);
     tag->setText(QStringLiteral("\u0192")); // the sign of a function
@@ -319,17 +323,9 @@ QWidget *ChannelStrip::makeComputedChip(const Computed &computed)
     auto *menu = new QMenu(chip);
     connect(menu->addAction(tr("&Formula\u2026")), &QAction::triggered, this,
         [this, name] { Q_EMIT computedChosen(name); });
-    QMenu *colors = menu->addMenu(tr("&Colour"));
-    connect(colors, &QMenu::aboutToShow, colors, [colors, fill = computed.fillColors] {
-        colors->clear();
-        if (fill)
-            fill(*colors);
-    });
+    addColors(*menu, computed.fillColors);
     chip->setMenu(menu);
-    QToolButton *remove = chip->fill(name, tag);
-    connect(
-        remove, &QToolButton::clicked, this, [this, name] { Q_EMIT computedRemoved(name); },
-        Qt::QueuedConnection);
+    chip->fill(name, tag, [this, name] { Q_EMIT computedRemoved(name); });
     return chip;
 }
 
@@ -397,14 +393,13 @@ void ChannelStrip::rebuild()
         delete item;
     }
     const bool file = m_selection.plan().showsFile();
+    QList<QWidget *> chips;
     for (const PlannedSignal &planned :
-        file ? std::vector<PlannedSignal>() : m_selection.plan().planned().signalList) {
-        QWidget *chip = makeChip(planned);
-        m_flow->addWidget(chip);
-        chip->show();
-    }
-    for (const Computed &computed : m_computed) {
-        QWidget *chip = makeComputedChip(computed);
+        file ? std::vector<PlannedSignal>() : m_selection.plan().planned().signalList)
+        chips.append(makeChip(planned));
+    for (const Computed &computed : m_computed)
+        chips.append(makeComputedChip(computed));
+    for (QWidget *chip : chips) {
         m_flow->addWidget(chip);
         chip->show();
     }
