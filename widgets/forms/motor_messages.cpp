@@ -88,6 +88,23 @@ constexpr std::array kFields{
         QT_TRANSLATE_NOOP("Motor", "Signals at once, ST-LINK"), ""},
 };
 
+/// By MotorQuantity.
+constexpr std::array kQuantities{
+    QT_TRANSLATE_NOOP("Motor", "Pole pairs"),
+    QT_TRANSLATE_NOOP("Motor", "Resistance Rs"),
+    QT_TRANSLATE_NOOP("Motor", "Inductance Ld"),
+    QT_TRANSLATE_NOOP("Motor", "Inductance Lq"),
+    QT_TRANSLATE_NOOP("Motor", "Flux of the magnets"),
+    QT_TRANSLATE_NOOP("Motor", "Motor current"),
+    QT_TRANSLATE_NOOP("Motor", "Greatest speed"),
+    QT_TRANSLATE_NOOP("Motor", "Nominal bus voltage"),
+    QT_TRANSLATE_NOOP("Motor", "Inertia"),
+    QT_TRANSLATE_NOOP("Motor", "Viscous friction"),
+    QT_TRANSLATE_NOOP("Motor", "Dry friction"),
+};
+static_assert(
+    kQuantities.size() == static_cast<std::size_t>(motor::MotorQuantity::DryFriction) + 1);
+
 QString wantedText(const session::MotorFileError &error)
 {
     using Wanted = session::MotorFileError::Wanted;
@@ -133,32 +150,7 @@ QString structureText(const std::string &structure)
 
 QString motorQuantityText(motor::MotorQuantity quantity)
 {
-    using motor::MotorQuantity;
-    switch (quantity) {
-    case MotorQuantity::PolePairs:
-        return Motor::tr("Pole pairs");
-    case MotorQuantity::Resistance:
-        return Motor::tr("Resistance Rs");
-    case MotorQuantity::InductanceD:
-        return Motor::tr("Inductance Ld");
-    case MotorQuantity::InductanceQ:
-        return Motor::tr("Inductance Lq");
-    case MotorQuantity::Flux:
-        return Motor::tr("Flux of the magnets");
-    case MotorQuantity::NominalCurrent:
-        return Motor::tr("Motor current");
-    case MotorQuantity::MaxSpeed:
-        return Motor::tr("Greatest speed");
-    case MotorQuantity::BusVoltage:
-        return Motor::tr("Nominal bus voltage");
-    case MotorQuantity::Inertia:
-        return Motor::tr("Inertia");
-    case MotorQuantity::ViscousFriction:
-        return Motor::tr("Viscous friction");
-    case MotorQuantity::DryFriction:
-        return Motor::tr("Dry friction");
-    }
-    return {};
+    return Motor::tr(kQuantities.at(static_cast<std::size_t>(quantity)));
 }
 
 QString motorWarningText(motor::MotorWarning warning)

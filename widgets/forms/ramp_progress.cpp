@@ -11,11 +11,6 @@ constexpr Milliseconds kReadingAge{400}; ///< how late a polled set-point may be
 
 } // namespace
 
-bool RampProgress::moving(const Sight &sight) const
-{
-    return sight.state == drive::MotorState::Running;
-}
-
 void RampProgress::begin(
     double target, Milliseconds duration, double step, Milliseconds now, const Sight &sight)
 {
@@ -26,7 +21,7 @@ void RampProgress::begin(
     m_fromKnown = sight.reference.has_value();
     m_begun = now;
     m_elapsed = {};
-    m_phase = moving(sight) ? Phase::Ramping : Phase::Waiting;
+    m_phase = sight.moving() ? Phase::Ramping : Phase::Waiting;
 }
 
 void RampProgress::replaced()
@@ -66,14 +61,14 @@ void RampProgress::update(Milliseconds now, const Sight &sight)
         return;
     }
     if (m_phase == Phase::Waiting) {
-        if (!moving(sight))
+        if (!sight.moving())
             return;
         m_phase = Phase::Ramping; // the firmware begins it with the end of its start
         m_begun = now;
         m_from = sight.measured.value_or(m_from);
         m_fromKnown = false;
     }
-    if (!moving(sight)) {
+    if (!sight.moving()) {
         m_phase = Phase::MotorStopped;
         return;
     }

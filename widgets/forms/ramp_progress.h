@@ -28,6 +28,7 @@ public:
         bool answering = true;
         std::optional<double> reference; ///< the board's set-point
         std::optional<double> measured;
+        bool moving() const { return state == drive::MotorState::Running; }
     };
 
     /// @param step  what the device can resolve; > 0
@@ -50,7 +51,6 @@ public:
     double fraction() const; ///< of the time, 0 to 1
 
 private:
-    bool moving(const Sight &sight) const;
     bool offTheRamp(const Sight &sight) const;
 
     Phase m_phase = Phase::None;
