@@ -3,23 +3,9 @@
 #include "widgets/base/look/line_icon.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
 namespace widgets {
-
-template <class Slot>
-QAction *ScopeTools::make(
-    const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
-{
-    auto *action = new QAction(text, this);
-    action->setShortcut(keys);
-    if (!says.isEmpty())
-        action->setToolTip(says);
-    m_window.addAction(action);
-    connect(action, &QAction::triggered, &m_scope, slot);
-    return action;
-}
 
 ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &window)
     : QObject(&window)

@@ -2,12 +2,12 @@
 // and bar. The window places them; what they do is the scope's own.
 #pragma once
 
+#include "widgets/scope/scope_view.h"
+
 #include <QAction>
-#include <QObject>
 
 namespace widgets {
 
-class ScopeView;
 class TriggerControl;
 
 class ScopeTools : public QObject {
@@ -20,10 +20,20 @@ public:
     /// For a menu, in groups.
     QList<QList<QAction *>> groups() const { return m_groups; }
 
-private:
+    /// A further one. @param slot  of the scope
     template <class Slot>
-    QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot);
+    QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
+    {
+        auto *action = new QAction(text, this);
+        action->setShortcut(keys);
+        if (!says.isEmpty())
+            action->setToolTip(says);
+        m_window.addAction(action);
+        connect(action, &QAction::triggered, &m_scope, slot);
+        return action;
+    }
 
+private:
     void makeTrigger(TriggerControl &trigger);
 
     ScopeView &m_scope;

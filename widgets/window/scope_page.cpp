@@ -86,9 +86,9 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
 {
     ScopeView &scope = parts.scope;
     Workbench &workbench = parts.workbench;
+    m_tools = new ScopeTools(scope, parts.trigger, parts.window);
     makeActions();
     makeSetPoints();
-    m_tools = new ScopeTools(scope, parts.trigger, parts.window);
     auto *layout = bare(new QVBoxLayout(this), 0);
     layout->addWidget(m_bar = makeBar());
     layout->addWidget(parts.record.line());
@@ -118,36 +118,25 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     scope.setMinimumSize(kLeastWidth, 160);
 }
 
-template <class Slot>
-QAction *ScopePage::make(
-    const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
-{
-    auto *action = new QAction(text, this);
-    action->setShortcut(keys);
-    action->setToolTip(says);
-    m_parts.window.addAction(action);
-    connect(action, &QAction::triggered, &m_parts.scope, slot);
-    return action;
-}
-
 void ScopePage::makeActions()
 {
     ScopeView &scope = m_parts.scope;
-    m_run = make(tr("Run", "the scope's picture moves"), Qt::Key_Space,
+    m_run = m_tools->make(tr("Run", "the scope's picture moves"), Qt::Key_Space,
         tr("Lets the picture run or holds it; recording goes on (Space)"), &ScopeView::setRunning);
     m_run->setObjectName(QStringLiteral("scopeRun"));
     m_run->setCheckable(true);
-    m_follow = make(tr("Follow"), Qt::Key_End, tr("Keeps the newest samples in view (End)"),
-        [&scope](bool on) { scope.time().setFollowing(on); });
+    m_follow =
+        m_tools->make(tr("Follow"), Qt::Key_End, tr("Keeps the newest samples in view (End)"),
+            [&scope](bool on) { scope.time().setFollowing(on); });
     m_follow->setCheckable(true);
     m_follow->setChecked(scope.time().following());
-    m_fit = make(
+    m_fit = m_tools->make(
         tr("Fit", "show all samples"), Qt::Key_F, tr("Shows everything (F)"), &ScopeView::fitAll);
-    m_fitValues = make(tr("Fit values"), Qt::SHIFT | Qt::Key_F,
+    m_fitValues = m_tools->make(tr("Fit values"), Qt::SHIFT | Qt::Key_F,
         tr("Fits the value axes only (Shift+F)"), &ScopeView::fitValues);
-    m_zoomIn = make(tr("Zoom in"), Qt::Key_Plus, tr("Shows half the time (+)"),
+    m_zoomIn = m_tools->make(tr("Zoom in"), Qt::Key_Plus, tr("Shows half the time (+)"),
         [&scope] { scope.time().zoom(2.0); });
-    m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, tr("Shows twice the time (\u2212)"),
+    m_zoomOut = m_tools->make(tr("Zoom out"), Qt::Key_Minus, tr("Shows twice the time (\u2212)"),
         [&scope] { scope.time().zoom(0.5); });
     const std::pair<QAction *, const char *> icons[] = {{m_follow, "follow"}, {m_fit, "fit"},
         {m_fitValues, "fit-values"}, {m_zoomIn, "zoom-in"}, {m_zoomOut, "zoom-out"},

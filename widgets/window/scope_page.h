@@ -47,8 +47,6 @@ protected:
 
 private:
     void makeActions();
-    template <class Slot>
-    QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot);
     QWidget *makeBar();
     void showCursorsIn(QVBoxLayout &layout);
     QString sourceText() const;
