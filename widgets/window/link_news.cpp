@@ -46,8 +46,6 @@ void LinkNews::linkChanged()
     follow();
 }
 
-void LinkNews::identityChanged() { follow(); }
-
 void LinkNews::armedChanged(bool armed)
 {
     if (armed)

@@ -27,7 +27,7 @@ public Q_SLOTS:
     void say(widgets::Banner::Kind kind, const QString &sentence);
     void warn(const QString &sentence);
     void linkChanged();
-    void identityChanged();
+    void follow(); ///< what else is known of the link or the board has changed
     void armedChanged(bool armed); ///< a reset is known then
     void portChanged(); ///< what was done before a connection is no news beside what comes now
 
@@ -45,7 +45,6 @@ private:
     };
     Message message() const;
     bool alive() const;
-    void follow();
 
     const Device &m_device;
     std::function<bool()> m_connecting;

@@ -384,7 +384,7 @@ void MainWindow::connectParts()
     });
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::armedStateChanged, m_news, &LinkNews::armedChanged);
-    connect(&m_device, &Device::identityChanged, m_news, &LinkNews::identityChanged);
+    connect(&m_device, &Device::identityChanged, m_news, &LinkNews::follow);
     connect(&m_workbench.signalPlan(), &SignalPlan::changed, this, &MainWindow::updateFrame);
     connect(&m_workbench.signalPlan(), &SignalPlan::forgot, m_control, [this] {
         if (m_workbench.signalPlan().showsFile())

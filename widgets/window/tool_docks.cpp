@@ -167,13 +167,8 @@ void ToolDocks::closeAll()
 
 Form *ToolDocks::formOf(Tool &tool)
 {
-    if (!tool.form)
-        fill(tool);
-    return tool.form;
-}
-
-void ToolDocks::fill(Tool &tool)
-{
+    if (tool.form)
+        return tool.form;
     auto *content = new QWidget(tool.dock);
     auto *scroll = new QScrollArea(content);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -214,6 +209,7 @@ void ToolDocks::fill(Tool &tool)
             form->refresh(now);
     });
     connect(form, &Form::failed, this, &ToolDocks::failed);
+    return form;
 }
 
 void ToolDocks::makeOpen()
@@ -235,7 +231,7 @@ void ToolDocks::makeInTurns()
         m_tools.begin(), m_tools.end(), [](const Tool &tool) { return tool.form == nullptr; });
     if (next == m_tools.end())
         return;
-    fill(*next);
+    formOf(*next);
     QTimer::singleShot(0, this, &ToolDocks::makeInTurns);
 }
 

@@ -58,8 +58,7 @@ private:
         std::function<Form *()> make;
         Form *form = nullptr; ///< until it is made
     };
-    Form *formOf(Tool &tool);
-    void fill(Tool &tool);
+    Form *formOf(Tool &tool); ///< makes it, the first time
     void open(std::size_t index);
     bool fits(const QDockWidget &dock) const;
     void floatBelow(Tool &tool);
