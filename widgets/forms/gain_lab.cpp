@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/si_text.h"
@@ -395,9 +396,7 @@ void GainLab::showFindings()
     if (lines.isEmpty() && m_plan.gains.empty())
         lines.append(QStringLiteral("\u26a0 ") + obstacle());
 
-    QFont font = this->font();
-    font.setBold(m_plan.blocked());
-    m_findings->setFont(font);
+    m_findings->setFont(m_plan.blocked() ? inBold(font()) : font());
     m_findings->say(lines.join(QLatin1Char('\n')));
 }
 

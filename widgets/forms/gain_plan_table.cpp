@@ -77,9 +77,7 @@ void GainPlanTable::showPlan(const motor::GainPlan &plan, const motor::PerGain<H
             cell->setText(text);
             cell->setTextAlignment(
                 (column == NameColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            QFont bold = font();
-            bold.setBold(strong);
-            cell->setFont(bold);
+            cell->setFont(strong ? inBold(font()) : font());
         };
         const HeldGain &held = board[i];
         const motor::PlannedGain *gain = plan.find(id);

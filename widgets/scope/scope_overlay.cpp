@@ -1,5 +1,6 @@
 #include "widgets/scope/scope_overlay.h"
 
+#include "widgets/base/look/bold.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/cursors.h"
@@ -192,10 +193,9 @@ void ScopeOverlay::paintPair(QPainter &painter, const CursorPair &pair, bool cur
 void ScopeOverlay::paintFlag(
     QPainter &painter, double x, const QString &text, bool strong, bool active) const
 {
-    QFont bold = font();
-    bold.setBold(strong);
-    painter.setFont(bold);
-    const QFontMetricsF metrics(bold);
+    const QFont letters = strong ? inBold(font()) : font();
+    painter.setFont(letters);
+    const QFontMetricsF metrics(letters);
     const double width = metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;
     const QRect box = area();
     // Inside the picture, on the line's right side where there is room.
