@@ -94,10 +94,6 @@ void Device::stop()
     armedChanged(false);
 }
 
-void Device::forgetStop() { Q_EMIT forgetStopWished(); }
-
-void Device::setStopsWanted(const QStringList &ports) { Q_EMIT stopsWanted(ports); }
-
 void Device::setArmed(bool armed)
 {
     if (armed && !answering())

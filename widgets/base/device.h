@@ -71,8 +71,6 @@ public Q_SLOTS:
     /// Every motor, ahead of everything; also disarms at once. Without an open port it is kept for one that is being
     /// opened, or opened again; where there is none nothing can carry it.
     void stop();
-    void forgetStop(); ///< the user takes back the stops that are still wanted somewhere
-    void setStopsWanted(const QStringList &ports); ///< which cannot be carried out now
     void setArmed(bool armed);
     void setMotor(int motor);
     void setUserLimits(const drive::UserLimits &limits); ///< ignored if they bound nothing sensibly
@@ -92,7 +90,7 @@ Q_SIGNALS:
     void wishMade(const drive::Wish &wish);
     void stopWished();
     void stopImpossible(); ///< no port is open: nothing can carry a stop now
-    void forgetStopWished();
+    void forgetStopWished(); ///< the user takes back the stops that are still wanted somewhere
     void armWished(bool armed, std::optional<TimePoint> madeAt);
     void held(int motor); ///< what moves it is held now; again and again, for as long as it is
     void released();

@@ -447,7 +447,7 @@ void MainWindow::connectAlarm()
         if (!m_leaving->underWay())
             m_alarm->showWanted(ports);
     });
-    connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStop);
+    connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStopWished);
     connect(&m_device, &Device::stopImpossible, this, [this] {
         if (m_news->tellsLoss() && m_leaving->mayTurn() && !m_alarm->isVisible()
             && !m_leaving->underWay())

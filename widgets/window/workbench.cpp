@@ -90,7 +90,7 @@ void Workbench::connectSession()
             QMetaObject::invokeMethod(session, &Session::stop, Qt::QueuedConnection);
     });
     connect(&m_device, &Device::forgetStopWished, session, &Session::forgetStop);
-    connect(session, &Session::stopsWanted, &m_device, &Device::setStopsWanted);
+    connect(session, &Session::stopsWanted, &m_device, &Device::stopsWanted);
     // A frozen window must not seem to hold anything: no queued calls.
     connect(&m_device, &Device::held, this,
         [session](int motor) { session->holdFromAnyThread(motor); });

@@ -174,7 +174,7 @@ private Q_SLOTS:
     {
         QSignalSpy forgotten(&device(), &widgets::Device::forgetStopWished);
         auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
-        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        Q_EMIT device().stopsWanted({QStringLiteral("/dev/ttyACM0")});
         QVERIFY(alarm->isVisible());
         QVERIFY(textOf(*alarm).contains(QStringLiteral("/dev/ttyACM0")));
         QVERIFY(allTextFits(*alarm));
@@ -182,19 +182,19 @@ private Q_SLOTS:
         QVERIFY(takeBack->isVisible());
         alarm->reject(); // takes nothing back
         QCOMPARE(forgotten.size(), 0);
-        device().setStopsWanted({});
+        Q_EMIT device().stopsWanted({});
         QVERIFY(!alarm->isVisible()); // the port is back: the stop goes on, with its own words
-        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        Q_EMIT device().stopsWanted({QStringLiteral("/dev/ttyACM0")});
         QVERIFY(alarm->isVisible()); // and gone again
-        device().setStopsWanted({});
+        Q_EMIT device().stopsWanted({});
         QVERIFY(textOf(*alarm).contains(QStringLiteral("open again")));
         QVERIFY(!takeBack->isVisible());
-        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        Q_EMIT device().stopsWanted({QStringLiteral("/dev/ttyACM0")});
         takeBack->click();
         QCOMPARE(forgotten.size(), 1);
         QVERIFY(!alarm->isVisible());
         facts::feed(device(), {drive::StopProgress{1, drive::StopWord::NotConfirmed, {}}});
-        device().setStopsWanted({});
+        Q_EMIT device().stopsWanted({});
         QVERIFY(!takeBack->isVisible()); // nothing of another port can be taken back here
     }
 
@@ -208,9 +208,10 @@ private Q_SLOTS:
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1 was told to stop")));
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 2 was told to stop")));
         QVERIFY(allTextFits(*alarm));
-        device().setStopsWanted({QStringLiteral("/dev/ttyACM0"), QStringLiteral("/dev/ttyACM1")});
+        Q_EMIT device().stopsWanted(
+            {QStringLiteral("/dev/ttyACM0"), QStringLiteral("/dev/ttyACM1")});
         QVERIFY(allTextFits(*alarm)); // it grows with its text
-        device().setStopsWanted({});
+        Q_EMIT device().stopsWanted({});
         facts::feed(device(),
             {drive::StopProgress{1, StopWord::DriveIdle, {}},
                 drive::StopProgress{1, StopWord::Standstill, {}}});
