@@ -84,8 +84,6 @@ void Device::open(const session::Endpoint &endpoint)
     Q_EMIT openWished(endpoint);
 }
 
-void Device::close() { Q_EMIT closeWished(); }
-
 void Device::stop()
 {
     if (!portOpen())

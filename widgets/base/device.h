@@ -67,7 +67,7 @@ public:
 
 public Q_SLOTS:
     void open(const session::Endpoint &endpoint);
-    void close();
+    void close() { Q_EMIT closeWished(); }
     /// Every motor, ahead of everything; also disarms at once. Without an open port it is kept for one that is being
     /// opened, or opened again; where there is none nothing can carry it.
     void stop();

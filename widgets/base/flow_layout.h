@@ -14,7 +14,7 @@ public:
     /// So many of the last ones stay together, at the right end of their line.
     void setTrailing(int count) { m_trailing = count; }
 
-    void addItem(QLayoutItem *item) override;
+    void addItem(QLayoutItem *item) override { m_items.append(item); }
     int count() const override { return static_cast<int>(m_items.size()); }
     QLayoutItem *itemAt(int index) const override { return m_items.value(index); }
     QLayoutItem *takeAt(int index) override;

@@ -16,8 +16,6 @@ bool acts(const drive::Wish &wish)
 
 } // namespace
 
-void RestEvidence::opened() { *this = {}; }
-
 void RestEvidence::armed()
 {
     m_moved = true;

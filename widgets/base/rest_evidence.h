@@ -14,7 +14,7 @@ class RestEvidence {
 public:
     static constexpr Duration kFresh = std::chrono::milliseconds(500);
 
-    void opened(); ///< a connection begins
+    void opened() { *this = {}; } ///< a connection begins
     void armed(); ///< what is asked for from now on can move a motor
     void asked(const drive::Wish &wish);
     void ended(const drive::Ended &ended);

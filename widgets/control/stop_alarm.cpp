@@ -185,8 +185,6 @@ void StopAlarm::take(const drive::StopProgress &progress)
         showDetail(detail());
 }
 
-QString StopAlarm::detail() const { return detail(m_motors); }
-
 QString StopAlarm::detail(const Words &motors) const
 {
     QStringList parts;

@@ -40,7 +40,7 @@ private:
     void showHeadline();
     void showDetail(const QString &text);
     void place();
-    QString detail() const;
+    QString detail() const { return detail(m_motors); }
     QString detail(const Words &motors) const;
     static QString ofMotors(const Words &motors);
     QString ofPorts() const;

@@ -112,8 +112,6 @@ void GainsForm::refresh(Milliseconds)
     m_lab->refreshPresent();
 }
 
-QWidget *GainsForm::footer() const { return m_footer; }
-
 QSize GainsForm::sizeHint() const
 {
     const int tabs = m_pages->tabBar()->sizeHint().height() + layout()->spacing();

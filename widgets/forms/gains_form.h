@@ -26,7 +26,7 @@ public:
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
-    QWidget *footer() const override;
+    QWidget *footer() const override { return m_footer; }
     void focusFirst() override;
     QSize sizeHint()
         const override; ///< as high as the page that is seen needs, not as the higher of the two

@@ -235,8 +235,6 @@ int MotorModel::rowCount(const QModelIndex &parent) const
     return static_cast<int>(m_groups[static_cast<std::size_t>(parent.row())].rows.size());
 }
 
-int MotorModel::columnCount(const QModelIndex &) const { return ColumnCount; }
-
 const MotorModel::Row *MotorModel::rowAt(const QModelIndex &index) const
 {
     if (!index.isValid() || index.internalId() == kGroup)

@@ -158,8 +158,6 @@ QWidget *RampForm::makeProgress()
     return box;
 }
 
-QWidget *RampForm::footer() const { return m_footer; }
-
 void RampForm::focusFirst()
 {
     SetpointEdit *edit = m_looked->first();

@@ -29,7 +29,7 @@ public:
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
-    QWidget *footer() const override;
+    QWidget *footer() const override { return m_footer; }
     void focusFirst() override;
 
 public Q_SLOTS:

@@ -365,8 +365,6 @@ void RevUpForm::refresh(Milliseconds)
         Q_EMIT watchedRegistersChanged();
 }
 
-QWidget *RevUpForm::footer() const { return m_footer; }
-
 void RevUpForm::focusFirst()
 {
     if (!m_table->currentIndex().isValid() && m_model->rowCount() > 0)

@@ -47,7 +47,7 @@ public:
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     ~RevUpForm() override;
     void refresh(Milliseconds now) override;
-    QWidget *footer() const override;
+    QWidget *footer() const override { return m_footer; }
     void focusFirst() override;
     /// What is known of motors by now; what is typed here goes before it.
     void setInertias(const Inertias &inertias);

@@ -159,8 +159,6 @@ QString RevUpModel::unavailable() const
     return m_stages.empty() ? tr("The stages have not been read yet.") : QString();
 }
 
-bool RevUpModel::editable() const { return m_editable; }
-
 motor::RevUpBounds RevUpModel::bounds() const
 {
     double amps = m_facts.limits.maxCurrent_a;

@@ -44,7 +44,7 @@ public:
     /// Five, or none; as the user wants them.
     const motor::RevUp &stages() const { return m_stages; }
     int used() const { return static_cast<int>(motor::usedStages(m_stages)); }
-    bool editable() const;
+    bool editable() const { return m_editable; }
     motor::RevUpBounds bounds() const;
     /// What one digit of the register's current is worth on screen: A, or 1 where it is shown as it is.
     double shownPerDigit() const;

@@ -132,8 +132,6 @@ void RegisterEdits::redo()
         begin(Verb::Redo, stepWrites(Verb::Redo));
 }
 
-void RegisterEdits::revert() { m_model.forgetEdits(); }
-
 /// What takes a step back, in the opposite order, or writes it again.
 std::vector<drive::RegisterWrite> RegisterEdits::stepWrites(Verb verb) const
 {

@@ -64,7 +64,7 @@ public Q_SLOTS:
     void apply();
     void undo();
     void redo();
-    void revert();
+    void revert() { m_model.forgetEdits(); }
     void confirm();
     void decline();
 

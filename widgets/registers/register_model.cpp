@@ -268,8 +268,6 @@ int RegisterModel::rowCount(const QModelIndex &parentIndex) const
     return static_cast<int>(m_groups[static_cast<std::size_t>(parentIndex.row())].rows.size());
 }
 
-int RegisterModel::columnCount(const QModelIndex &) const { return ColumnCount; }
-
 const RegisterModel::Row *RegisterModel::rowAt(const QModelIndex &index) const
 {
     if (!index.isValid() || index.internalId() == 0)

@@ -155,8 +155,6 @@ void ScopeOverview::mouseMoveEvent(QMouseEvent *event)
     update();
 }
 
-void ScopeOverview::mouseReleaseEvent(QMouseEvent *) { m_held = Part::None; }
-
 void ScopeOverview::keyPressEvent(QKeyEvent *event)
 {
     switch (event->key()) {

@@ -166,8 +166,6 @@ int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf
 
 QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
 
-bool ScopeView::running() const { return m_running; }
-
 bool ScopeView::gridVisible() const { return m_stack->grid(); }
 
 void ScopeView::setStale(const QString &why)
@@ -244,8 +242,6 @@ void ScopeView::beat(bool waits)
     if (m_stack->beat(waits))
         redraw();
 }
-
-void ScopeView::setCalm(bool calm) { m_calm = calm; }
 
 void ScopeView::redraw() { drawWithin(kFrameMs); }
 

@@ -54,7 +54,8 @@ public:
     QColor colorOf(capture::ChannelId channel) const;
     using TimeRange = TimeWindow::Range;
     TimeRange visibleRange() const { return m_time->range(); }
-    bool running() const; ///< false: the picture stands still, recording goes on
+    /// False: the picture stands still, recording goes on.
+    bool running() const { return m_running; }
     bool gridVisible() const;
     /// Hatches the plots and says why what they show is not live; empty ends that.
     void setStale(const QString &why);
@@ -96,7 +97,8 @@ public Q_SLOTS:
     captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz, 15 Hz while calm)
     /// Five times a second. @param waits  for samples: a trace without new ones is told as such
     void beat(bool waits);
-    void setCalm(bool calm); ///< nothing is driven: new samples need not be drawn so often
+    /// Nothing is driven: new samples need not be drawn so often.
+    void setCalm(bool calm) { m_calm = calm; }
     void setRunning(bool running);
     void fitAll(); ///< F
     void fitValues(); ///< Shift+F

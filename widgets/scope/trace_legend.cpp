@@ -84,8 +84,6 @@ std::vector<TraceLegend::Entry> TraceLegend::entries() const
     return all;
 }
 
-void TraceLegend::setNote(const QString &note) { m_note = note; }
-
 int TraceLegend::height() const
 {
     const auto all = entries();

@@ -11,7 +11,7 @@ class TraceLegend : public QCPLayerable {
 public:
     TraceLegend(const ScopePlot &plot, const capture::Capture &capture);
 
-    void setNote(const QString &note); ///< at the right end of the first line
+    void setNote(const QString &note) { m_note = note; } ///< at the right end of the first line
     int height() const; ///< pixels that its lines need above a plot as wide as this one is now
 
     /// The channel whose entry is at `position` of the plot widget.

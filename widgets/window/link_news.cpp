@@ -23,8 +23,6 @@ void LinkNews::say(Banner::Kind kind, const QString &sentence)
     m_banner.say(kind, sentence);
 }
 
-void LinkNews::warn(const QString &sentence) { say(Banner::Kind::Warning, sentence); }
-
 void LinkNews::portChanged()
 {
     if (m_device.portOpen() && m_told == Told::Done) {

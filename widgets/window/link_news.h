@@ -25,7 +25,7 @@ public:
 
 public Q_SLOTS:
     void say(widgets::Banner::Kind kind, const QString &sentence);
-    void warn(const QString &sentence);
+    void warn(const QString &sentence) { say(Banner::Kind::Warning, sentence); }
     void linkChanged();
     void follow(); ///< what else is known of the link or the board has changed
     void armedChanged(bool armed); ///< a reset is known then

@@ -126,8 +126,6 @@ void EventLog::setText(quint32 id, const QString &text)
     Q_EMIT dataChanged(cell, cell);
 }
 
-void EventLog::clear() { setEvents({}); }
-
 void EventLog::setEvents(std::vector<ScopeEvent> events)
 {
     std::erase_if(events, [](const ScopeEvent &event) { return !std::isfinite(event.seconds); });

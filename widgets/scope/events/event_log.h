@@ -50,7 +50,7 @@ public:
     /// first kMostMarkers. Their ids are given here, their order is that of time.
     void setEvents(std::vector<ScopeEvent> events);
     void setText(quint32 id, const QString &text);
-    void clear(); ///< markers, too: another recording is shown
+    void clear() { setEvents({}); } ///< markers, too: another recording is shown
     bool removeMarker(quint32 id); ///< false if there is no such marker
     QString freeMarkerName() const;
     void setTimeOrigin(double seconds); ///< what the time column calls zero

@@ -293,8 +293,6 @@ void SignalPlan::boardChanged()
     replan();
 }
 
-void SignalPlan::replanSoon() { m_soon.start(); }
-
 void SignalPlan::refresh(Milliseconds now)
 {
     const bool missing = m_brokenOff > 0 || m_streamStale;

@@ -70,7 +70,7 @@ private:
     std::string nameOf(catalog::RegisterId id) const;
     void resolveNames();
     void replan(); ///< now
-    void replanSoon();
+    void replanSoon() { m_soon.start(); }
     void sendStream();
     bool doubted() const;
     void tellWhatDoesNotFit(const ChannelPlan &before);

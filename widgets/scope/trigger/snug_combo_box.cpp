@@ -20,8 +20,6 @@ SnugComboBox::SnugComboBox(int most, QWidget *parent)
     connect(this, &QComboBox::currentTextChanged, this, &SnugComboBox::updateGeometry);
 }
 
-QSize SnugComboBox::sizeHint() const { return sizeFor(m_most); }
-
 QSize SnugComboBox::minimumSizeHint() const { return sizeFor(std::min(m_most, kStillRead)); }
 
 QSize SnugComboBox::sizeFor(int most) const

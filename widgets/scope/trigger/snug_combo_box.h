@@ -12,7 +12,7 @@ public:
     /// @param most  characters it shows at most; the rest is cut
     explicit SnugComboBox(int most, QWidget *parent = nullptr);
 
-    QSize sizeHint() const override;
+    QSize sizeHint() const override { return sizeFor(m_most); }
     QSize minimumSizeHint() const override;
     void showPopup() override;
 

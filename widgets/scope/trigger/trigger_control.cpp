@@ -55,8 +55,6 @@ TriggerControl::TriggerControl(
     findSource();
 }
 
-const scope::Record *TriggerControl::shown() const { return m_shown ? &*m_shown : nullptr; }
-
 double TriggerControl::rollSpan() const
 {
     return m_trigger.triggered() ? m_rollSpan : m_scope.visibleRange().span();
@@ -112,11 +110,6 @@ void TriggerControl::setMode(scope::Mode mode)
     m_scope.setRunning(true);
     markPicture();
     Q_EMIT changed();
-}
-
-void TriggerControl::single()
-{
-    setMode(scope::Mode::Single); // arms anew, if it was single already
 }
 
 void TriggerControl::runningChanged(bool running)

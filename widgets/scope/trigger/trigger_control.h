@@ -22,12 +22,13 @@ public:
     const Trigger &trigger() const { return m_trigger; }
     double rollSpan() const; ///< seconds; what the picture shows, or will when it rolls again
     /// The record in the picture; nullptr if there is none.
-    const scope::Record *shown() const;
+    const scope::Record *shown() const { return m_shown ? &*m_shown : nullptr; }
 
 public Q_SLOTS:
     void setSetup(const widgets::TriggerSetup &setup);
     void setMode(scope::Mode mode); ///< also lets the picture run
-    void single(); ///< S: one record, then stop
+    /// S: one record, then stop. Arms anew if it was single already.
+    void single() { setMode(scope::Mode::Single); }
     void showRecord(scope::RecordId id); ///< stops the picture
     void step(int records); ///< to an earlier (< 0) or later record of the history
     void setPersistence(int records); ///< so many earlier ones stay behind the newest; 0: none
