@@ -1,5 +1,7 @@
 #include "widgets/base/confirmation.h"
 
+#include "widgets/base/look/named.h"
+
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -81,9 +83,7 @@ QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
     auto *label =
         new QLabel(ConfirmationText::tr("Type \"%1\" to continue:", "a word").arg(word), box);
     label->setTextFormat(Qt::PlainText);
-    auto *edit = new QLineEdit(box);
-    edit->setObjectName(QStringLiteral("confirmationTyped"));
-    edit->setAccessibleName(label->text());
+    auto *edit = named(new QLineEdit(box), "confirmationTyped", label->text());
     label->setBuddy(edit);
     yes->setEnabled(false);
     QObject::connect(edit, &QLineEdit::textChanged, yes,
@@ -97,9 +97,9 @@ QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
 QDialog *askToConfirm(
     QWidget *parent, const Confirmation &question, std::function<void(bool yes)> answer)
 {
-    auto *box = new QMessageBox(
-        QMessageBox::Warning, question.title, question.text, QMessageBox::NoButton, parent);
-    box->setObjectName(QLatin1String(question.objectName));
+    auto *box = named(new QMessageBox(QMessageBox::Warning, question.title, question.text,
+                          QMessageBox::NoButton, parent),
+        question.objectName);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
     box->setInformativeText(question.lines.join(QLatin1Char('\n')));
@@ -109,10 +109,8 @@ QDialog *askToConfirm(
     yes->setAutoDefault(false); // Enter does not press it, wherever the focus is
     box->setDefaultButton(cancel);
     box->setEscapeButton(cancel);
-    if (!question.offer.isEmpty()) {
-        box->setCheckBox(new QCheckBox(question.offer));
-        box->checkBox()->setObjectName(QStringLiteral("confirmationOffer"));
-    }
+    if (!question.offer.isEmpty())
+        box->setCheckBox(named(new QCheckBox(question.offer), "confirmationOffer"));
     if (question.picture != nullptr)
         addAboveButtons(box, {question.picture});
     QWidget *first = cancel;

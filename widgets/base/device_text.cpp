@@ -1,5 +1,7 @@
 #include "widgets/base/device_text.h"
 
+#include "widgets/base/look/named.h"
+
 #include <QFileInfo>
 #include <QLabel>
 #include <QTextDocument>
@@ -63,8 +65,7 @@ QString plainToolTip(const QString &text)
 
 QLabel *wrappedLabel(const char *objectName, QWidget *parent)
 {
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(objectName));
+    auto *label = named(new QLabel(parent), objectName);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     return label;

@@ -56,15 +56,14 @@ void GainNumber::setValue(std::optional<double> value)
 
 QString GainNumber::problem() const
 {
-    if (isEmpty())
-        return {};
-    const double number = m_set && text() == m_setText ? *m_set : 0.0;
-    if (m_set && text() == m_setText && number >= m_least && number <= m_greatest)
+    const auto fits = [this](double number) { return number >= m_least && number <= m_greatest; };
+    const auto number = value();
+    if (isEmpty() || (number && fits(*number)))
         return {};
     const auto read = readPlainNumber(text(), kLongest);
     if (!read)
         return setpointErrorText(read.error());
-    if (*read >= m_least && *read <= m_greatest)
+    if (fits(*read)) // rounded; the number that was set is outside
         return {};
     return tr("From %1 to %2 %3.", "number number unit")
         .arg(significantText(m_least), significantText(m_greatest), m_unit);

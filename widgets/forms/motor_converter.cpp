@@ -1,6 +1,7 @@
 #include "widgets/forms/motor_converter.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/si_text.h"
@@ -74,8 +75,7 @@ MotorConverter::MotorConverter(QWidget *parent)
 QWidget *MotorConverter::makeField(
     Field field, const char *name, const QString &label, const QString &unit, const QString &help)
 {
-    auto *edit = new QLineEdit(this);
-    edit->setObjectName(QLatin1String(name));
+    auto *edit = named(new QLineEdit(this), name);
     edit->setAlignment(Qt::AlignRight);
     edit->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.00000")));
     edit->setToolTip(plainToolTip(help));

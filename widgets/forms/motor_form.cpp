@@ -230,10 +230,7 @@ void MotorForm::showWarnings()
 
 void MotorForm::expandGroups()
 {
-    for (int row = 0; row < m_model.rowCount(); ++row) {
-        const QModelIndex group = m_model.index(row, 0);
-        m_tree->expand(group);
-    }
+    m_tree->expandAll();
     m_tree->setColumnHidden(MotorModel::FileColumn, !m_model.hasFile());
     m_tree->resizeColumnToContents(MotorModel::ValueColumn);
     m_tree->setColumnWidth(

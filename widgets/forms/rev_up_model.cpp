@@ -324,9 +324,8 @@ QString RevUpModel::toolTip(const QModelIndex &index) const
         lines.append(tr("Torque that the stage needs, and that its current gives."));
     else if (index.row() >= used())
         lines.append(tr("Not used: it takes no time. Give it a duration to use it."));
-    if (differs(index) && m_before.size() == m_stages.size()) {
-        const auto row = static_cast<std::size_t>(index.row());
-        const RevUpStage &held = m_before[row];
+    if (differs(index)) {
+        const RevUpStage &held = m_before[static_cast<std::size_t>(index.row())];
         lines.append(tr("The board holds %1\u202fms, %2\u202frpm, %3 digits.")
                          .arg(QString::number(held.duration_ms), QString::number(held.speed_rpm),
                              QString::number(digitsOf(held, m_facts.sixStep))));
@@ -373,14 +372,13 @@ QVariant RevUpModel::data(const QModelIndex &index, int role) const
         return marked(index) ? QApplication::style()->standardIcon(QStyle::SP_MessageBoxWarning)
                              : QVariant();
     case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
         return toolTip(index);
     case Qt::AccessibleTextRole:
         return tr("Stage %1, %2: %3", "a cell of the rev-up table, for a screen reader")
             .arg(QString::number(index.row() + 1),
                 headerData(index.column(), Qt::Horizontal, Qt::AccessibleTextRole).toString(),
                 shown(index.row(), index.column()));
-    case Qt::AccessibleDescriptionRole:
-        return toolTip(index);
     default:
         return {};
     }

@@ -116,8 +116,6 @@ void Workbench::connectSession()
     m_math.setPolled([this] { return m_signalPlan.planned().polled; });
     m_watchList.addDrawnSource([this] { return m_signalPlan.planned().polled; });
     connect(&m_signalPlan, &SignalPlan::changed, &m_watchList, &WatchList::changed);
-    connect(&m_device, &Device::readingsArrived, this,
-        [this](const std::vector<drive::Reading> &readings) { m_replay->take(readings.size()); });
 }
 
 void Workbench::advance()
@@ -143,6 +141,7 @@ void Workbench::connectModels()
     connect(&m_device, &Device::motorChanged, this, showBoard);
     connect(&m_device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) {
+            m_replay->take(readings.size());
             m_registers.take(readings, now());
             m_signalPlan.take(readings);
         });
