@@ -91,8 +91,7 @@ struct Word {
 template <class T, std::size_t N>
 const T *findWord(const Word<T> (&words)[N], std::string_view text)
 {
-    const auto at = std::find_if(
-        std::begin(words), std::end(words), [=](const Word<T> &one) { return one.text == text; });
+    const auto at = std::ranges::find(words, text, &Word<T>::text);
     return at == std::end(words) ? nullptr : &at->meaning;
 }
 
@@ -100,7 +99,7 @@ const T *findWord(const Word<T> (&words)[N], std::string_view text)
 template <class T, std::size_t N>
 constexpr std::string_view wordFor(const Word<T> (&words)[N], T meaning)
 {
-    const auto at = std::find_if(std::begin(words), std::prev(std::end(words)),
-        [=](const Word<T> &one) { return one.meaning == meaning; });
-    return at->text;
+    return std::ranges::find(
+        std::begin(words), std::prev(std::end(words)), meaning, &Word<T>::meaning)
+        ->text;
 }

@@ -24,7 +24,7 @@ bool fits(const SampleBlock &block, const StreamLayout &layout)
 {
     if (block.fast.size() != std::size_t(block.count) * layout.fast.size())
         return false;
-    return std::all_of(block.slow.begin(), block.slow.end(),
+    return std::ranges::all_of(block.slow,
         [&](const SlowGroup &group) { return group.values.size() == layout.slow.size(); });
 }
 } // namespace
@@ -68,7 +68,7 @@ Channel *Capture::channelFor(const StreamSignal &signal, Kind kind, std::span<Ch
         if (info.registerId == signal.id && info.kind == kind && info.unit == signal.unit
             && info.factor == signal.factor && info.offset == signal.offset
             && info.real == signal.real
-            && std::find(taken.begin(), taken.end(), entry->channel.get()) == taken.end()) {
+            && std::ranges::find(taken, entry->channel.get()) == taken.end()) {
             entry->touched = ++m_revision;
             return entry->channel.get();
         }
@@ -338,16 +338,16 @@ std::vector<ChannelInfo> Capture::channels() const
 const Channel *Capture::channel(ChannelId id) const
 {
     // Ids rise with the position.
-    const auto entry = std::lower_bound(m_entries.begin(), m_entries.end(), id,
-        [](const Entry &e, ChannelId wanted) { return e.channel->info().id < wanted; });
+    const auto entry = std::ranges::lower_bound(
+        m_entries, id, {}, [](const Entry &e) { return e.channel->info().id; });
     const bool there = entry != m_entries.end() && entry->channel->info().id == id;
     return there ? entry->channel.get() : nullptr;
 }
 
 Capture::Entry &Capture::entryOf(ChannelId id)
 {
-    return *std::find_if(m_entries.begin(), m_entries.end(),
-        [id](const Entry &entry) { return entry.channel->info().id == id; });
+    return *std::ranges::find_if(
+        m_entries, [id](const Entry &entry) { return entry.channel->info().id == id; });
 }
 
 Channel *Capture::mutableChannel(ChannelId id) { return const_cast<Channel *>(channel(id)); }

@@ -263,7 +263,7 @@ bool everySampleHasARow(const Snapshot &channels)
         for (Index i = channel.begin(); channel.info().kind != rows && i < channel.end(); ++i) {
             const Nanos from = channel.timeOf(i);
             const Nanos until = channel.holdUntil(i);
-            const bool shown = std::any_of(makers.begin(), makers.end(), [&](const Channel *maker) {
+            const bool shown = std::ranges::any_of(makers, [&](const Channel *maker) {
                 const Index row = maker->atOrAfter(from);
                 return row < maker->end() && maker->timeOf(row) < until;
             });

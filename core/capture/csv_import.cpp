@@ -85,16 +85,15 @@ std::pair<std::string, std::string> timeNameAndUnit(std::string_view heading)
 /// What separates the names: the most frequent of three outside quotes.
 char separatorOf(std::string_view heading)
 {
-    std::array<std::pair<std::size_t, char>, 3> counts{{{0, ','}, {0, ';'}, {0, '\t'}}};
+    using Count = std::pair<std::size_t, char>;
+    std::array counts{Count{0, ','}, Count{0, ';'}, Count{0, '\t'}};
     bool quoted = false;
     for (const char c : heading) {
         quoted ^= c == '"';
         for (auto &[count, separator] : counts)
             count += !quoted && c == separator;
     }
-    return std::max_element(counts.begin(), counts.end(), [](const auto &a, const auto &b) {
-        return a.first < b.first;
-    })->second;
+    return std::ranges::max_element(counts, {}, &Count::first)->second;
 }
 
 bool isUnknown(std::string_view field)
@@ -102,7 +101,7 @@ bool isUnknown(std::string_view field)
     if (field.empty())
         return true;
     constexpr std::array kWords{"nan", "NaN", "NAN", "-nan", "inf", "-inf", "Inf", "-Inf"};
-    return std::find(kWords.begin(), kWords.end(), field) != kWords.end();
+    return std::ranges::find(kWords, field) != kWords.end();
 }
 
 /// A plain decimal number of `unit` as nanoseconds, exactly; digits beyond the nanosecond are rounded.
@@ -253,7 +252,7 @@ bool CsvImport::takeHeading(std::string_view line)
     const auto looksLikeNumber = [](std::string_view field) {
         return numberIn<double>(trimmed(field)).has_value();
     };
-    if (std::all_of(m_fields.begin(), m_fields.end(), looksLikeNumber))
+    if (std::ranges::all_of(m_fields, looksLikeNumber))
         return fail(CsvError::What::NoHeading, 1, m_fields.front());
     if (m_fields.size() < 2)
         return fail(CsvError::What::NoSignals, 1, m_fields.front());
@@ -291,7 +290,7 @@ std::string_view CsvImport::withPoint(std::string_view field)
     if (m_separator == ',' || field.find(',') == std::string_view::npos)
         return field;
     m_scratch = field;
-    std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
+    std::ranges::replace(m_scratch, ',', '.');
     return m_scratch;
 }
 

@@ -286,15 +286,13 @@ std::size_t FastColumn::segmentOf(Index index) const
 {
     if (index < m_begin || index >= m_end)
         return m_segments.size();
-    const auto after = std::upper_bound(m_segments.begin(), m_segments.end(), index,
-        [](Index wanted, const Segment &segment) { return wanted < segment.first; });
+    const auto after = std::ranges::upper_bound(m_segments, index, {}, &Segment::first);
     return static_cast<std::size_t>(after - m_segments.begin()) - 1;
 }
 
 Index FastColumn::atOrAfter(Nanos time) const
 {
-    const auto after = std::upper_bound(m_segments.begin(), m_segments.end(), time,
-        [](Nanos wanted, const Segment &segment) { return wanted < segment.start(); });
+    const auto after = std::ranges::upper_bound(m_segments, time, {}, &Segment::start);
     if (after == m_segments.begin())
         return m_begin;
     return std::max(m_begin, std::prev(after)->atOrAfter(time));

@@ -49,8 +49,7 @@ Tick tickAt(const Snapshot &channels, Nanos time)
         if (channel.fast() == nullptr || channel.fast()->segments().empty())
             continue;
         const std::vector<Segment> &segments = channel.fast()->segments();
-        const auto after = std::upper_bound(segments.begin(), segments.end(), time,
-            [](Nanos at, const Segment &segment) { return at < segment.start(); });
+        const auto after = std::ranges::upper_bound(segments, time, {}, &Segment::start);
         const TickBase &base = (after == segments.begin() ? *after : *std::prev(after)).base;
         const auto ticks = static_cast<long double>(time - base.origin)
             * static_cast<long double>(base.milliHz) / TickBase::kNanosPerKilosecond;
@@ -94,7 +93,7 @@ void NpyWriter::findGaps()
     const auto &time = m_rows.time;
     for (const double at : found)
         if (!time.empty() && at > time.front() && at < time.back()
-            && !std::binary_search(time.begin(), time.end(), at))
+            && !std::ranges::binary_search(time, at))
             m_gaps.push_back(at);
 }
 
@@ -105,8 +104,8 @@ std::string NpyWriter::head() const
     for (const Channel &channel : *m_channels)
         text += ", (" + quoted(freeName(channel.info().name, taken)) + ", '<f8')";
     text += "], 'fortran_order': False, 'shape': (" + std::to_string(rows()) + ",)}";
-    const bool plain = text.size() < 60'000
-        && std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
+    const bool plain =
+        text.size() < 60'000 && std::ranges::all_of(text, [](char c) { return (c & 0x80) == 0; });
     const std::size_t width =
         plain ? 2 : 4; // of the length of what follows; version 3.0 is in UTF-8
     constexpr std::size_t kAligned = 64;

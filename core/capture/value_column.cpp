@@ -73,7 +73,7 @@ void ValueColumn::settle()
     const Nanos step = m_filledTimes[1] - m_filledTimes[0];
     const auto differs = [step](Nanos a, Nanos b) { return b - a != step; };
     const std::span<const Nanos> times(m_filledTimes, kChunkSamples);
-    const bool equal = std::adjacent_find(times.begin(), times.end(), differs) == times.end();
+    const bool equal = std::ranges::adjacent_find(times, differs) == times.end();
     settled.step = equal ? step : 0;
 
     std::array<ValueTable::Code, kChunkSamples> codes{};
@@ -147,8 +147,7 @@ std::size_t ValueColumn::runOf(Index index) const
 {
     if (index < m_begin || index >= m_end)
         return m_runs.size();
-    const auto after = std::upper_bound(m_runs.begin(), m_runs.end(), index,
-        [](Index wanted, const Run &run) { return wanted < run.first; });
+    const auto after = std::ranges::upper_bound(m_runs, index, {}, &Run::first);
     return static_cast<std::size_t>(after - m_runs.begin()) - 1;
 }
 

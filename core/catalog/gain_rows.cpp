@@ -42,7 +42,7 @@ std::span<const GainRow> gainRows()
 bool hasGain(const Catalog &catalog, GainKind kind)
 {
     for (const GainRow &row : gainRows())
-        if (std::any_of(row.gains.begin(), row.gains.end(), [&](const GainRegister &gain) {
+        if (std::ranges::any_of(row.gains, [&](const GainRegister &gain) {
                 return gain.name && gain.kind == kind && catalog.find(gain.name);
             }))
             return true;

@@ -19,8 +19,7 @@ std::string refuseMeaning(const RegisterInfo &info, std::int64_t number)
 {
     if (info.meaning == Meaning::Enumeration) {
         const auto names = namedValues(info.name);
-        const bool named = std::any_of(
-            names.begin(), names.end(), [&](const NamedValue &n) { return n.value == number; });
+        const bool named = std::ranges::find(names, number, &NamedValue::value) != names.end();
         return names.empty() || named ? "" : "is none of its values";
     }
     if (info.meaning == Meaning::Flags) {

@@ -95,8 +95,7 @@ std::vector<std::string> bitsIn(std::span<const NamedValue> names, std::uint32_t
         const std::int64_t mask = std::int64_t{1} << bit;
         if ((bits & mask) == 0)
             continue;
-        const auto named = std::find_if(
-            names.begin(), names.end(), [&](const auto &n) { return n.value == mask; });
+        const auto named = std::ranges::find(names, mask, &NamedValue::value);
         set.push_back(
             named == names.end() ? "bit " + std::to_string(bit) : std::string(named->name));
     }

@@ -27,7 +27,7 @@ std::optional<double> asNumber(const Value &value)
 Value onWire(const RegisterInfo &info, const Value &value)
 {
     const auto *number = std::get_if<std::int64_t>(&value);
-    const auto row = std::find_if(info.wire.begin(), info.wire.end(),
+    const auto row = std::ranges::find_if(info.wire,
         [&](const WireDigits &one) { return number != nullptr && one.number == *number; });
     return row == info.wire.end() ? value : Value(row->digits);
 }
@@ -37,8 +37,7 @@ std::optional<Value> fromWire(const RegisterInfo &info, const Value &value)
     const auto *digits = std::get_if<std::int64_t>(&value);
     if (info.wire.empty() || digits == nullptr)
         return value;
-    const auto row = std::find_if(info.wire.begin(), info.wire.end(),
-        [&](const WireDigits &one) { return one.digits == *digits; });
+    const auto row = std::ranges::find(info.wire, *digits, &WireDigits::digits);
     return row == info.wire.end() ? std::nullopt : std::optional(Value(row->number));
 }
 

@@ -26,8 +26,7 @@ bool tells(const Event &event, StopWord word)
 /// Whether this failure proves that a board of the row is there.
 bool isProof(const ProtocolRow &row, LinkReason reason)
 {
-    return reason != LinkReason::None
-        && std::find(row.proofs.begin(), row.proofs.end(), reason) != row.proofs.end();
+    return reason != LinkReason::None && std::ranges::find(row.proofs, reason) != row.proofs.end();
 }
 
 class AutoDrive final : public Drive {
@@ -224,7 +223,7 @@ std::size_t AutoDrive::takeNext()
 {
     const std::size_t which = m_plan.front();
     m_plan.pop_front();
-    m_hasty = std::find(m_plan.begin(), m_plan.end(), which) != m_plan.end();
+    m_hasty = std::ranges::find(m_plan, which) != m_plan.end();
     return which;
 }
 
@@ -343,9 +342,9 @@ void AutoDrive::sift(TimePoint now)
         if (!toldAlready)
             m_events.push_back(std::move(event));
     }
-    const bool proof = failed
-        && std::any_of(m_candidates.begin(), m_candidates.end(),
-            [&](const ProtocolRow *row) { return isProof(*row, *failed); });
+    const bool proof = failed && std::ranges::any_of(m_candidates, [&](const ProtocolRow *row) {
+        return isProof(*row, *failed);
+    });
     if (failed && (!m_turnEnds || proof))
         afterFailure(*failed, now);
 }
@@ -353,8 +352,8 @@ void AutoDrive::sift(TimePoint now)
 /// One that is led elsewhere twice in a round, by noise or by two boards, is proved nothing.
 void AutoDrive::takeProof(LinkReason reason)
 {
-    const auto proven = std::find_if(m_candidates.begin(), m_candidates.end(),
-        [&](const ProtocolRow *row) { return isProof(*row, reason); });
+    const auto proven = std::ranges::find_if(
+        m_candidates, [&](const ProtocolRow *row) { return isProof(*row, reason); });
     if (proven == m_candidates.end()) {
         if (m_proven == m_which)
             m_proven.reset(); // nothing proves it any more: the next round asks for all

@@ -95,8 +95,7 @@ struct BoardFacts {
     /// Why a feature is not there; empty if it is.
     std::string reasonAgainst(Feature feature) const
     {
-        const auto at = std::find_if(capabilities.begin(), capabilities.end(),
-            [&](const Capability &c) { return c.feature == feature; });
+        const auto at = std::ranges::find(capabilities, feature, &Capability::feature);
         return at == capabilities.end() || at->available ? std::string() : at->reason;
     }
 };

@@ -28,8 +28,7 @@ public:
     void restart(TimePoint now); ///< a new connection
     std::optional<TimePoint> due() const
     {
-        const auto first = std::min_element(m_entries.begin(), m_entries.end(),
-            [](const Entry &a, const Entry &b) { return a.due < b.due; });
+        const auto first = std::ranges::min_element(m_entries, {}, &Entry::due);
         return first == m_entries.end() ? std::nullopt : std::optional(first->due);
     }
 

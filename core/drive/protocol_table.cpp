@@ -55,8 +55,8 @@ std::span<const ProtocolRow> protocolTable()
 const ProtocolRow &rowOf(Protocol protocol)
 {
     const auto rows = protocolTable();
-    return *std::find_if(rows.begin(), rows.end(),
-        [&](const ProtocolRow &row) { return row.choice.protocol == protocol; });
+    return *std::ranges::find_if(
+        rows, [&](const ProtocolRow &row) { return row.choice.protocol == protocol; });
 }
 
 std::span<const ProtocolChoice> protocolChoices()

@@ -59,7 +59,7 @@ void RegisterWatch<P>::watch(const Watch &watch, TimePoint now)
 {
     m_registers.clear();
     for (const RegisterId id : watch.registers)
-        if (std::find(m_registers.begin(), m_registers.end(), id) == m_registers.end())
+        if (std::ranges::find(m_registers, id) == m_registers.end())
             m_registers.push_back(id);
     m_period = std::max<Duration>(watch.period, std::chrono::milliseconds(1));
     restart(now);

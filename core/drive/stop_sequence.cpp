@@ -54,16 +54,12 @@ void StopSequence::add(int motors, TimePoint now)
     }
 }
 
-bool StopSequence::allIdle() const
-{
-    return std::all_of(
-        m_motors.begin(), m_motors.end(), [](const Motor &motor) { return motor.idle; });
-}
+bool StopSequence::allIdle() const { return std::ranges::all_of(m_motors, &Motor::idle); }
 
 bool StopSequence::alarmed() const
 {
-    return std::any_of(m_motors.begin(), m_motors.end(),
-        [](const Motor &motor) { return motor.alarmed && !motor.idle; });
+    return std::ranges::any_of(
+        m_motors, [](const Motor &motor) { return motor.alarmed && !motor.idle; });
 }
 
 bool StopSequence::wantsStop(const Motor &motor, bool connected) const
@@ -85,8 +81,8 @@ std::optional<int> StopSequence::stopDue(TimePoint now, bool connected) const
 
 Duration StopSequence::turn() const
 {
-    const auto motors = std::count_if(
-        m_motors.begin(), m_motors.end(), [](const Motor &motor) { return !motor.idle; });
+    const auto motors =
+        std::ranges::count_if(m_motors, [](const Motor &motor) { return !motor.idle; });
     return std::max(kLeastTurn, kRepeat / std::max<std::int64_t>(motors, 1));
 }
 
@@ -166,16 +162,13 @@ std::optional<TimePoint> StopSequence::nextAlarm() const
 
 void StopSequence::endAtStandstill()
 {
-    if (m_count == Count::Exactly
-        && std::all_of(
-            m_motors.begin(), m_motors.end(), [](const Motor &m) { return m.standstill; }))
+    if (m_count == Count::Exactly && std::ranges::all_of(m_motors, &Motor::standstill))
         end();
 }
 
 StopSequence::Motor *StopSequence::find(int number)
 {
-    const auto at = std::find_if(m_motors.begin(), m_motors.end(),
-        [&](const Motor &motor) { return motor.number == number; });
+    const auto at = std::ranges::find(m_motors, number, &Motor::number);
     return at == m_motors.end() ? nullptr : &*at;
 }
 

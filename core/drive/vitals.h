@@ -98,8 +98,7 @@ void Vitals<P>::hurry(TimePoint now)
 template <class P>
 bool Vitals<P>::motorDriven() const
 {
-    return std::any_of(
-        m_latest.begin(), m_latest.end(), [](const auto &one) { return !isDriveIdle(one.second); });
+    return std::ranges::any_of(m_latest, [](const auto &one) { return !isDriveIdle(one.second); });
 }
 
 template <class P>
@@ -174,7 +173,7 @@ void Vitals<P>::publish(TimePoint now)
         m_latest[motor] = *status;
         m_news.push_back(std::move(*status));
     }
-    const bool underWay = std::any_of(m_latest.begin(), m_latest.end(), [](const auto &one) {
+    const bool underWay = std::ranges::any_of(m_latest, [](const auto &one) {
         const MotorState state = one.second.state;
         return state == MotorState::Starting || state == MotorState::Stopping;
     });

@@ -32,8 +32,7 @@ const RegisterInfo *gainAt(const catalog::Catalog &catalog, RegisterId id)
 std::vector<RegisterWrite>::const_iterator writeOf(
     const std::vector<RegisterWrite> &writes, RegisterId id)
 {
-    return std::find_if(
-        writes.begin(), writes.end(), [id](const RegisterWrite &write) { return write.id == id; });
+    return std::ranges::find(writes, id, &RegisterWrite::id);
 }
 
 /// The caution of a gain of which both halves are written while its motor runs.

@@ -140,8 +140,8 @@ void WriteTask<P>::supersede(const Write &newer)
         return;
     bool left = false;
     for (Item &item : m_items) {
-        const bool again = std::any_of(newer.writes.begin(), newer.writes.end(),
-            [&](const RegisterWrite &write) { return write.id == item.write.id; });
+        const bool again = std::ranges::any_of(
+            newer.writes, [&](const RegisterWrite &write) { return write.id == item.write.id; });
         if (again && replaceable(item))
             endItem(item, Outcome::NotSent, "replaced by a newer write");
         left = left || item.state != State::Done;

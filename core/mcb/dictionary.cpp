@@ -50,7 +50,7 @@ public:
     std::optional<TableError> readHead(const CsvRow &row)
     {
         for (std::size_t i = 0; i < kColumns; ++i) {
-            const auto found = std::find(row.fields.begin(), row.fields.end(), kColumnNames[i]);
+            const auto found = std::ranges::find(row.fields, kColumnNames[i]);
             if (found == row.fields.end())
                 return TableError{
                     row.line, "there is no column " + std::string(kColumnNames[i]) + '.'};
@@ -114,8 +114,7 @@ Result<std::vector<Entry>, TableError> readDictionary(std::string_view csv)
         auto entry = reader.readRow(row);
         if (!entry)
             return fail(entry.error());
-        const auto place = std::lower_bound(entries.begin(), entries.end(), entry->address,
-            [](const Entry &known, std::uint16_t address) { return known.address < address; });
+        const auto place = std::ranges::lower_bound(entries, entry->address, {}, &Entry::address);
         if (place != entries.end() && place->address == entry->address)
             return fail(TableError{row.line, "the address of an earlier row."});
         entries.insert(place, std::move(*entry));
@@ -135,8 +134,7 @@ const std::vector<Entry> &dictionary()
 const Entry *findEntry(std::uint16_t address)
 {
     const auto &entries = dictionary();
-    const auto place = std::lower_bound(entries.begin(), entries.end(), address,
-        [](const Entry &entry, std::uint16_t wanted) { return entry.address < wanted; });
+    const auto place = std::ranges::lower_bound(entries, address, {}, &Entry::address);
     return place != entries.end() && place->address == address ? &*place : nullptr;
 }
 

@@ -22,7 +22,7 @@ std::uint16_t wordAt(ByteView bytes, std::size_t index)
 
 bool allAre(ByteView bytes, std::uint8_t value)
 {
-    return std::all_of(bytes.begin(), bytes.end(), [value](auto byte) { return byte == value; });
+    return std::ranges::all_of(bytes, [value](auto byte) { return byte == value; });
 }
 
 } // namespace

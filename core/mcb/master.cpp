@@ -44,7 +44,7 @@ bool isOfConfigState(ByteView received)
     auto rest = received.subspan(kConfigFrameBytes);
     while (rest.size() >= idle.size() && std::equal(idle.begin(), idle.end(), rest.begin()))
         rest = rest.subspan(idle.size());
-    return std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; });
+    return std::ranges::all_of(rest, [](auto byte) { return byte == 0; });
 }
 
 } // namespace

@@ -53,7 +53,7 @@ void Master::onProbe(ByteView received, TimePoint now)
         return;
     const auto all = [&](std::uint8_t value) {
         return !received.empty()
-            && std::all_of(received.begin(), received.end(), [=](auto b) { return b == value; });
+            && std::ranges::all_of(received, [=](auto b) { return b == value; });
     };
     lose(received.empty() ? Cause::NoAnswer
             : all(0x00)   ? Cause::DeadLow

@@ -14,7 +14,7 @@ constexpr std::uint16_t kUsualBuffer = 2048;
 
 bool hasMotor(const std::vector<RegisterId> &ids)
 {
-    return std::all_of(ids.begin(), ids.end(), [](RegisterId id) { return id.motor() != 0; });
+    return std::ranges::all_of(ids, [](RegisterId id) { return id.motor() != 0; });
 }
 
 } // namespace

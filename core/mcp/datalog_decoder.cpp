@@ -142,8 +142,8 @@ void DatalogDecoder::expect(
 
 DatalogDecoder::Known *DatalogDecoder::find(std::uint8_t mark)
 {
-    const auto it = std::find_if(m_known.begin(), m_known.end(),
-        [mark](const Known &known) { return known.config.mark == mark; });
+    const auto it = std::ranges::find_if(
+        m_known, [mark](const Known &known) { return known.config.mark == mark; });
     return it == m_known.end() ? nullptr : &*it;
 }
 

@@ -11,7 +11,7 @@ constexpr float kFullScale = 32768.0F;
 /// Text of a field of fixed size: up to its first zero, or all of it if there is none.
 std::string boundedText(ByteView field)
 {
-    const auto end = std::find(field.begin(), field.end(), std::uint8_t{0});
+    const auto end = std::ranges::find(field, std::uint8_t{0});
     return {field.begin(), end};
 }
 

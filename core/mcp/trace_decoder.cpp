@@ -226,8 +226,8 @@ TraceItem TraceDecoder::async(ByteView payload)
         return item;
     if (m_pending && m_pending->mark == item.mark && !m_pending->stops())
         accept(*m_pending); // the packet overtook the response
-    const auto stream = std::find_if(m_streams.begin(), m_streams.end(),
-        [&item](const Stream &s) { return s.config.mark == item.mark; });
+    const auto stream = std::ranges::find_if(
+        m_streams, [&item](const Stream &s) { return s.config.mark == item.mark; });
     if (stream != m_streams.end())
         decodeSamples(item, *stream, payload);
     return item;

@@ -37,8 +37,7 @@ public:
             if (m_wish.damping > 0.0 && hasSpeedPlant())
                 planSpeed();
         }
-        std::stable_sort(m_plan.findings.begin(), m_plan.findings.end(),
-            [](const GainFinding &a, const GainFinding &b) { return a.warning < b.warning; });
+        std::ranges::stable_sort(m_plan.findings, {}, &GainFinding::warning);
         return std::move(m_plan);
     }
 
@@ -200,14 +199,13 @@ SpeedForecast forecastSpeed(
 
 bool GainPlan::blocked() const
 {
-    return std::any_of(findings.begin(), findings.end(),
-        [](const GainFinding &finding) { return blocks(finding.warning); });
+    return std::ranges::any_of(
+        findings, [](const GainFinding &finding) { return blocks(finding.warning); });
 }
 
 const PlannedGain *GainPlan::find(GainId id) const
 {
-    const auto found = std::find_if(
-        gains.begin(), gains.end(), [id](const PlannedGain &gain) { return gain.id == id; });
+    const auto found = std::ranges::find(gains, id, &PlannedGain::id);
     return found == gains.end() ? nullptr : &*found;
 }
 

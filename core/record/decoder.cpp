@@ -184,7 +184,7 @@ bool Decoder::isNews(const Entry &entry, bool repeated)
 bool Decoder::isDescribed(const PolledValues &values) const
 {
     return m_polled.size() == kMostRegisters
-        || std::all_of(values.values.begin(), values.values.end(),
+        || std::ranges::all_of(values.values,
             [this](const PolledValue &value) { return m_polled.contains(value.id); });
 }
 
@@ -200,7 +200,7 @@ bool Decoder::isDescribed(const capture::SampleBlock &block) const
         + static_cast<double>(block.count) * m_layout->fastStep;
     return std::abs(m_layout->originSeconds) < kFarthest_s
         && near(static_cast<double>(block.firstTick)) && near(end)
-        && std::all_of(block.slow.begin(), block.slow.end(),
+        && std::ranges::all_of(block.slow,
             [&](const capture::SlowGroup &g) { return near(static_cast<double>(g.tick)); })
         && block.fast.size() == std::size_t{block.count} * m_layout->fast.size()
         && (block.slow.empty() || block.slow.front().values.size() == m_layout->slow.size());

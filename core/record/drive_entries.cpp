@@ -139,9 +139,9 @@ Happening DriveEntries::identity() const
 /// Not if it is read for a wish only. Values that come unasked, as from a replay, are signals.
 bool DriveEntries::isSignal(RegisterId id) const
 {
-    return m_watched.contains(id)
-        || std::none_of(m_readOnce.begin(), m_readOnce.end(),
-            [id](const auto &wish) { return wish.second.contains(id); });
+    return m_watched.contains(id) || std::ranges::none_of(m_readOnce, [id](const auto &wish) {
+        return wish.second.contains(id);
+    });
 }
 
 std::vector<Entry> DriveEntries::readings(const drive::RegistersRead &read)

@@ -119,7 +119,7 @@ ByteWriter put(const StreamLayout &layout, Repeat repeat)
     for (const StreamSignal &signal : layout.slow)
         putSignal(out, signal);
     // Behind what older readers know, and only where it says something.
-    if (std::any_of(layout.slow.begin(), layout.slow.end(), [](const auto &s) { return s.real; }))
+    if (std::ranges::any_of(layout.slow, [](const auto &s) { return s.real; }))
         for (const StreamSignal &signal : layout.slow)
             out.u8(signal.real ? 1 : 0);
     return out;
@@ -389,7 +389,7 @@ bool isWhole(const SampleBlock &block)
         ? block.fast.empty()
         : block.fast.size() % block.count == 0 && block.fast.size() / block.count <= kMostSignals;
     return fast && slowCount <= kMostSignals
-        && std::all_of(block.slow.begin(), block.slow.end(),
+        && std::ranges::all_of(block.slow,
             [slowCount](const SlowGroup &group) { return group.values.size() == slowCount; });
 }
 

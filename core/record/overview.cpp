@@ -191,8 +191,8 @@ std::vector<Overview> OverviewMaker::take(std::size_t mostBytes)
         sum += bytesOf(overview);
     }
     while (sum > mostBytes) {
-        const auto largest = std::max_element(all.begin(), all.end(),
-            [](const Overview &a, const Overview &b) { return bytesOf(a) < bytesOf(b); });
+        const auto largest = std::ranges::max_element(
+            all, [](const Overview &a, const Overview &b) { return bytesOf(a) < bytesOf(b); });
         if (largest->bins() < 2 * kLeastBins)
             return {};
         sum -= bytesOf(*largest);

@@ -46,7 +46,7 @@ std::vector<std::string> wordsOf(const std::string &text)
 
 drive::MotorState stateOf(const std::string &word)
 {
-    const auto *known = std::find(kMotorStateWords.begin(), kMotorStateWords.end(), word);
+    const auto *known = std::ranges::find(kMotorStateWords, word);
     return known != kMotorStateWords.end()
         ? static_cast<drive::MotorState>(known - kMotorStateWords.begin())
         : drive::MotorState::Unknown;

@@ -126,8 +126,8 @@ public:
             m_sorted.clear();
         }
         if (const double *left = m_last.add(x[0]))
-            m_sorted.erase(std::lower_bound(m_sorted.begin(), m_sorted.end(), *left));
-        m_sorted.insert(std::upper_bound(m_sorted.begin(), m_sorted.end(), x[0]), x[0]);
+            m_sorted.erase(std::ranges::lower_bound(m_sorted, *left));
+        m_sorted.insert(std::ranges::upper_bound(m_sorted, x[0]), x[0]);
         const std::size_t half = m_sorted.size() / 2;
         return m_sorted.size() % 2 != 0 ? m_sorted[half]
                                         : (m_sorted[half - 1] + m_sorted[half]) / 2;
@@ -222,8 +222,7 @@ private:
 
 const ColumnFunctionInfo *columnFunction(std::string_view name)
 {
-    const auto *const found = std::find_if(kFunctions.begin(), kFunctions.end(),
-        [name](const ColumnFunctionInfo &one) { return one.name == name; });
+    const auto *const found = std::ranges::find(kFunctions, name, &ColumnFunctionInfo::name);
     return found != kFunctions.end() ? found : nullptr;
 }
 

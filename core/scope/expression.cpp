@@ -39,8 +39,7 @@ const std::array<Function, 16> kMathFunctions{{
 
 const Function *find(std::string_view name)
 {
-    const auto *const found = std::find_if(kMathFunctions.begin(), kMathFunctions.end(),
-        [name](const Function &one) { return one.name == name; });
+    const auto *const found = std::ranges::find(kMathFunctions, name, &Function::name);
     return found != kMathFunctions.end() ? found : nullptr;
 }
 

@@ -63,7 +63,7 @@ public:
         m_program->result.emplace(expression(all, 0));
         const auto unit = unitOf(*m_program->result, m_program->slots, m_units);
         m_program->unit = unit ? unit->text() : std::string();
-        std::sort(m_used.begin(), m_used.end());
+        std::ranges::sort(m_used);
         m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
         m_program->used = m_used;
         return Formula(std::move(m_program));
@@ -174,8 +174,7 @@ private:
 
     std::optional<std::size_t> channel(std::string_view name) const
     {
-        const auto found = std::find_if(m_names.begin(), m_names.end(),
-            [name](const FormulaName &one) { return one.name == name; });
+        const auto found = std::ranges::find(m_names, name, &FormulaName::name);
         if (found == m_names.end())
             return std::nullopt;
         return static_cast<std::size_t>(found - m_names.begin());

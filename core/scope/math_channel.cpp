@@ -114,7 +114,7 @@ bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, st
         return false;
     if (!m_clock) {
         // Until all have begun there is nothing to compute, and which is the fastest may not be known.
-        if (std::any_of(inputs.begin(), inputs.end(), [](const auto *in) { return in->empty(); }))
+        if (std::ranges::any_of(inputs, [](const auto *in) { return in->empty(); }))
             return false;
         chooseClock(inputs);
     }

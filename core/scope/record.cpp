@@ -11,14 +11,12 @@ RecordHistory::RecordHistory(std::size_t capacity)
 
 std::vector<Record>::iterator RecordHistory::position(RecordId id)
 {
-    return std::find_if(
-        m_records.begin(), m_records.end(), [id](const Record &one) { return one.id == id; });
+    return std::ranges::find(m_records, id, &Record::id);
 }
 
 const Record *RecordHistory::find(RecordId id) const
 {
-    const auto at = std::find_if(
-        m_records.begin(), m_records.end(), [id](const Record &one) { return one.id == id; });
+    const auto at = std::ranges::find(m_records, id, &Record::id);
     return at != m_records.end() ? &*at : nullptr;
 }
 
@@ -29,8 +27,8 @@ void RecordHistory::add(Record record)
         return;
     }
     if (m_records.size() >= m_capacity) {
-        const auto oldest = std::find_if(
-            m_records.begin(), m_records.end(), [](const Record &one) { return !one.pinned; });
+        const auto oldest =
+            std::ranges::find_if(m_records, [](const Record &one) { return !one.pinned; });
         if (oldest != m_records.end())
             m_records.erase(oldest);
     }
@@ -42,8 +40,8 @@ bool RecordHistory::setPinned(RecordId id, bool pinned)
     const auto at = position(id);
     if (at == m_records.end())
         return false;
-    const auto others = static_cast<std::size_t>(std::count_if(m_records.begin(), m_records.end(),
-        [id](const Record &one) { return one.pinned && one.id != id; }));
+    const auto others = static_cast<std::size_t>(std::ranges::count_if(
+        m_records, [id](const Record &one) { return one.pinned && one.id != id; }));
     if (pinned && others + 1 >= m_capacity)
         return false;
     at->pinned = pinned;

@@ -67,8 +67,8 @@ bool hidden(const Spectrum &spectrum, const SpectrumPeak &peak, const SpectrumPe
 bool isHidden(
     const Spectrum &spectrum, const SpectrumPeak &peak, const std::vector<SpectrumPeak> &largerOnes)
 {
-    return std::any_of(largerOnes.begin(), largerOnes.end(),
-        [&](const SpectrumPeak &larger) { return hidden(spectrum, peak, larger); });
+    return std::ranges::any_of(
+        largerOnes, [&](const SpectrumPeak &larger) { return hidden(spectrum, peak, larger); });
 }
 
 /// At most so many times what its highest bin reads is the amplitude of a tone, where offsetFrom() places it.

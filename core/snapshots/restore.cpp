@@ -63,16 +63,14 @@ RestorePlan planRestore(const Snapshot &wanted, const Snapshot &now,
             leave(NotRestored::NotOnBoard);
         else if (info->type != entry.type)
             leave(NotRestored::OtherType);
-        else if (info->dangerous
-            && std::find(moving.begin(), moving.end(), entry.motor) != moving.end())
+        else if (info->dangerous && std::ranges::find(moving, entry.motor) != moving.end())
             leave(NotRestored::MotorMoves);
         else if (readsDifferently(entry))
             leave(NotRestored::ReadsDifferently);
         else
             ranked.push_back({rankOf(*info), {there->id, entry.value}});
     }
-    std::stable_sort(ranked.begin(), ranked.end(),
-        [](const Ranked &x, const Ranked &y) { return x.rank < y.rank; });
+    std::ranges::stable_sort(ranked, {}, &Ranked::rank);
     for (Ranked &one : ranked)
         plan.writes.push_back(std::move(one.write));
     return plan;

@@ -42,8 +42,8 @@ std::optional<double> shownOf(const Value &value, double factor)
 
 const Entry *Snapshot::find(const std::string &name, int motor) const
 {
-    const auto at = std::find_if(entries.begin(), entries.end(),
-        [&](const Entry &entry) { return entry.name == name && entry.motor == motor; });
+    const auto at = std::ranges::find_if(
+        entries, [&](const Entry &entry) { return entry.name == name && entry.motor == motor; });
     return at == entries.end() ? nullptr : &*at;
 }
 
@@ -110,16 +110,15 @@ bool fits(const std::string &wanted, const Entry &entry)
 bool Selection::takes(const Entry &entry) const
 {
     return m_names.empty()
-        || std::any_of(m_names.begin(), m_names.end(),
-            [&](const std::string &name) { return fits(name, entry); });
+        || std::ranges::any_of(m_names, [&](const std::string &name) { return fits(name, entry); });
 }
 
 std::vector<std::string> Selection::unmatched(const Snapshot &snapshot) const
 {
     std::vector<std::string> names;
     for (const std::string &name : m_names)
-        if (std::none_of(snapshot.entries.begin(), snapshot.entries.end(),
-                [&](const Entry &entry) { return fits(name, entry); }))
+        if (std::ranges::none_of(
+                snapshot.entries, [&](const Entry &entry) { return fits(name, entry); }))
             names.push_back(name);
     return names;
 }

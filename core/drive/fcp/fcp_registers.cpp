@@ -47,8 +47,7 @@ std::vector<catalog::WireDigits> wireDigits(std::uint8_t number)
 /// What a name says in every protocol: where it is shown, whether it is part of a gain.
 void takeOver(catalog::RegisterInfo &info, const std::vector<catalog::RegisterInfo> &standard)
 {
-    const auto same = std::find_if(standard.begin(), standard.end(),
-        [&](const catalog::RegisterInfo &other) { return other.name == info.name; });
+    const auto same = std::ranges::find(standard, info.name, &catalog::RegisterInfo::name);
     if (same == standard.end())
         return;
     info.group = same->group;
@@ -63,8 +62,7 @@ catalog::RegisterInfo neutral(
     catalog::RegisterInfo info = entry.info;
     const auto number = static_cast<std::uint8_t>(entry.info.id);
     info.id = fcpId(number, 0);
-    const auto name = std::find_if(kStandardNames.begin(), kStandardNames.end(),
-        [&](const StandardName &row) { return row.number == number; });
+    const auto name = std::ranges::find(kStandardNames, number, &StandardName::number);
     if (name != kStandardNames.end())
         info.aliases.push_back(std::exchange(info.name, std::string(name->name)));
     takeOver(info, standard);

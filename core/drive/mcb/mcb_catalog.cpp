@@ -48,7 +48,7 @@ constexpr std::array<std::uint16_t, 6> kCurrents{0x01A, 0x01B, 0x01C, 0x01D, 0x0
 template <std::size_t N>
 bool isIn(const std::array<std::uint16_t, N> &list, std::uint16_t address)
 {
-    return std::find(list.begin(), list.end(), address) != list.end();
+    return std::ranges::find(list, address) != list.end();
 }
 
 /// Can move or harm something as soon as it is written.
@@ -63,8 +63,8 @@ bool isDangerous(std::uint16_t address)
 
 std::string groupOf(std::uint16_t address)
 {
-    const auto next = std::find_if(kGroups.begin(), kGroups.end(),
-        [address](const Group &group) { return group.first > address; });
+    const auto next = std::ranges::find_if(
+        kGroups, [address](const Group &group) { return group.first > address; });
     return std::string(std::prev(next)->name);
 }
 

@@ -339,8 +339,8 @@ std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board)
         ? ""
         : "This drive has no control word and status word; it is shown read-only.";
     const auto needs = [&](std::initializer_list<std::uint16_t> addresses, const char *reason) {
-        const bool there = std::all_of(addresses.begin(), addresses.end(),
-            [&](std::uint16_t address) { return board.writable(address); });
+        const bool there = std::ranges::all_of(
+            addresses, [&](std::uint16_t address) { return board.writable(address); });
         return !strange.empty() ? strange : there ? std::string() : std::string(reason);
     };
     add(Feature::Start, needs({kMode}, "This drive has no modes."));

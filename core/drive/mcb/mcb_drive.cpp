@@ -11,6 +11,8 @@
 #include "drive/task_drive.h"
 #include "mcb/dictionary.h"
 
+#include <algorithm>
+
 namespace drive {
 
 namespace {
@@ -341,8 +343,7 @@ bool McbDrive::travels(const Link::Request &request) const
 {
     const auto &rx = m_link.mapping().rx;
     return request.command == mcb::Command::Write && m_link.state() == Link::State::Cyclic
-        && std::any_of(rx.begin(), rx.end(),
-            [&](const mcb::MappedRegister &one) { return one.address == request.address; });
+        && std::ranges::find(rx, request.address, &mcb::MappedRegister::address) != rx.end();
 }
 
 /// The first one that has the new value.

@@ -190,8 +190,8 @@ void McbIdentification::finish()
     m_board.countsPerTurn = plausible(numberAt(mcbreg::kEncoderCounts), 1e9);
 
     m_board.streaming = {};
-    const bool streams = std::any_of(m_board.infos.begin(), m_board.infos.end(),
-        [](const auto &one) { return one.second.cyclic == mcb::Cyclic::Tx; });
+    const bool streams = std::ranges::any_of(
+        m_board.infos, [](const auto &one) { return one.second.cyclic == mcb::Cyclic::Tx; });
     if (streams) {
         m_board.streaming.tickHz = kExchangeHz;
         m_board.streaming.maxSignals = mcb::kMostMapped;

@@ -203,7 +203,7 @@ bool McbStreamTask::plan()
         m_stream = m_control.wish();
     for (const auto *list : {&m_stream.fast, &m_stream.slow})
         for (const RegisterId one : *list)
-            if (std::find(m_ids.begin(), m_ids.end(), one) == m_ids.end())
+            if (std::ranges::find(m_ids, one) == m_ids.end())
                 m_ids.push_back(one);
     if (auto why = refuse(); !why.empty()) {
         end(Outcome::Refused, std::move(why));

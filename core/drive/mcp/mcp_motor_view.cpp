@@ -77,7 +77,7 @@ std::string unitOf(std::string_view structure, const mcp::Field &field, const Mo
         return fluxUnit(facts);
     if (field.name == "nominal current") // the short form has digits
         return std::holds_alternative<double>(field.value) ? "A" : "digits";
-    const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+    const auto unit = std::ranges::find_if(kUnits,
         [&](const FieldUnit &row) { return row.structure == structure && row.key == field.name; });
     return unit == kUnits.end() ? "" : std::string(unit->unit);
 }

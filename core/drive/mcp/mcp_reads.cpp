@@ -39,7 +39,7 @@ bool sizeFits(const McpFacts &board, RegisterId id, const Value &value)
 void McpReads::begin(std::vector<RegisterId> &ids)
 {
     m_doubted.reset();
-    std::stable_sort(ids.begin(), ids.end(), [](RegisterId a, RegisterId b) {
+    std::ranges::stable_sort(ids, [](RegisterId a, RegisterId b) {
         return mcp::getOrder({static_cast<std::uint16_t>(a)})
             < mcp::getOrder({static_cast<std::uint16_t>(b)});
     });

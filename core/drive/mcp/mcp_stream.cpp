@@ -194,8 +194,8 @@ void StreamControl::receive(ByteView packet, TimePoint now)
 
 bool StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
 {
-    const auto at = std::find_if(m_sent.begin(), m_sent.end(),
-        [&](const Active &sent) { return sent.layout.id == block.stream; });
+    const auto at = std::ranges::find_if(
+        m_sent, [&](const Active &sent) { return sent.layout.id == block.stream; });
     if (at == m_sent.end())
         return false;
     m_sent.erase(m_sent.begin(), at);

@@ -156,7 +156,7 @@ std::vector<RegisterId> McpWriteTask::idsToRead(bool after) const
                 || (item.state == State::Done && item.result.outcome == Outcome::Ok)
                                   : item.state == State::Waiting;
         if (wanted && info != nullptr && info->readable() && !info->stub
-            && std::find(ids.begin(), ids.end(), item.write.id) == ids.end())
+            && std::ranges::find(ids, item.write.id) == ids.end())
             ids.push_back(item.write.id);
         const auto *position = m_board.catalog->find(kPosition);
         if (!after && wanted && position != nullptr && isPositionRamp(item.write.id))

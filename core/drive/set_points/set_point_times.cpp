@@ -87,11 +87,10 @@ void SetPointTimes::onWish(const Wish &wish)
                 return std::nullopt;
             },
             [&](const Write &write) -> std::optional<SetPointNews> {
-                const bool kept =
-                    std::all_of(write.writes.begin(), write.writes.end(), [&](const auto &one) {
-                        const auto *info = m_catalog ? m_catalog->find(one.id) : nullptr;
-                        return info != nullptr && info->effect == catalog::Effect::Kept;
-                    });
+                const bool kept = std::ranges::all_of(write.writes, [&](const auto &one) {
+                    const auto *info = m_catalog ? m_catalog->find(one.id) : nullptr;
+                    return info != nullptr && info->effect == catalog::Effect::Kept;
+                });
                 return kept ? std::nullopt : end(0);
             },
             [](const auto &) -> std::optional<SetPointNews> { return std::nullopt; },

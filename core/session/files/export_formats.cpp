@@ -79,18 +79,16 @@ std::span<const ExportFormat> exportFormats() { return kFormats; }
 
 const ExportFormat *exportFormatOf(const QString &path)
 {
-    const auto format =
-        std::find_if(std::begin(kFormats), std::end(kFormats), [&path](const ExportFormat &each) {
-            return path.endsWith(
-                QLatin1Char('.') + QLatin1String(each.suffix), Qt::CaseInsensitive);
-        });
+    const auto format = std::ranges::find_if(kFormats, [&path](const ExportFormat &each) {
+        return path.endsWith(QLatin1Char('.') + QLatin1String(each.suffix), Qt::CaseInsensitive);
+    });
     return format == std::end(kFormats) ? nullptr : format;
 }
 
 const ExportFormat *exportFormatNamed(std::string_view name)
 {
-    const auto format = std::find_if(std::begin(kFormats), std::end(kFormats),
-        [name](const ExportFormat &each) { return name == each.name; });
+    const auto format = std::ranges::find_if(
+        kFormats, [name](const ExportFormat &each) { return name == each.name; });
     return format == std::end(kFormats) ? nullptr : format;
 }
 

@@ -60,8 +60,7 @@ QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &wh
     std::vector<LoggedMotion> inOrder = log;
     for (LoggedMotion &one : inOrder)
         one.asked = clock.at(one, one.record.asked);
-    std::stable_sort(inOrder.begin(), inOrder.end(),
-        [](const LoggedMotion &a, const LoggedMotion &b) { return a.asked < b.asked; });
+    std::ranges::stable_sort(inOrder, {}, &LoggedMotion::asked);
     std::size_t number = 0;
     for (const LoggedMotion &one : inOrder) {
         const QString time = one.asked.toString(Qt::ISODateWithMs);

@@ -75,7 +75,7 @@ std::string namesIn(std::string_view section)
 const ParameterInfo *rowOf(std::string_view section, std::string_view name)
 {
     const auto table = simulation::parameterTable();
-    const auto row = std::find_if(table.begin(), table.end(),
+    const auto row = std::ranges::find_if(table,
         [&](const ParameterInfo &info) { return info.section == section && info.name == name; });
     return row == table.end() ? nullptr : &*row;
 }

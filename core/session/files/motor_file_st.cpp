@@ -175,12 +175,11 @@ private:
     {
         const auto known = [](const QString &key) {
             const auto is = [&](const char *name) { return key == QLatin1String(name); };
-            return std::any_of(kNumbers.begin(), kNumbers.end(), [&](const Key &number) {
-                return is(number.name);
-            }) || std::any_of(kOthers.begin(), kOthers.end(), is);
+            return std::ranges::any_of(kNumbers, [&](const Key &number) { return is(number.name); })
+                || std::ranges::any_of(kOthers, is);
         };
         const QStringList keys = m_object.keys();
-        return !std::all_of(keys.begin(), keys.end(), known);
+        return !std::ranges::all_of(keys, known);
     }
 
     const QJsonObject &m_object;
@@ -194,7 +193,7 @@ private:
 bool isStMotor(const QJsonObject &object)
 {
     const auto has = [&](const Key &key) { return object.contains(keyOf(key.name)); };
-    return std::any_of(kNumbers.begin(), kNumbers.end(), has);
+    return std::ranges::any_of(kNumbers, has);
 }
 
 Result<MotorFile, MotorFileError> readStMotor(const QJsonObject &object)

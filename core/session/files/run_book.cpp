@@ -27,7 +27,7 @@ Run runOf(const EndedRun &ended)
     run.experiment = QString::fromStdString(ended.plan.name);
     for (const auto &[name, value] : ended.plan.fields)
         run.plan.append({QString::fromStdString(name), QString::fromStdString(value)});
-    std::sort(run.plan.begin(), run.plan.end()); // as they are read back
+    std::ranges::sort(run.plan); // as they are read back
     run.end = QString::fromLatin1(kEnds.at(static_cast<std::size_t>(ended.outcome.end)));
     run.reason = QString::fromStdString(ended.outcome.reason);
     return run;
@@ -77,8 +77,7 @@ Result<RunBook, QString> readRunBook(
         if (proceed && !proceed(double(i + 1) / double(files.size())))
             break;
     }
-    std::sort(book.runs.begin(), book.runs.end(),
-        [](const Run &one, const Run &other) { return one.number < other.number; });
+    std::ranges::sort(book.runs, {}, &Run::number);
     return book;
 }
 

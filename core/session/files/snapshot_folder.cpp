@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace session {
 
 namespace {
@@ -28,7 +30,7 @@ QStringList ownNames(const QDir &folder)
         {QStringLiteral("*_motor_before-write*.json")}, QDir::Files | QDir::NoSymLinks, QDir::Name);
     names.removeIf([](const QString &name) { return !own.match(name).hasMatch(); });
     // In one second: "x.json", then "x_02.json"; '.' comes before '_' in every locale that Qt sorts by.
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 

@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -177,8 +178,7 @@ Result<Entry, Problem> entryOf(const QJsonObject &object)
         return fail(Problem::NoId);
     entry.group = object[keyOf("group")].toString().toStdString();
     const QByteArray type = object[keyOf("type")].toString().toLatin1();
-    const auto at =
-        std::find(kTypeWords.begin(), kTypeWords.end(), std::string_view(type.constData()));
+    const auto at = std::ranges::find(kTypeWords, std::string_view(type.constData()));
     if (at == kTypeWords.end())
         return fail(Problem::NoType);
     entry.type = static_cast<ValueType>(at - kTypeWords.begin());

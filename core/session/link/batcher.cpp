@@ -45,9 +45,9 @@ void Batcher::add(drive::Event event)
         const auto isChange = [](const drive::Event &old) {
             return std::holds_alternative<drive::LinkChanged>(old);
         };
-        const auto count = std::count_if(m_waiting.begin(), m_waiting.end(), isChange);
+        const auto count = std::ranges::count_if(m_waiting, isChange);
         if (static_cast<std::size_t>(count) >= m_config.maxLinkChanges)
-            m_waiting.erase(std::find_if(m_waiting.begin(), m_waiting.end(), isChange));
+            m_waiting.erase(std::ranges::find_if(m_waiting, isChange));
     }
     m_waiting.push_back(std::move(event));
 }

@@ -55,8 +55,7 @@ bool DeadMan::driven(int motor) const
 bool DeadMan::driven() const
 {
     return m_states.empty()
-        || std::any_of(m_states.begin(), m_states.end(),
-            [this](const auto &motor) { return driven(motor.first); });
+        || std::ranges::any_of(m_states, [this](const auto &motor) { return driven(motor.first); });
 }
 
 Duration DeadMan::silence(const Stamps::Seen &seen, Duration gap, TimePoint now) const

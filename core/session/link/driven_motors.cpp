@@ -58,8 +58,8 @@ void DrivenMotors::take(const drive::MotorStatus &status)
         return;
     int &idle = m_idle[status.motor];
     idle = drive::isDriveIdle(status) && !status.waitsForBus ? idle + 1 : 0;
-    const auto enough = std::count_if(
-        m_idle.begin(), m_idle.end(), [](const auto &one) { return one.second >= kIdleReadings; });
+    const auto enough =
+        std::ranges::count_if(m_idle, [](const auto &one) { return one.second >= kIdleReadings; });
     m_driven = enough < m_motors;
 }
 

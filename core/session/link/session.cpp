@@ -29,11 +29,10 @@ constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
 bool commands(const drive::Wish &wish, const catalog::Catalog &catalog)
 {
     if (const auto *write = std::get_if<drive::Write>(&wish.what))
-        return std::any_of(
-            write->writes.begin(), write->writes.end(), [&](const drive::RegisterWrite &one) {
-                const catalog::RegisterInfo *info = catalog.find(one.id);
-                return info == nullptr || info->effect != catalog::Effect::Kept;
-            });
+        return std::ranges::any_of(write->writes, [&](const drive::RegisterWrite &one) {
+            const catalog::RegisterInfo *info = catalog.find(one.id);
+            return info == nullptr || info->effect != catalog::Effect::Kept;
+        });
     return !std::holds_alternative<drive::Read>(wish.what)
         && !std::holds_alternative<drive::Stream>(wish.what)
         && !std::holds_alternative<drive::Watch>(wish.what)

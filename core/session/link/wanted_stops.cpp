@@ -26,7 +26,7 @@ void WantedStops::settle(const Endpoint &port)
 
 bool WantedStops::at(const Endpoint &port) const
 {
-    return any() && std::find(m_ports.begin(), m_ports.end(), portOf(port)) != m_ports.end();
+    return any() && std::ranges::find(m_ports, portOf(port)) != m_ports.end();
 }
 
 QStringList WantedStops::portsBut(const Endpoint *open) const

@@ -126,7 +126,7 @@ void RecordingTap::drop(const std::vector<record::Entry> &entries)
 
 void RecordingTap::addUntold(std::vector<record::Entry> &entries)
 {
-    const bool newer = std::any_of(entries.begin(), entries.end(), [](const record::Entry &entry) {
+    const bool newer = std::ranges::any_of(entries, [](const record::Entry &entry) {
         return std::holds_alternative<capture::StreamLayout>(entry);
     });
     if (!newer)

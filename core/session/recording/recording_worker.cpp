@@ -39,7 +39,7 @@ std::vector<ToldPtr> Inbox::take()
     std::vector<ToldPtr> all;
     for (std::unique_ptr<Sheet> sheet(m_top.exchange(nullptr)); sheet; sheet.reset(sheet->below))
         all.push_back(std::move(sheet->told));
-    std::reverse(all.begin(), all.end());
+    std::ranges::reverse(all);
     return all;
 }
 

@@ -17,7 +17,7 @@ constexpr char kSpiDevice[] = "/dev/spidev";
 const drive::ProtocolRow *rowOfBoard(std::string_view name)
 {
     for (const drive::ProtocolRow &row : drive::protocolTable())
-        if (std::find(row.boards.begin(), row.boards.end(), name) != row.boards.end())
+        if (std::ranges::find(row.boards, name) != row.boards.end())
             return &row;
     return nullptr;
 }

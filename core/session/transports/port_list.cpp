@@ -56,8 +56,7 @@ QList<SystemPort> SystemPortSource::ports() const
 bool isStLink(quint16 vendor, quint16 product)
 {
     return vendor == kStVendor
-        && std::find(kStLinkProducts.begin(), kStLinkProducts.end(), product)
-        != kStLinkProducts.end();
+        && std::ranges::find(kStLinkProducts, product) != kStLinkProducts.end();
 }
 
 QList<PortChoice> simulatedBoards()

@@ -52,8 +52,8 @@ PortError SerialTransport::open(TimePoint now)
     connect(m_port.get(), &QSerialPort::readyRead, this, &SerialTransport::onReadyRead);
     connect(m_port.get(), &QSerialPort::errorOccurred, this, &SerialTransport::onError);
     const auto notifiers = m_port->findChildren<QSocketNotifier *>();
-    const auto reads = std::find_if(notifiers.begin(), notifiers.end(),
-        [](const QSocketNotifier *one) { return one->type() == QSocketNotifier::Read; });
+    const auto reads = std::ranges::find_if(
+        notifiers, [](const QSocketNotifier *one) { return one->type() == QSocketNotifier::Read; });
     m_notifier = reads == notifiers.end() ? nullptr : *reads;
     m_listensAt.reset();
     m_nextCheck = now + kCheckEvery;

@@ -35,8 +35,7 @@ Trace readTrace(const QString &path, const QString &direction)
     }
     if (trace.packets.empty())
         return {{}, {PortProblem::BadFile, {}}};
-    std::stable_sort(trace.packets.begin(), trace.packets.end(),
-        [](const TracePacket &a, const TracePacket &b) { return a.at < b.at; });
+    std::ranges::stable_sort(trace.packets, {}, &TracePacket::at);
     return trace;
 }
 

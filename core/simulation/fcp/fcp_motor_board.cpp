@@ -298,7 +298,7 @@ std::vector<std::string_view> fcpProfiles() { return {"legacy", "legacy-text", "
 bool isFcpProfile(std::string_view name)
 {
     const auto all = fcpProfiles();
-    return std::find(all.begin(), all.end(), name) != all.end();
+    return std::ranges::find(all, name) != all.end();
 }
 
 std::unique_ptr<SimulatedBoard> makeFcpBoard(const BoardOptions &options)

@@ -143,7 +143,7 @@ Bytes McbSpoiler::spoilOutput(Bytes output, bool whole)
     }
     if (m_dead > 0) {
         --m_dead;
-        std::fill(output.begin(), output.end(), m_deadLevel);
+        std::ranges::fill(output, m_deadLevel);
     }
     return output;
 }

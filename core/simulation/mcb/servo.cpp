@@ -229,7 +229,7 @@ std::optional<mcb::ErrorCode> Servo::refusal(std::uint16_t address, mcb::WordVie
     if (address != 0x014 || words.empty())
         return std::nullopt;
     static constexpr std::uint16_t kModes[] = {2, 3, 4, 19, 20, 34, 35, 36};
-    return std::find(std::begin(kModes), std::end(kModes), words[0]) == std::end(kModes)
+    return std::ranges::find(kModes, words[0]) == std::end(kModes)
         ? std::optional(mcb::ErrorCode::General)
         : std::nullopt;
 }

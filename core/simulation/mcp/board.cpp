@@ -319,8 +319,8 @@ void Board::sysTick(TimePoint at)
 
 void Board::measureLoad()
 {
-    const auto driven = std::count_if(m_axes.begin(), m_axes.end(),
-        [](const auto &axis) { return axis->firmware.state() == MotorState::Run; });
+    const auto driven = std::ranges::count_if(
+        m_axes, [](const auto &axis) { return axis->firmware.state() == MotorState::Run; });
     m_processor->load.measure(m_axes.front()->firmware.variables(), static_cast<int>(driven),
         m_processor->datalog.running());
 }

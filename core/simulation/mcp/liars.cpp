@@ -124,22 +124,19 @@ Liar::Liar(std::span<const LieChoice> choices, Duration replyTime, std::uint64_t
 
 bool Liar::chosen(Lie lie) const
 {
-    return std::any_of(m_choices.begin(), m_choices.end(),
-        [&](const LieChoice &choice) { return choice.lie == lie; });
+    return std::ranges::find(m_choices, lie, &LieChoice::lie) != m_choices.end();
 }
 
 bool Liar::happens(Lie lie)
 {
-    const auto choice = std::find_if(
-        m_choices.begin(), m_choices.end(), [&](const LieChoice &one) { return one.lie == lie; });
+    const auto choice = std::ranges::find(m_choices, lie, &LieChoice::lie);
     return choice != m_choices.end() && (choice->oneIn <= 1 || below(choice->oneIn) == 0);
 }
 
 Bytes Liar::noise(std::size_t count)
 {
     Bytes bytes(count);
-    std::generate(
-        bytes.begin(), bytes.end(), [this] { return static_cast<std::uint8_t>(random()); });
+    std::ranges::generate(bytes, [this] { return static_cast<std::uint8_t>(random()); });
     return bytes;
 }
 
@@ -147,8 +144,8 @@ void Liar::hold(TimePoint until, Bytes bytes)
 {
     if (m_held.size() >= kHeldMost)
         return;
-    const auto behind = std::find_if(
-        m_held.begin(), m_held.end(), [&](const Held &held) { return held.at > until; });
+    const auto behind =
+        std::ranges::find_if(m_held, [&](const Held &held) { return held.at > until; });
     m_held.insert(behind, {until, std::move(bytes)});
 }
 

@@ -200,7 +200,7 @@ const RawRow *findRaw(RegisterId id, const Traits &traits, const Build &build)
 {
     if (id.withMotor(0) == mcp::reg::kScaleConfig && !traits.hasScaleConfig)
         return nullptr;
-    const auto row = std::find_if(kRaws.begin(), kRaws.end(), [&](const RawRow &candidate) {
+    const auto row = std::ranges::find_if(kRaws, [&](const RawRow &candidate) {
         return candidate.id == id.withMotor(0)
             && (candidate.exists == nullptr || candidate.exists(build));
     });
@@ -209,8 +209,7 @@ const RawRow *findRaw(RegisterId id, const Traits &traits, const Build &build)
 
 const TextRow *findText(RegisterId id)
 {
-    const auto row = std::find_if(kTexts.begin(), kTexts.end(),
-        [&](const TextRow &candidate) { return candidate.id == id.withMotor(0); });
+    const auto row = std::ranges::find(kTexts, id.withMotor(0), &TextRow::id);
     return row == kTexts.end() ? nullptr : &*row;
 }
 

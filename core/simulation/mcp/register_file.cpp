@@ -276,7 +276,7 @@ Source RegisterFile::source(RegisterId id) const
     if (at == nullptr || row->get == nullptr)
         return {};
     const auto isRow = [row](RegisterId wide) { return wide == row->id; };
-    const bool wide = m_options.wide && std::any_of(kWide.begin(), kWide.end(), isRow);
+    const bool wide = m_options.wide && std::ranges::any_of(kWide, isRow);
     if (!row->logged && !wide)
         return {};
     return {row->get, at, m_build.hso()};

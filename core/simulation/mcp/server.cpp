@@ -139,7 +139,7 @@ Status Server::set(const Request &request)
     if (total == Status::Ok)
         m_answer.clear();
     else if (m_traits.asPrinted)
-        std::replace(m_answer.begin(), m_answer.end(), std::uint8_t{0}, std::uint8_t{1});
+        std::ranges::replace(m_answer, std::uint8_t{0}, std::uint8_t{1});
     return total;
 }
 
@@ -148,7 +148,7 @@ Status Server::command(const Request &request)
     const auto id = static_cast<CommandId>(request.command);
     if (id == CommandId::SwReset)
         m_resetWanted = m_traits.hasSoftReset;
-    if (std::find(kOfMotors.begin(), kOfMotors.end(), id) == kOfMotors.end())
+    if (std::ranges::find(kOfMotors, id) == kOfMotors.end())
         return Status::CommandUnknown;
     if (request.motor == 0 || request.motor > m_axes.size())
         return Status::Nok; // real firmware reads outside its tables here
