@@ -72,13 +72,8 @@ Result<Reply, ReplyError> decodeReply(const Frame &frame)
         if (frame.payload.size() != kStartNoticeSize)
             return fail(ReplyError::BadLength);
         ByteReader in(frame.payload);
-        StartNotice notice;
-        notice.buildId = in.u32();
-        notice.version = versionOf(in.take(kVersionParts));
-        notice.controlBoard = in.u16();
-        notice.powerBoard = in.u16();
-        notice.powerBoard2 = in.u16();
-        return notice;
+        return StartNotice{
+            in.u32(), versionOf(in.take(kVersionParts)), in.u16(), in.u16(), in.u16()};
     }
     default:
         return fail(ReplyError::UnknownHeader);

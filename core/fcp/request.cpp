@@ -61,48 +61,35 @@ Bytes rest(ByteReader &in)
     return {part.begin(), part.end()};
 }
 
-/// The command of a payload whose length has been looked at.
+/// The command of a payload whose length has been looked at. What is in braces is read in its order.
 Command read(std::uint8_t code, ByteView payload)
 {
     ByteReader in(payload);
     switch (static_cast<FrameCode>(code)) {
-    case FrameCode::SetRegister: {
-        const std::uint8_t id = in.u8();
-        return SetRegister{id, rest(in)};
-    }
+    case FrameCode::SetRegister:
+        return SetRegister{in.u8(), rest(in)};
     case FrameCode::GetRegister:
         return GetRegister{in.u8()};
     case FrameCode::Execute:
         return Execute{in.u8()};
     case FrameCode::GetBoardInfo:
         return GetBoardInfo{};
-    case FrameCode::SetRamp: {
-        const std::int32_t speed = in.s32();
-        return SetRamp{speed, in.u16()};
-    }
+    case FrameCode::SetRamp:
+        return SetRamp{in.s32(), in.u16()};
     case FrameCode::GetRevUp:
         return GetRevUp{in.u8()};
-    case FrameCode::SetRevUp: {
-        SetRevUp set{in.u8(), {}};
-        set.values = {in.s32(), in.s16(), in.u16()};
-        return set;
-    }
-    case FrameCode::SetCurrentReference: {
-        const std::int16_t iq = in.s16();
-        return SetCurrentReference{iq, in.s16()};
-    }
+    case FrameCode::SetRevUp:
+        return SetRevUp{in.u8(), {in.s32(), in.s16(), in.u16()}};
+    case FrameCode::SetCurrentReference:
+        return SetCurrentReference{in.s16(), in.s16()};
     case FrameCode::GetProfilerInfo:
         return GetProfilerInfo{rest(in)};
     case FrameCode::GetFirmwareVersion:
         return GetFirmwareVersion{};
-    case FrameCode::SetTorqueRamp: {
-        const std::int32_t torque = in.s32();
-        return SetTorqueRamp{torque, in.u16()};
-    }
-    case FrameCode::SetPosition: {
-        const float angle = in.f32();
-        return SetPosition{angle, in.f32()};
-    }
+    case FrameCode::SetTorqueRamp:
+        return SetTorqueRamp{in.s32(), in.u16()};
+    case FrameCode::SetPosition:
+        return SetPosition{in.f32(), in.f32()};
     }
     return OtherRequest{code, rest(in)};
 }

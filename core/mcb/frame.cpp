@@ -55,10 +55,8 @@ Result<Frame, FrameError> decodeFrame(ByteView bytes)
     const std::uint16_t header = wordAt(bytes, 0);
     if ((header & kReservedBit) != 0)
         return fail(FrameError::ReservedBit);
-    Frame frame;
-    frame.address = header >> 4;
-    frame.command = static_cast<Command>(header >> 1 & 7);
-    frame.pending = (header & 1) != 0;
+    Frame frame{static_cast<std::uint16_t>(header >> 4), static_cast<Command>(header >> 1 & 7),
+        (header & 1) != 0, {}, {}};
     for (std::size_t i = 0; i < kConfigWords; ++i)
         frame.config[i] = wordAt(bytes, 1 + i);
     const std::size_t end = size / 2 - 1;

@@ -22,14 +22,7 @@ Result<GlobalConfig, CodecError> decodeGlobalConfig(ByteView raw)
     if (raw.size() != 10)
         return fail(CodecError::WrongSize);
     ByteReader r(raw);
-    GlobalConfig c;
-    c.version = r.u32();
-    c.motors = r.u8();
-    c.flags = r.u8();
-    c.streamsUartA = r.u8();
-    c.streamsUartB = r.u8();
-    c.streamsStLink = r.u8();
-    return c;
+    return GlobalConfig{r.u32(), r.u8(), r.u8(), r.u8(), r.u8(), r.u8()};
 }
 
 Result<MotorConfig, CodecError> decodeMotorConfig(ByteView raw)
@@ -93,11 +86,7 @@ Result<ScaleConfig, CodecError> decodeScaleConfig(ByteView raw)
     if (raw.size() != 12)
         return fail(CodecError::WrongSize);
     ByteReader r(raw);
-    ScaleConfig c;
-    c.voltage = r.f32();
-    c.current = r.f32();
-    c.frequency = r.f32();
-    return c;
+    return ScaleConfig{r.f32(), r.f32(), r.f32()};
 }
 
 } // namespace mcp

@@ -21,13 +21,8 @@ Result<RevUp, RevUpError> revUpOfBytes(ByteView bytes)
     if (bytes.size() % kStageBytes != 0 || bytes.size() > kStageBytes * kRevUpStages)
         return fail(RevUpError::WrongSize);
     RevUp stages;
-    for (ByteReader reader(bytes); reader.left() > 0;) {
-        RevUpStage stage;
-        stage.speed_rpm = reader.s32();
-        stage.current_digits = reader.s16();
-        stage.duration_ms = reader.u16();
-        stages.push_back(stage);
-    }
+    for (ByteReader reader(bytes); reader.left() > 0;)
+        stages.push_back({reader.s32(), reader.s16(), reader.u16()});
     return stages;
 }
 

@@ -84,13 +84,7 @@ void putSignal(ByteWriter &out, const StreamSignal &signal)
 
 StreamSignal takeSignal(ByteReader &in)
 {
-    StreamSignal signal;
-    signal.id = in.u32();
-    signal.name = takeText(in);
-    signal.unit = takeText(in);
-    signal.factor = in.f64();
-    signal.offset = in.f64();
-    return signal;
+    return {in.u32(), takeText(in), takeText(in), in.f64(), in.f64()};
 }
 
 bool makesSense(const StreamSignal &signal)
@@ -292,13 +286,8 @@ std::optional<Decoded> takePolled(ByteReader &in)
     if (count > in.left() / kValueBytes)
         return std::nullopt;
     PolledValues polled;
-    for (std::size_t i = 0; i < count; ++i) {
-        PolledValue value;
-        value.id = in.u32();
-        value.at = in.s64();
-        value.value = in.f64();
-        polled.values.push_back(value);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        polled.values.push_back({in.u32(), in.s64(), in.f64()});
     return Decoded{std::move(polled)};
 }
 
@@ -309,10 +298,8 @@ std::optional<Decoded> takeHappening(ByteReader &in)
     const std::size_t count = in.u16();
     if (count > in.left() / 4)
         return std::nullopt;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::string key = takeText(in);
-        happening.fields.emplace_back(std::move(key), takeText(in));
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        happening.fields.push_back({takeText(in), takeText(in)});
     return Decoded{std::move(happening)};
 }
 
@@ -321,24 +308,15 @@ std::optional<Decoded> takeBody(Kind kind, ByteReader &in)
     switch (kind) {
     case Kind::Padding:
         break;
-    case Kind::Begin: {
-        Begin begin;
-        begin.startSeconds = in.s64();
-        begin.program = takeText(in);
-        begin.source = takeText(in);
-        return Decoded{std::move(begin)};
-    }
+    case Kind::Begin:
+        return Decoded{Begin{in.s64(), takeText(in), takeText(in)}};
     case Kind::Layout:
         return takeLayout(in);
     case Kind::Samples:
         return takeSamples(in);
     case Kind::Register: {
         const auto repeat = in.u8() != 0 ? Repeat::Yes : Repeat::No;
-        PolledRegister polled;
-        polled.id = in.u32();
-        polled.name = takeText(in);
-        polled.unit = takeText(in);
-        return Decoded{std::move(polled), repeat};
+        return Decoded{PolledRegister{in.u32(), takeText(in), takeText(in)}, repeat};
     }
     case Kind::Polled:
         return takePolled(in);
@@ -351,20 +329,10 @@ std::optional<Decoded> takeBody(Kind kind, ByteReader &in)
         snapshot.json.assign(json.begin(), json.end());
         return Decoded{std::move(snapshot)};
     }
-    case Kind::Note: {
-        Note note;
-        note.from = in.s64();
-        note.to = in.s64();
-        note.text = takeText(in);
-        return Decoded{std::move(note)};
-    }
-    case Kind::Lost: {
-        Lost lost;
-        lost.samples = in.u64();
-        lost.linkBytes = in.u64();
-        lost.others = in.u64();
-        return Decoded{lost};
-    }
+    case Kind::Note:
+        return Decoded{Note{in.s64(), in.s64(), takeText(in)}};
+    case Kind::Lost:
+        return Decoded{Lost{in.u64(), in.u64(), in.u64()}};
     case Kind::End: {
         End end;
         const std::uint8_t reason = in.u8();

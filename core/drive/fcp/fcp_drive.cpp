@@ -221,16 +221,14 @@ bool FcpDrive::send(const fcp::Request &request, WishTask<FcpProtocol> *wish, Ti
 LinkCounters FcpDrive::counters() const
 {
     const Link::Stats &link = m_link.stats();
-    LinkCounters counters;
-    counters.bytesIn = link.bytesIn;
-    counters.bytesOut = link.bytesOut;
-    counters.packetsIn = link.framesIn;
-    counters.packetsOut = link.framesOut;
-    counters.badPackets = link.bad;
-    counters.nacks = link.nacks;
-    counters.timeouts = link.timeouts;
-    counters.recoveries = link.recoveries;
-    return counters;
+    return {.bytesIn = link.bytesIn,
+        .bytesOut = link.bytesOut,
+        .packetsIn = link.framesIn,
+        .packetsOut = link.framesOut,
+        .badPackets = link.bad,
+        .nacks = link.nacks,
+        .timeouts = link.timeouts,
+        .recoveries = link.recoveries};
 }
 
 } // namespace

@@ -458,17 +458,15 @@ void McbDrive::collect(TimePoint now)
 LinkCounters McbDrive::counters() const
 {
     const Link::Stats &link = m_link.stats();
-    LinkCounters counters;
-    counters.bytesIn = link.bytesIn;
-    counters.bytesOut = link.bytesOut;
-    counters.packetsIn = link.goodFrames;
-    counters.packetsOut = link.exchanges;
-    counters.badPackets = link.damaged + link.dead + link.torn + link.strays;
-    counters.timeouts = link.timeouts;
-    counters.recoveries = link.searches;
-    counters.streamPackets = m_stream.packets();
-    counters.streamLostTicks = m_stream.lost();
-    return counters;
+    return {.bytesIn = link.bytesIn,
+        .bytesOut = link.bytesOut,
+        .packetsIn = link.goodFrames,
+        .packetsOut = link.exchanges,
+        .badPackets = link.damaged + link.dead + link.torn + link.strays,
+        .timeouts = link.timeouts,
+        .recoveries = link.searches,
+        .streamPackets = m_stream.packets(),
+        .streamLostTicks = m_stream.lost()};
 }
 
 } // namespace

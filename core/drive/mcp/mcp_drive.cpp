@@ -292,20 +292,18 @@ void McpDrive::collect(TimePoint now)
 LinkCounters McpDrive::counters() const
 {
     const Link::Stats &link = m_link.stats();
-    LinkCounters counters;
-    counters.bytesIn = link.bytesIn;
-    counters.bytesOut = link.bytesOut;
-    counters.packetsIn = link.packetsIn;
-    counters.packetsOut = link.packetsOut;
-    counters.badPackets = link.badHeaderCrc + link.unknownType + link.inconsistent + link.tooLong
-        + link.badPayloadCrc + link.torn + link.unexpected;
-    counters.nacks = link.nacks;
-    counters.timeouts = link.timeouts;
-    counters.recoveries = link.recoveries;
-    counters.streamPackets = m_stream.packets();
-    counters.streamLostTicks = m_stream.lostTicks();
-    counters.streamSkipped = m_stream.skipped();
-    return counters;
+    return {.bytesIn = link.bytesIn,
+        .bytesOut = link.bytesOut,
+        .packetsIn = link.packetsIn,
+        .packetsOut = link.packetsOut,
+        .badPackets = link.badHeaderCrc + link.unknownType + link.inconsistent + link.tooLong
+            + link.badPayloadCrc + link.torn + link.unexpected,
+        .nacks = link.nacks,
+        .timeouts = link.timeouts,
+        .recoveries = link.recoveries,
+        .streamPackets = m_stream.packets(),
+        .streamLostTicks = m_stream.lostTicks(),
+        .streamSkipped = m_stream.skipped()};
 }
 
 } // namespace

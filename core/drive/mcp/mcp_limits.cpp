@@ -106,8 +106,7 @@ std::optional<RawPosition> positionIn(const Bytes &bytes)
     if (bytes.size() != lengthOf(mcp::reg::kPositionRamp.bits))
         return std::nullopt;
     ByteReader reader(bytes);
-    const double radians = reader.f32();
-    return RawPosition{radians, reader.f32()};
+    return RawPosition{reader.f32(), reader.f32()};
 }
 
 std::string refusePosition(const McpFacts &board, int motor, const RawPosition &wanted)

@@ -51,18 +51,10 @@ void SetPointTimes::onWish(const Wish &wish)
     using Kind = SentSetPoint::Kind;
     const auto setPoint = [](Kind kind, int motor, double value,
                               std::chrono::milliseconds ramp = {}) -> std::optional<SetPointNews> {
-        SentSetPoint sent;
-        sent.kind = kind;
-        sent.motor = motor;
-        sent.value = value;
-        sent.ramp = ramp;
-        return sent;
+        return SentSetPoint{.kind = kind, .motor = motor, .value = value, .ramp = ramp};
     };
     const auto end = [](int motor, bool held = false) -> std::optional<SetPointNews> {
-        SetPointsEnd ends;
-        ends.motor = motor;
-        ends.held = held;
-        return ends;
+        return SetPointsEnd{.motor = motor, .held = held};
     };
     auto wished = std::visit(
         Overloaded{
@@ -177,10 +169,7 @@ std::optional<SetPointNews> SetPointTimes::status(const MotorStatus &status)
 
 SetPointsEnd SetPointTimes::endAt(int motor, TimePoint at) const
 {
-    SetPointsEnd end;
-    end.motor = motor;
-    end.seconds = onAxis(at);
-    return end;
+    return {.motor = motor, .seconds = onAxis(at)};
 }
 
 double SetPointTimes::onAxis(TimePoint at) const

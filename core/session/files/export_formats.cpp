@@ -23,10 +23,7 @@ FileResult written(const QString &path, Writer &writer, const Proceed &proceed)
 template <capture::CsvDialect Dialect>
 ExportOutcome writeCsv(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
 {
-    capture::CsvOptions options;
-    options.range = wanted.range;
-    options.dialect = Dialect;
-    capture::CsvWriter writer(wanted.channels, options);
+    capture::CsvWriter writer(wanted.channels, {wanted.range, Dialect});
     const FileResult file = written(path, writer, proceed);
     return {file, ExportProblem::None, writer.rows()};
 }

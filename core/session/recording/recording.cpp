@@ -40,9 +40,7 @@ void Recording::start(const QString &path, RecordingTap::Content content, const 
         return;
     m_running = true;
     m_ending = false;
-    record::Begin begin;
-    begin.program = program.toStdString();
-    begin.source = source.toStdString();
+    const record::Begin begin{0, program.toStdString(), source.toStdString()};
     RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
         worker, [worker, path, content, begin] { worker->start(path, content, begin); },

@@ -194,10 +194,8 @@ bool RecordingFile::end()
 void RecordingFile::fail()
 {
     using Reason = record::End::Reason;
-    record::End end;
-    end.reason = m_sink->isFull() ? Reason::DiskFull : Reason::WriteFailed;
-    end.text = m_sink->systemText().toStdString();
-    markEnd(std::move(end));
+    markEnd({m_sink->isFull() ? Reason::DiskFull : Reason::WriteFailed,
+        m_sink->systemText().toStdString()});
 }
 
 void RecordingFile::endForWantOfRoom()

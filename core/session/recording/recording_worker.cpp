@@ -70,11 +70,7 @@ void RecordingWorker::start(
     QString systemText;
     auto sink = m_makeSink(path, systemText);
     if (!sink) {
-        RecordingResult refused;
-        refused.outcome = RecordingOutcome::CannotOpen;
-        refused.path = path;
-        refused.systemText = systemText;
-        Q_EMIT finished(refused);
+        Q_EMIT finished({RecordingOutcome::CannotOpen, path, systemText, {}, {}});
         return;
     }
     record::Begin whole = begin;

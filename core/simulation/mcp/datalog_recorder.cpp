@@ -68,12 +68,7 @@ mcp::Status DatalogRecorder::configure(const StaleBytes &value)
 mcp::Status DatalogRecorder::configureAsPrinted(const StaleBytes &value, int size)
 {
     constexpr std::size_t kFields = 5, kMfWidth = 4;
-    Configuration wanted;
-    wanted.asPrinted = true;
-    wanted.hfRate = value.u8(0);
-    wanted.hfCount = value.u8(1);
-    wanted.mfRate = value.u8(2);
-    wanted.mfCount = value.u8(3);
+    Configuration wanted{true, value.u8(0), value.u8(1), value.u8(2), value.u8(3)};
     const std::size_t count = std::size_t{wanted.hfCount} + wanted.mfCount;
     if (size < 0 || static_cast<std::size_t>(size) != kFields + 2 * count)
         return mcp::Status::BadRawFormat;

@@ -183,11 +183,8 @@ void Performer::takeLimits()
 
 void Performer::ping(TimePoint now)
 {
-    aspep::Ping reply;
-    reply.configured = m_state != State::Idle;
-    reply.parity = (m_requests & 1U) != 0;
-    reply.linkId = m_linkId;
-    reply.number = static_cast<std::uint16_t>(m_word >> 12);
+    aspep::Ping reply{m_state != State::Idle, (m_requests & 1U) != 0, m_linkId,
+        static_cast<std::uint16_t>(m_word >> 12)};
     if (m_traits.truncatesPingNumber && m_state == State::Connected)
         reply.number = static_cast<std::uint16_t>((m_word >> 8) & 0xFFU);
     if (m_state == State::Configured)
