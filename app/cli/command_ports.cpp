@@ -5,6 +5,8 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <array>
+
 namespace cli {
 
 namespace {
@@ -13,8 +15,8 @@ using session::PortChoice;
 
 const char *wordOf(PortChoice::Kind kind)
 {
-    static const char *const words[] = {"simulator", "st-link", "serial"};
-    return words[static_cast<std::size_t>(kind)];
+    constexpr std::array kWords{"simulator", "st-link", "serial"};
+    return kWords.at(static_cast<std::size_t>(kind));
 }
 
 QString titleOf(const PortChoice &port)

@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <array>
 #include <set>
 
 namespace cli {
@@ -16,15 +17,14 @@ using catalog::Streaming;
 
 const char *wordOf(Access access)
 {
-    static const char *const words[] = {"-", "R", "W", "RW"};
-    return words[static_cast<std::size_t>(access)];
+    constexpr std::array kWords{"-", "R", "W", "RW"};
+    return kWords.at(static_cast<std::size_t>(access));
 }
 
 const char *wordOf(catalog::ValueType type)
 {
-    static const char *const words[] = {
-        "u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
-    return words[static_cast<std::size_t>(type)];
+    constexpr std::array kWords{"u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
+    return kWords.at(static_cast<std::size_t>(type));
 }
 
 QJsonObject jsonOf(const RegisterInfo &info, const QString &unit)

@@ -5,16 +5,18 @@
 
 #include <QJsonArray>
 
+#include <array>
+
 namespace cli {
 
 namespace {
 
 const char *wordOf(snapshots::NotRestored why)
 {
-    static const char *const words[] = {"not on this board", "something else in this firmware",
+    constexpr std::array kWords{"not on this board", "something else in this firmware",
         "moves a motor", "the motor is not idle",
         "firmware reads it in another form than it writes"};
-    return words[static_cast<std::size_t>(why)];
+    return kWords.at(static_cast<std::size_t>(why));
 }
 
 Outcome<int> checkHardware(const Desk &desk, const snapshots::Snapshot &snapshot)

@@ -8,6 +8,7 @@
 
 #include <QJsonArray>
 
+#include <array>
 #include <cmath>
 
 namespace cli {
@@ -20,9 +21,9 @@ using motor::RevUpMistake;
 
 const char *wordOf(RevUpMistake mistake)
 {
-    static const char *const words[] = {"too little torque", "ends too slow", "too much current",
+    constexpr std::array kWords{"too little torque", "ends too slow", "too much current",
         "stage without time", "speed beyond limit", "speed does not fit", "turns back", "no stage"};
-    return words[static_cast<std::size_t>(mistake)];
+    return kWords.at(static_cast<std::size_t>(mistake));
 }
 
 auto badStage(const QString &word)
