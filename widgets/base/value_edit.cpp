@@ -38,9 +38,8 @@ ValueEdit::ValueEdit(QWidget *parent)
     setAlignment(Qt::AlignRight);
 }
 
-void ValueEdit::setPlain(const QString &ofValue, double step)
+void ValueEdit::setPlain(const QString &unit, double step)
 {
-    const QString unit = unitText(ofValue); // as it is shown, and typed
     const bool same = !m_time && unit == m_unit && step == m_step;
     m_time = false;
     m_unit = unit;
@@ -94,8 +93,14 @@ std::optional<double> ValueEdit::understood() const
                 break;
             }
         }
-    } else if (!m_unit.isEmpty() && text.endsWith(m_unit, Qt::CaseInsensitive)) {
-        text.chop(m_unit.size());
+    } else {
+        // As it is shown, and as files have it.
+        for (const QString &known : {unitText(m_unit), m_unit}) {
+            if (!known.isEmpty() && text.endsWith(known, Qt::CaseInsensitive)) {
+                text.chop(known.size());
+                break;
+            }
+        }
     }
     const auto number = readPlainNumber(text.trimmed(), kMostDigits);
     if (!number)

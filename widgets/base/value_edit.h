@@ -13,8 +13,8 @@ class ValueEdit : public QLineEdit {
 public:
     explicit ValueEdit(QWidget *parent = nullptr);
 
-    /// A plain number in this unit, shown in steps of `step`.
-    void setPlain(const QString &ofValue, double step);
+    /// A plain number in this unit, which may be typed behind it, shown in steps of `step`.
+    void setPlain(const QString &unit, double step);
     void setTime(); ///< value() in seconds
     void setBounds(double least, double most);
     void setValue(double value); ///< does not change what is being typed

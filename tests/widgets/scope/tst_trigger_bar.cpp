@@ -46,6 +46,7 @@ private Q_SLOTS:
     void thePositionIsDragged();
     void fieldsAppearWhereTheyMatter();
     void aLevelIsTypedStrictly();
+    void digitsAreTypedWithEitherOfTheirNames();
     void valuesThatMakeNoSenseAreSaid();
     void everyTypeIsSearchedFor();
     void stateChangesAndWritesTrigger();
@@ -285,6 +286,22 @@ void TestTriggerBar::aLevelIsTypedStrictly()
     QVERIFY(!holdOff->understood());
     holdOff->setText(QStringLiteral("-1 ms"));
     QVERIFY(!holdOff->understood());
+}
+
+void TestTriggerBar::digitsAreTypedWithEitherOfTheirNames()
+{
+    widgets::ValueEdit edit;
+    edit.setPlain(QStringLiteral("s16A"), 1.0);
+    edit.setValue(7.0);
+    QCOMPARE(edit.text(), QStringLiteral("7\u00a0digits"));
+    for (const char *text : {"100", "100 digits", "100 s16A", "100s16a"}) {
+        edit.setText(QString::fromUtf8(text));
+        QVERIFY2(edit.understood() == 100.0, text);
+    }
+    for (const char *text : {"100 A", "100 s16V", "100 digits s16A"}) {
+        edit.setText(QString::fromUtf8(text));
+        QVERIFY2(!edit.understood(), text);
+    }
 }
 
 void TestTriggerBar::valuesThatMakeNoSenseAreSaid()
