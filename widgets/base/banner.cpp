@@ -55,9 +55,7 @@ Banner::Banner(QWidget *over, std::function<int()> free, QWidget *window)
     m_close->setAccessibleName(tr("Close this message"));
     connect(m_close, &QToolButton::clicked, this, &Banner::clear);
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
-    layout->setSpacing(kGrid);
+    auto *layout = edged(new QHBoxLayout(this), kToolEdges, kGrid);
     layout->addWidget(m_mark);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);

@@ -1,5 +1,6 @@
 #include "widgets/control/stop_words.h"
 
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
 
@@ -40,9 +41,7 @@ StopWords::StopWords(QWidget *parent)
 {
     setObjectName(QStringLiteral("stopWords"));
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(kLineGap);
+    auto *grid = bare(new QGridLayout(this), -1, kLineGap);
     grid->setColumnStretch(0, 1);
     for (std::size_t i = 0; i < kWords; ++i) {
         Line &line = m_lines[i];

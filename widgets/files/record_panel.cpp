@@ -2,6 +2,7 @@
 
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
 #include "widgets/scope/scope_ghosts.h"
@@ -80,8 +81,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
 QWidget *RecordPanel::makeReferences(ScopeView &scope)
 {
     auto *box = new QWidget(this);
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = bare(new QGridLayout(box));
     const auto add = [&](Reference which, int row, const char *keepName, const char *dropName,
                          const QString &keepText, const QString &dropText, const QString &key) {
         auto *keep = new QPushButton(keepText, box);

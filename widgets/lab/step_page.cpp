@@ -99,8 +99,7 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
 {
     setObjectName(QStringLiteral("stepPage"));
     auto *above = new QWidget(this);
-    auto *row = new QHBoxLayout(above);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto *row = bare(new QHBoxLayout(above));
     row->addWidget(new FieldScroll(makeSide(), above));
     row->addWidget(m_overlay, 1);
     auto *both = new QSplitter(Qt::Vertical, this);
@@ -111,8 +110,7 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     both->setStretchFactor(0, 3);
     both->setStretchFactor(1, 2);
     makeTable();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0});
     layout->addWidget(both);
     makeBar();
     connectParts();
@@ -125,9 +123,7 @@ QWidget *StepPage::makeSide()
     m_direction->addItems({tr("steps up"), tr("steps down")});
     new WheelGuard(m_direction);
     auto *side = new QWidget(this);
-    auto *layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(kGrid);
+    auto *layout = bare(new QVBoxLayout(side), kGrid);
     // What is changed from step to step is in view, also where the rest has to scroll.
     layout->addWidget(m_gains);
     layout->addWidget(m_fields);

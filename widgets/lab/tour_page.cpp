@@ -41,9 +41,7 @@ TourPage::TourPage(const Parts &parts, QWidget *parent)
     m_table->setMinimumHeight(80);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setSectionResizeMode(TourSteps::ResultColumn, QHeaderView::Stretch);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
-    layout->setSpacing(kHalfGrid);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0}, kHalfGrid);
     layout->addWidget(makeChoices());
     layout->addWidget(m_table, 1);
     makeBar();
@@ -70,9 +68,7 @@ TourPage::TourPage(const Parts &parts, QWidget *parent)
 QWidget *TourPage::makeChoices()
 {
     auto *choices = new QWidget(this);
-    auto *row = new QHBoxLayout(choices);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kGrid);
+    auto *row = bare(new QHBoxLayout(choices), kGrid);
     m_goal = named(new QComboBox(choices), "tourGoal");
     m_goal->setToolTip(
         tr("How near to instability the proposed gains go: Ms at most 1.4, 1.7, 2.0"));

@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/named.h"
+#include "widgets/base/look/spacing.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -33,8 +34,7 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
 {
     connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
-    auto *layout = new QGridLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = bare(new QGridLayout(this));
     if (m_wide) { // else words go before signs
         setLineIcon(*m_revert, "revert");
         setLineIcon(*m_apply, "apply");
