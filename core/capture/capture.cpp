@@ -350,8 +350,6 @@ Capture::Entry &Capture::entryOf(ChannelId id)
         m_entries, [id](const Entry &entry) { return entry.channel->info().id == id; });
 }
 
-Channel *Capture::mutableChannel(ChannelId id) { return const_cast<Channel *>(channel(id)); }
-
 std::optional<ChannelInfo> Capture::info(ChannelId id) const
 {
     const Channel *found = channel(id);

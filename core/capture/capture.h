@@ -141,7 +141,7 @@ private:
         const StreamSignal &signal, ChannelInfo::Kind kind, std::span<Channel *const> taken);
     ChannelId add(ChannelInfo info);
     void makeStreamChannels();
-    Channel *mutableChannel(ChannelId id);
+    Channel *mutableChannel(ChannelId id) { return const_cast<Channel *>(channel(id)); }
     void appendFast(const SampleBlock &block);
     void appendSlow(const SampleBlock &block);
     bool follows(const SampleBlock &block);

@@ -85,8 +85,6 @@ std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) 
     return result;
 }
 
-std::optional<double> Channel::valueAt(double time) const { return valueAt(toNanos(time)); }
-
 std::optional<double> Channel::valueAt(Nanos time) const
 {
     const Index after = atOrAfter(time + 1);

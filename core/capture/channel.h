@@ -90,7 +90,7 @@ public:
     std::vector<MinMax> columns(double from, double to, std::size_t count) const;
 
     /// The newest sample at or before `time`, while it holds; nullopt in gaps.
-    std::optional<double> valueAt(double time) const;
+    std::optional<double> valueAt(double time) const { return valueAt(toNanos(time)); }
     std::optional<double> valueAt(Nanos time) const;
 
     /// The samples in [from, to), and the one before it if it still holds at `from`; the oldest

@@ -37,11 +37,7 @@ Framer::Step Framer::takeByte(std::uint8_t byte, Frame &frame)
                                                                      : Step::BadChecksum;
 }
 
-void Framer::reset() { m_size = 0; }
-
 std::size_t Framer::wanted() const { return m_size < 2 ? 2 : m_bytes[1] + kFrameOverhead; }
-
-std::size_t Framer::missing() const { return m_size == 0 ? 0 : wanted() - m_size; }
 
 ByteView Framer::partialPayload() const
 {

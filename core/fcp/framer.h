@@ -53,10 +53,10 @@ public:
     Step next(ByteView &bytes, Frame &frame);
 
     /// The next byte is a header. A frame that was under way is dropped.
-    void reset();
+    void reset() { m_size = 0; }
     bool midFrame() const { return m_size > 0; }
     /// Bytes that the frame under way still needs, as far as is known.
-    std::size_t missing() const;
+    std::size_t missing() const { return m_size == 0 ? 0 : wanted() - m_size; }
     /// Payload bytes of the frame under way that have come.
     ByteView partialPayload() const;
 

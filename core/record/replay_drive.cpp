@@ -120,8 +120,6 @@ void ReplayDrive::receive(ByteView bytes, TimePoint now)
     advance(now);
 }
 
-void ReplayDrive::handleTimeout(TimePoint now) { advance(now); }
-
 std::optional<TimePoint> ReplayDrive::nextTimeout() const
 {
     if (!m_open || m_asked)

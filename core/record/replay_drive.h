@@ -64,7 +64,7 @@ public:
     void connect(TimePoint now) override;
     void disconnect(TimePoint now) override;
     void receive(ByteView bytes, TimePoint now) override;
-    void handleTimeout(TimePoint now) override;
+    void handleTimeout(TimePoint now) override { advance(now); }
     void handleSent(TimePoint) override { }
     std::vector<Output> takeOutput() override { return std::exchange(m_output, {}); }
     std::vector<drive::Event> takeEvents() override { return std::exchange(m_events, {}); }

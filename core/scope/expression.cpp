@@ -107,8 +107,6 @@ std::size_t Expression::argumentsOf(std::string_view function)
     return found->one ? 1 : 2;
 }
 
-bool Expression::isConstant(std::string_view name) { return name == "pi" || name == "e"; }
-
 // ---- units ---------------------------------------------------------------------------------------------------------
 
 namespace {

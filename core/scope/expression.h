@@ -28,7 +28,7 @@ public:
     static std::string slotName(std::size_t slot);
     /// Arguments of one of its functions; 0 if there is none of that name.
     static std::size_t argumentsOf(std::string_view function);
-    static bool isConstant(std::string_view name);
+    static bool isConstant(std::string_view name) { return name == "pi" || name == "e"; }
 
 private:
     std::unique_ptr<mu::Parser> m_parser;

@@ -8,20 +8,19 @@ MotorTruth truthOf(const Axis &axis)
 {
     const MotorState state = axis.firmware.state();
     const Stage &stage = axis.firmware.stage();
-    MotorTruth truth;
-    truth.idle = state == MotorState::Idle || state == MotorState::FaultNow
+    const bool idle = state == MotorState::Idle || state == MotorState::FaultNow
         || state == MotorState::FaultOver;
-    truth.driven = !truth.idle && state != MotorState::Stop;
-    truth.state = state;
-    truth.faults = axis.firmware.faultFlags();
-    truth.measuredRpm = axis.firmware.speed_rpm();
-    truth.referenceRpm = axis.firmware.speedReference_rpm();
-    truth.rpm = axis.plant.speed_radps() * 30.0 / std::numbers::pi;
-    truth.iqAmps = axis.plant.iq_a();
-    truth.maxRpm = stage.maxSpeed_rpm;
-    truth.ampsPerDigit = stage.ampsPerDigit();
-    truth.maxAmps = stage.maxReadable_a;
-    return truth;
+    return {.driven = !idle && state != MotorState::Stop,
+        .idle = idle,
+        .state = state,
+        .faults = axis.firmware.faultFlags(),
+        .rpm = axis.plant.speed_radps() * 30.0 / std::numbers::pi,
+        .measuredRpm = double(axis.firmware.speed_rpm()),
+        .referenceRpm = double(axis.firmware.speedReference_rpm()),
+        .iqAmps = axis.plant.iq_a(),
+        .maxRpm = double(stage.maxSpeed_rpm),
+        .ampsPerDigit = stage.ampsPerDigit(),
+        .maxAmps = stage.maxReadable_a};
 }
 
 MotorTruth truthOf(const Axes &axes, int motor)

@@ -46,8 +46,6 @@ void StartCheck::onResponse(const ByteView &response, TimePoint now)
         m_readings.push_back(std::move(reading));
 }
 
-void StartCheck::onNoResponse() { m_reader.onNoResponse(); }
-
 std::string StartCheck::refusal() const
 {
     std::optional<std::int64_t> mode;

@@ -21,7 +21,7 @@ public:
     /// The next question; nothing once all is known (then refusal() says what was found).
     std::optional<McpRequest> nextRequest();
     void onResponse(const ByteView &response, TimePoint now);
-    void onNoResponse();
+    void onNoResponse() { m_reader.onNoResponse(); }
 
     bool gaveUp() const { return m_reader.gaveUp(); }
     /// Why the motor must not be started; empty if it may.

@@ -63,8 +63,6 @@ void JsonText::key(const QString &name)
     m_keyed = true;
 }
 
-void JsonText::key(std::string_view name) { key(QString::fromUtf8(name)); }
-
 void JsonText::value(const QString &text) { put(quoted(text)); }
 
 void JsonText::value(std::string_view text) { put(quoted(QString::fromUtf8(text))); }
@@ -78,7 +76,5 @@ void JsonText::value(double number)
     put(std::isfinite(number) ? QByteArray::number(number, 'g', QLocale::FloatingPointShortest)
                               : QByteArray("null"));
 }
-
-void JsonText::value(bool truth) { put(truth ? "true" : "false"); }
 
 } // namespace session

@@ -45,7 +45,7 @@ public:
     void value(qint64 number);
     void value(std::uint64_t number);
     void value(double number); ///< null if it is not finite: JSON has no word for that
-    void value(bool truth);
+    void value(bool truth) { put(truth ? "true" : "false"); }
 
     /// key() and value().
     template <class T>
@@ -68,7 +68,7 @@ public:
     const QByteArray &text() const { return m_text; }
 
 private:
-    void key(std::string_view name);
+    void key(std::string_view name) { key(QString::fromUtf8(name)); }
     void separate();
     void newLine();
     void open(char bracket);

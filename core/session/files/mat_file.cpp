@@ -201,19 +201,15 @@ MatResult write(const QString &path, const capture::Snapshot &channels,
     std::size_t mostBytes)
 {
     MatResult result;
-    result.file.error = FileError::Cancelled;
     auto [groups, tooLong, cancelled] = gather(channels, range, proceed, mostBytes);
-    if (cancelled)
-        return result;
-    result.file.error = FileError::None;
-    result.tooLong = tooLong;
-    if (result.tooLong)
+    result.file.error = cancelled ? FileError::Cancelled : FileError::None;
+    result.tooLong = tooLong && !cancelled;
+    if (cancelled || tooLong)
         return result;
     for (const Group &group : groups)
         result.rows += group.rows.time.size();
     if (matLibrary() == nullptr) {
-        result.file.error = FileError::CannotWrite;
-        result.file.systemText = QStringLiteral("libmatio is not installed");
+        result.file = {FileError::CannotWrite, QStringLiteral("libmatio is not installed")};
         return result;
     }
     // libmatio opens files by their names; from its own place the file then goes to where it is wanted, or nowhere.
@@ -233,8 +229,8 @@ MatResult write(const QString &path, const capture::Snapshot &channels,
         return result;
     }
     if (!plain || !readsBack(name, groups) || !made.open(QIODevice::ReadOnly)) {
-        result.file.error = FileError::CannotWrite;
-        result.file.systemText = QStringLiteral("there is no room for it in %1").arg(folder.path());
+        result.file = {FileError::CannotWrite,
+            QStringLiteral("there is no room for it in %1").arg(folder.path())};
         return result;
     }
     MatPacking packing(

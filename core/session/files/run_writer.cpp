@@ -76,11 +76,6 @@ QString RunWriter::begin(const record::Begin &begin)
     return m_file->open() ? QString() : systemTextOf(*m_file);
 }
 
-bool RunWriter::add(record::Nanos at, record::Entry entry)
-{
-    return m_file->add(at, std::move(entry));
-}
-
 Result<Run, QString> RunWriter::end(const std::optional<snapshots::Snapshot> &registers)
 {
     if (m_file->isOver() || !m_file->end())

@@ -21,7 +21,7 @@ public:
 
     /// The next number, and the file of the recording. @return  empty, or why not
     QString begin(const record::Begin &begin);
-    bool add(record::Nanos at, record::Entry entry);
+    bool add(record::Nanos at, record::Entry entry) { return m_file->add(at, std::move(entry)); }
     /// Evaluates the recording, too. @return  the run, or why not
     Result<Run, QString> end(const std::optional<snapshots::Snapshot> &registers);
 

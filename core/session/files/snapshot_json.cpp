@@ -261,9 +261,7 @@ QByteArray snapshotJson(const Snapshot &snapshot)
 Result<Snapshot, SnapshotFileError> readSnapshotJson(const QByteArray &text)
 {
     const auto wrong = [](Problem problem) {
-        SnapshotFileError error;
-        error.problem = problem;
-        return fail(error);
+        return fail(SnapshotFileError{problem, 0, 0, {}, {}});
     };
     QJsonParseError error;
     const QJsonObject root = QJsonDocument::fromJson(text, &error).object();

@@ -105,8 +105,6 @@ void Batcher::replace(drive::Event event, Same same)
     m_waiting.push_back(std::move(event));
 }
 
-void Batcher::acknowledge() { m_unacknowledged = std::max(0, m_unacknowledged - 1); }
-
 std::optional<TimePoint> Batcher::due() const
 {
     if (m_waiting.empty() || behind())
@@ -124,8 +122,6 @@ BatchPtr Batcher::take(TimePoint now)
     m_notBefore = now + period - (late <= period / 4 ? late : Duration::zero());
     return hand();
 }
-
-BatchPtr Batcher::takeAll() { return m_waiting.empty() ? nullptr : hand(); }
 
 BatchPtr Batcher::hand()
 {

@@ -45,7 +45,7 @@ public:
     }
 
     void add(drive::Event event);
-    void acknowledge();
+    void acknowledge() { m_unacknowledged = std::max(0, m_unacknowledged - 1); }
     void setCalm(bool calm) { m_calm = calm; } ///< nothing moves; from the next batch on
 
     /// When take() will give a batch; empty while there is nothing to tell or the receiver is
@@ -55,7 +55,7 @@ public:
     BatchPtr take(TimePoint now);
     /// All that waits, whatever the pace: the last words before a port is closed. nullptr if
     /// nothing waits.
-    BatchPtr takeAll();
+    BatchPtr takeAll() { return m_waiting.empty() ? nullptr : hand(); }
 
 private:
     struct Stream {

@@ -41,11 +41,6 @@ void DeadMan::begin(TimePoint now)
     m_idleBy.reset();
 }
 
-void DeadMan::takeStatus(const drive::MotorStatus &status)
-{
-    m_states[status.motor] = status.state;
-}
-
 bool DeadMan::driven(int motor) const
 {
     const auto found = m_states.find(motor);

@@ -93,7 +93,7 @@ public:
     void begin(TimePoint now); ///< the user has opened a connection
     void armed() { m_ours = true; } ///< the user has armed
     void disarmed() { m_ours = false; } ///< the user has: what turns is left to turn
-    void takeStatus(const drive::MotorStatus &status);
+    void takeStatus(const drive::MotorStatus &status) { m_states[status.motor] = status.state; }
 
     /// Whether what turns now, or could, is this interface's to answer for.
     bool responsible() const { return m_ours; }

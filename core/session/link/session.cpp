@@ -587,11 +587,8 @@ void Session::finishClosing()
 
 void Session::openNext()
 {
-    if (m_next && m_phase == Phase::Closed) {
-        const Endpoint next = *m_next;
-        m_next.reset();
-        openNow(next, m_parts.clock());
-    }
+    if (m_next && m_phase == Phase::Closed)
+        openNow(*std::exchange(m_next, std::nullopt), m_parts.clock());
 }
 
 /// The transport may be the sender of the signal that led here: it goes when the event loop is
@@ -658,45 +655,37 @@ void Session::tellRest()
 void Session::tellArmed()
 {
     const bool armed = m_drive && m_drive->armed();
-    if (armed == m_armed)
-        return;
-    m_armed = armed;
-    Q_EMIT armedChanged(armed);
+    if (std::exchange(m_armed, armed) != armed)
+        Q_EMIT armedChanged(armed);
 }
 
 void Session::tellStops()
 {
     const QStringList ports = m_stops.portsBut(linked() ? &m_endpoint : nullptr);
-    if (ports == m_stopsTold)
-        return;
-    m_stopsTold = ports;
-    Q_EMIT stopsWanted(ports);
+    if (std::exchange(m_stopsTold, ports) != ports)
+        Q_EMIT stopsWanted(ports);
 }
 
 std::optional<TimePoint> Session::nextStep() const
 {
     std::optional<TimePoint> next;
-    const auto sooner = [&next](std::optional<TimePoint> other) {
-        if (other && (!next || *other < *next))
-            next = other;
-    };
-    sooner(m_batcher.due());
+    earliest(next, m_batcher.due());
     if (m_phase != Phase::Closed && m_phase != Phase::Open)
-        sooner(m_deadline);
+        earliest(next, m_deadline);
     if (m_yieldBy)
         return m_stampedAt + Guardian::kRepeat;
     if (linked()) {
         if (m_driven.any() && m_parts.guardian)
-            sooner(m_stampedAt + Guardian::kStampEvery);
-        sooner(m_drive->nextTimeout());
-        sooner(m_outbox.nextDue());
-        sooner(m_transport->nextWake());
+            earliest(next, m_stampedAt + Guardian::kStampEvery);
+        earliest(next, m_drive->nextTimeout());
+        earliest(next, m_outbox.nextDue());
+        earliest(next, m_transport->nextWake());
         if (m_experiment)
-            sooner(m_experiment->nextTimeout());
+            earliest(next, m_experiment->nextTimeout());
     }
     if (m_phase == Phase::Open)
         if (const auto wait = m_deadMan.nextLook(m_drive->armed(), m_elapsed()))
-            sooner(m_parts.clock() + *wait);
+            earliest(next, m_parts.clock() + *wait);
     return next;
 }
 

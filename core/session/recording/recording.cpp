@@ -26,10 +26,8 @@ Recording::Recording(
 Recording::~Recording()
 {
     stop();
-    RecordingWorker *worker = m_worker;
-    QThread *thread = &m_thread;
     QMetaObject::invokeMethod(
-        worker, [thread] { thread->quit(); }, Qt::QueuedConnection);
+        m_worker, [this] { m_thread.quit(); }, Qt::QueuedConnection);
     m_thread.wait();
 }
 
@@ -41,9 +39,8 @@ void Recording::start(const QString &path, RecordingTap::Content content, const 
     m_running = true;
     m_ending = false;
     const record::Begin begin{0, program.toStdString(), source.toStdString()};
-    RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
-        worker, [worker, path, content, begin] { worker->start(path, content, begin); },
+        m_worker, [=, worker = m_worker] { worker->start(path, content, begin); },
         Qt::QueuedConnection);
 }
 
@@ -52,18 +49,16 @@ void Recording::stop()
     if (!m_running)
         return;
     m_ending = true;
-    RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
-        worker, [worker] { worker->stop(); }, Qt::QueuedConnection);
+        m_worker, [worker = m_worker] { worker->stop(); }, Qt::QueuedConnection);
 }
 
 bool Recording::add(record::Nanos at, record::Entry entry)
 {
     if (!m_running || m_ending)
         return false;
-    RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
-        worker, [worker, at, what = std::move(entry)] { worker->add(at, what); },
+        m_worker, [worker = m_worker, at, what = std::move(entry)] { worker->add(at, what); },
         Qt::QueuedConnection);
     return true;
 }

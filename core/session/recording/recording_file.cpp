@@ -115,8 +115,6 @@ RecordingFile::RecordingFile(std::unique_ptr<BlockSink> sink, record::Begin begi
 {
 }
 
-bool RecordingFile::open() { return write(m_encoder.head()); }
-
 bool RecordingFile::add(record::Nanos at, record::Entry entry)
 {
     if (m_over)

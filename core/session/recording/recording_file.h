@@ -49,7 +49,7 @@ public:
     RecordingFile(std::unique_ptr<BlockSink> sink, record::Begin begin);
 
     /// Writes the head. False: see failure().
-    bool open();
+    bool open() { return write(m_encoder.head()); }
     /// True unless the recording is over now. An entry that fits no block is left out and counted.
     bool add(record::Nanos at, record::Entry entry);
     /// Writes what was gathered long enough at `now`.

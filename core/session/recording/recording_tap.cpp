@@ -29,11 +29,6 @@ void RecordingTap::switchOn(unsigned recording, Content content)
     m_recording = recording;
 }
 
-void RecordingTap::switchOff() { m_recording = 0; }
-
-/// A new recording first hears what holds.
-bool RecordingTap::isOn() { return m_recording != 0; }
-
 void RecordingTap::onEvent(const drive::Event &event, TimePoint now)
 {
     // A new recording hears the state from before this event first.
@@ -53,8 +48,6 @@ void RecordingTap::onWish(const drive::Wish &wish, TimePoint now)
 {
     tell(m_entries.take(wish), now);
 }
-
-void RecordingTap::onStop(TimePoint now) { tell({record::DriveEntries::stop()}, now); }
 
 void RecordingTap::onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now)
 {

@@ -39,7 +39,7 @@ public:
     // In any thread.
     /// From now on entries go to this recording; what holds already is told first, with the next thing that happens.
     void switchOn(unsigned recording, Content content);
-    void switchOff();
+    void switchOff() { m_recording = 0; }
     void release(std::size_t bytes)
     {
         m_waiting -= bytes;
@@ -52,7 +52,7 @@ public:
     // In the session's thread.
     void onEvent(const drive::Event &event, TimePoint now) override;
     void onWish(const drive::Wish &wish, TimePoint now) override;
-    void onStop(TimePoint now) override;
+    void onStop(TimePoint now) override { tell({record::DriveEntries::stop()}, now); }
     void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now) override;
 
 Q_SIGNALS:
@@ -61,7 +61,7 @@ Q_SIGNALS:
     void crowded(); ///< a quarter of what may wait does; connect it queued
 
 private:
-    bool isOn();
+    bool isOn() const { return m_recording != 0; }
     void tell(std::vector<record::Entry> entries, TimePoint now);
     void send(std::vector<record::Entry> entries, std::size_t bytes, TimePoint now);
     void drop(const std::vector<record::Entry> &entries);

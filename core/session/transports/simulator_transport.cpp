@@ -22,8 +22,6 @@ PortError SimulatorTransport::open(TimePoint now)
     return {};
 }
 
-void SimulatorTransport::close() { m_board.reset(); }
-
 void SimulatorTransport::write(ByteView bytes, TimePoint now)
 {
     if (m_board)

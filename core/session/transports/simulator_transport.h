@@ -17,7 +17,7 @@ public:
     explicit SimulatorTransport(MakeBoard makeBoard);
 
     PortError open(TimePoint now) override;
-    void close() override;
+    void close() override { m_board.reset(); }
     void write(ByteView bytes, TimePoint now) override;
     bool sent(TimePoint) const override { return true; }
     void advance(TimePoint now) override;

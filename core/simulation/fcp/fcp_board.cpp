@@ -109,17 +109,13 @@ void FcpBoard::send(const Bytes &frame, TimePoint at)
 
 Bytes FcpBoard::takeOutput()
 {
-    Bytes out = std::move(m_injected);
-    m_injected.clear();
+    Bytes out = std::exchange(m_injected, {});
     while (!m_outgoing.empty() && m_outgoing.front().end <= m_now) {
         TimedByte byte = m_outgoing.front();
         m_outgoing.pop_front();
-        if (m_corruptAfter) {
-            if (*m_corruptAfter == 0)
-                byte.value = static_cast<std::uint8_t>(byte.value ^ 1U);
-            m_corruptAfter = *m_corruptAfter == 0
-                ? std::nullopt
-                : std::optional<std::uint64_t>(*m_corruptAfter - 1);
+        if (m_corruptAfter && (*m_corruptAfter)-- == 0) {
+            byte.value ^= 1U;
+            m_corruptAfter.reset();
         }
         if (byte.end > m_muteUntil)
             out.push_back(byte.value);
@@ -151,8 +147,6 @@ void FcpBoard::setFaults(std::uint16_t present)
     m_server.setFaults(std::uint32_t{present} << 16U | past);
 }
 
-void FcpBoard::mute(Duration time) { m_muteUntil = m_now + time; }
-
 void FcpBoard::corruptAfter(std::uint64_t bytes) { m_corruptAfter = bytes; }
 
 void FcpBoard::inject(ByteView bytes)
@@ -168,12 +162,11 @@ MotorTruth FcpBoard::truth(int motor) const
         return {};
     const std::uint8_t state = motors[static_cast<std::size_t>(motor) - 1U].state;
     constexpr std::uint8_t kIdle = 0, kFaultNow = 10, kFaultOver = 11;
-    MotorTruth truth;
-    truth.idle = state == kIdle || state == kFaultNow || state == kFaultOver;
-    truth.driven = !truth.idle;
-    truth.state = static_cast<MotorState>(state);
-    truth.faults = m_server.faults();
-    return truth;
+    const bool idle = state == kIdle || state == kFaultNow || state == kFaultOver;
+    return {.driven = !idle,
+        .idle = idle,
+        .state = static_cast<MotorState>(state),
+        .faults = m_server.faults()};
 }
 
 std::string FcpBoard::describe() const

@@ -25,7 +25,7 @@ public:
 
     void reset() override;
     void setFaults(std::uint16_t present) override;
-    void mute(Duration time) override;
+    void mute(Duration time) override { m_muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override;
     void inject(ByteView bytes) override;
     void setLoadTorque(int, double) override { } ///< nothing turns

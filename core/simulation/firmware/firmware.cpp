@@ -180,11 +180,6 @@ void Firmware::setControlMode(std::uint8_t mode)
     }
 }
 
-std::int32_t Firmware::speedReference_rpm() const
-{
-    return 6 * m_speedControl.speedReference_dHz();
-}
-
 void Firmware::Offsets::begin()
 {
     sumA = sumB = 0;

@@ -82,7 +82,7 @@ public:
     PositionRamp lastPositionRamp() const { return m_lastPositionRamp; }
     const std::array<RevUpStage, kRevUpStages> &revUp() const { return m_stages; }
     std::int32_t speed_rpm() const { return 6 * m_speed_dHz; }
-    std::int32_t speedReference_rpm() const;
+    std::int32_t speedReference_rpm() const { return 6 * m_speedControl.speedReference_dHz(); }
     std::int16_t torqueReference() const { return m_wanted.q; }
     double power_w() const { return static_cast<double>(m_signals.power_w); }
     double hfHz() const { return m_hfHz; }

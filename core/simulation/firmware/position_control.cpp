@@ -24,8 +24,6 @@ PositionControl::Digits PositionControl::digitsOf(double rad)
     return std::llround(cut * 65536.0 / (2.0 * std::numbers::pi));
 }
 
-void PositionControl::clear() { *this = PositionControl(); }
-
 void PositionControl::move(Digits now, Digits target, int ticks)
 {
     m_from = m_state == State::Ready ? now : reference();

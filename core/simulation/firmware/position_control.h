@@ -14,7 +14,7 @@ public:
     using Digits = std::int64_t;
     enum class State : std::uint8_t { Ready = 0, Moving = 1, Reached = 2, Following = 3 };
 
-    void clear();
+    void clear() { *this = PositionControl(); }
     /// From where the path is, or `now` if there is none, to `target`; without a time it is followed as it is given.
     void move(Digits now, Digits target, int ticks);
     /// One tick: the torque, within +-limit, digits.

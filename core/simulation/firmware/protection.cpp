@@ -10,8 +10,6 @@ Protection::Protection(const Limits &limits)
 {
 }
 
-void Protection::clear() { m_present = 0; }
-
 void Protection::set(std::uint16_t bit, bool on)
 {
     m_present = static_cast<std::uint16_t>(on ? m_present | bit : m_present & ~bit);

@@ -25,7 +25,7 @@ public:
     };
     explicit Protection(const Limits &limits);
 
-    void clear();
+    void clear() { m_present = 0; }
     /// Once a millisecond: the averaged bus voltage and temperature.
     void watch(double bus_v, double heatsink_c, const Tuning &thresholds);
     /// Every control period; true if the comparator switches the bridge off.

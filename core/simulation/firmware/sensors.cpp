@@ -166,9 +166,4 @@ Sensors::Reading Sensors::reading() const
     }
 }
 
-std::int16_t Sensors::angle() const { return reading().angle; }
-std::int16_t Sensors::perPeriod() const { return reading().perPeriod; }
-std::int16_t Sensors::speed_dHz() const { return reading().speed_dHz; }
-bool Sensors::reliable() const { return reading().reliable; }
-
 } // namespace simulation

@@ -34,10 +34,11 @@ public:
     bool converged(std::int16_t forced_dHz);
 
     // Of the main sensor.
-    std::int16_t angle() const;
-    std::int16_t perPeriod() const; ///< angle a control period
-    std::int16_t speed_dHz() const;
-    bool reliable() const;
+    std::int16_t angle() const { return reading().angle; }
+    /// Angle a control period.
+    std::int16_t perPeriod() const { return reading().perPeriod; }
+    std::int16_t speed_dHz() const { return reading().speed_dHz; }
+    bool reliable() const { return reading().reliable; }
     bool seesRotorAtRest() const
     {
         return m_main == SpeedSensor::Encoder || m_main == SpeedSensor::Hall;

@@ -11,8 +11,6 @@ Pi::Gains gainsOf(const Tuning &t) { return {t.speedKp, t.speedKi, t.speedKpDiv,
 
 } // namespace
 
-void Ramp::set(std::int32_t value) { start(value, 0); }
-
 void Ramp::start(std::int32_t target, int ticks)
 {
     m_target = std::int64_t{target} * 65536;
@@ -46,8 +44,6 @@ void SpeedControl::takeOver(std::int16_t speed_dHz, std::int16_t torque, const T
     m_speed.set(speed_dHz);
     m_mode = Mode::Speed;
 }
-
-void SpeedControl::rampSpeed(std::int32_t target_dHz, int ms) { m_speed.start(target_dHz, ms); }
 
 void SpeedControl::rampTorque(std::int32_t target, int ms) { m_torque.start(target, ms); }
 

@@ -13,7 +13,7 @@ namespace simulation {
 /// A straight line in time, in whole digits with 16 more bits.
 class Ramp {
 public:
-    void set(std::int32_t value);
+    void set(std::int32_t value) { start(value, 0); }
     void start(std::int32_t target, int ticks); ///< 0: there at once
     void step();
     void hold() { start(value(), 0); }
@@ -31,7 +31,7 @@ public:
     void clear();
     /// The speed loop takes over where `torque` flows and the speed is `speed_dHz`.
     void takeOver(std::int16_t speed_dHz, std::int16_t torque, const Tuning &tuning);
-    void rampSpeed(std::int32_t target_dHz, int ms);
+    void rampSpeed(std::int32_t target_dHz, int ms) { m_speed.start(target_dHz, ms); }
     void rampTorque(std::int32_t target, int ms);
     void hold();
     /// One tick: the reference of the q current, within +-limit.

@@ -95,6 +95,4 @@ void SpeedEstimate::forceConvergence()
     m_range.clear();
 }
 
-void SpeedEstimate::clear() { *this = SpeedEstimate(m_parameters); }
-
 } // namespace simulation

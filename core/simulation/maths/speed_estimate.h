@@ -44,7 +44,7 @@ public:
     /// unreliable only by its speed range.
     bool converged(std::int16_t forced_dHz);
     void forceConvergence();
-    void clear();
+    void clear() { *this = SpeedEstimate(m_parameters); }
 
     std::int16_t speed_dHz() const { return m_speed_dHz; } ///< averaged, mechanical
     std::int16_t speed_dpp() const { return m_speed_dpp; } ///< averaged, electrical

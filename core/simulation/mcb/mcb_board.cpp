@@ -94,8 +94,6 @@ void McbBoard::setFaults(std::uint16_t present)
     m_servo.axis().firmware.setPresentFaults(present);
 }
 
-void McbBoard::inject(ByteView bytes) { m_injected.assign(bytes.begin(), bytes.end()); }
-
 MotorTruth McbBoard::truth(int motor) const
 {
     if (motor != 1)

@@ -36,7 +36,7 @@ public:
     void setFaults(std::uint16_t present) override;
     void mute(Duration time) override { m_muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override { m_corruptAfter = bytes; }
-    void inject(ByteView bytes) override;
+    void inject(ByteView bytes) override { m_injected.assign(bytes.begin(), bytes.end()); }
     void setLoadTorque(int motor, double nm) override;
     MotorTruth truth(int motor) const override;
     std::string describe() const override;

@@ -61,8 +61,6 @@ bool McbSpoiler::resets()
     return true;
 }
 
-bool McbSpoiler::silent() { return strikes(McbFault::NotReady); }
-
 void McbSpoiler::spoilInput(Bytes &input)
 {
     if (strikes(McbFault::FlipInput))

@@ -55,7 +55,7 @@ public:
     /// The drive starts anew before this frame.
     bool resets();
     /// Nothing is heard and nothing comes back.
-    bool silent();
+    bool silent() { return strikes(McbFault::NotReady); }
     void spoilInput(Bytes &input);
     /// @param whole  it is a frame, and not one that was cut or filled up
     Bytes spoilOutput(Bytes output, bool whole = true);

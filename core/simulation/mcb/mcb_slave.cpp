@@ -15,8 +15,6 @@ McbSlave::McbSlave(const McbRig &rig, McbLife *life)
 {
 }
 
-std::size_t McbSlave::frameBytes() const { return mcb::frameBytes(m_cyclic ? m_cyclic->words : 0); }
-
 Frame McbSlave::nextOutput()
 {
     Frame frame;

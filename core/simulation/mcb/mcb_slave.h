@@ -74,7 +74,7 @@ public:
     explicit McbSlave(const McbRig &rig, McbLife *life = nullptr);
 
     /// How long a frame is now.
-    std::size_t frameBytes() const;
+    std::size_t frameBytes() const { return mcb::frameBytes(m_cyclic ? m_cyclic->words : 0); }
 
     /// What it sends while `input` comes, in as many bytes: cut or filled up with zeros if the length is not that of the
     /// state. An input of another length, or one that is damaged, changes nothing.

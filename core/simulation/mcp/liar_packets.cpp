@@ -18,6 +18,7 @@ constexpr std::size_t kHeader = aspep::kHeaderSize;
 constexpr std::size_t kStampAt =
     kHeader; ///< of a datalog packet; behind the samples are mark and async id
 constexpr std::size_t kLeastAsync = 6;
+constexpr std::array<std::uint8_t, 4> kErrors{1, 2, 4, 5};
 
 std::optional<aspep::Header> headerOf(const Bytes &packet)
 {
@@ -119,10 +120,8 @@ Bytes Liar::response(Bytes packet, TimePoint now)
         packet = lengthened(std::move(packet));
     if (happens(Lie::Twice))
         packet = joined(packet, honest);
-    if (happens(Lie::LateErrors)) {
-        constexpr std::array<std::uint8_t, 4> kCodes{1, 2, 4, 5};
-        hold(now + 30ms, bytesOf(aspep::Nack{kCodes[below(kCodes.size())]}));
-    }
+    if (happens(Lie::LateErrors))
+        hold(now + 30ms, bytesOf(aspep::Nack{kErrors[below(kErrors.size())]}));
     m_lastResponse = honest;
     if (happens(Lie::LateAnswer)) {
         hold(now + m_replyTime / 2
@@ -211,10 +210,8 @@ Bytes Liar::withCompany(Bytes packet)
         return packet;
     if (happens(Lie::TornPackets))
         packet.resize(1 + below(packet.size()));
-    if (happens(Lie::ErrorStorm)) {
-        constexpr std::array<std::uint8_t, 4> kCodes{1, 2, 4, 5};
-        packet = joined(bytesOf(aspep::Nack{kCodes[below(kCodes.size())]}), packet);
-    }
+    if (happens(Lie::ErrorStorm))
+        packet = joined(bytesOf(aspep::Nack{kErrors[below(kErrors.size())]}), packet);
     if (happens(Lie::Noise))
         packet = joined(std::move(packet), noise(1 + below(40)));
     return packet;

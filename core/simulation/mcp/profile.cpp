@@ -3,6 +3,7 @@
 
 #include "simulation/simulated_board.h"
 
+#include <algorithm>
 #include <array>
 
 namespace simulation {
@@ -52,11 +53,10 @@ constexpr std::array kProfiles{
 
 constexpr Traits traitsOf(const Profile &profile)
 {
-    Traits traits;
-    traits.profile = profile.name;
-    traits.firmwareName = profile.firmwareName;
-    traits.sdkVersion = profile.version << 8; // the low byte is 0 in releases
-    traits.registerVersion = profile.version;
+    Traits traits{.profile = profile.name,
+        .firmwareName = profile.firmwareName,
+        .sdkVersion = profile.version << 8, // the low byte is 0 in releases
+        .registerVersion = profile.version};
     for (const Behaviour &row : kBehaviours)
         traits.*row.trait = profile.version >= row.first && profile.version <= row.last;
     return traits;
@@ -65,14 +65,12 @@ constexpr Traits traitsOf(const Profile &profile)
 /// No SDK: what the text of 2022 prints, under the number of a firmware that decodes like it.
 constexpr Traits asPrinted()
 {
-    Traits traits;
-    traits.profile = "spec";
-    traits.firmwareName = "ST MC SDK\tVer.6.4.0";
-    traits.sdkVersion = 0x060400C0; // "public release" in the low byte, as only the text has it
-    traits.registerVersion = 0x060100;
-    traits.nominalCurrentInDigits = true;
-    traits.asPrinted = true;
-    return traits;
+    return {.profile = "spec",
+        .firmwareName = "ST MC SDK\tVer.6.4.0",
+        .sdkVersion = 0x060400C0, // "public release" in the low byte, as only the text has it
+        .registerVersion = 0x060100,
+        .nominalCurrentInDigits = true,
+        .asPrinted = true};
 }
 
 constexpr auto kTraits = [] {
@@ -87,11 +85,8 @@ constexpr auto kTraits = [] {
 
 const Traits *findTraits(std::string_view profile)
 {
-    for (const Traits &row : kTraits) {
-        if (row.profile == profile)
-            return &row;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(kTraits, profile, &Traits::profile);
+    return found != kTraits.end() ? &*found : nullptr;
 }
 
 std::vector<std::string> profileNames()

@@ -96,11 +96,6 @@ RegisterFile::RegisterFile(
     }
 }
 
-bool RegisterFile::ignoresMotor() const
-{
-    return m_traits.ignoresMotorBits && m_motors.size() == 1;
-}
-
 bool RegisterFile::hasMotor(RegisterId id) const
 {
     return ignoresMotor() || id.motor() <= m_motors.size();

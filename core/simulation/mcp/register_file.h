@@ -47,7 +47,7 @@ private:
     /// The motor that answers for an identifier; nullptr where its scope and its motor bits do not fit.
     RegisterContext *addressed(mcp::RegisterId id, RegisterRow::Scope scope);
     const RegisterContext *addressed(mcp::RegisterId id, RegisterRow::Scope scope) const;
-    bool ignoresMotor() const;
+    bool ignoresMotor() const { return m_traits.ignoresMotorBits && m_motors.size() == 1; }
 
     mcp::Status readScalar(mcp::RegisterId id, int room, Bytes &out) const;
     mcp::Status readText(mcp::RegisterId id, int room, Bytes &out) const;

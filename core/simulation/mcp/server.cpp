@@ -53,8 +53,6 @@ Server::Server(const Traits &traits, const BoardOptions &options, const Build &b
 {
 }
 
-bool Server::takeResetWanted() { return std::exchange(m_resetWanted, false); }
-
 Bytes Server::execute(ByteView buffer, std::uint16_t length, std::size_t responseMax)
 {
     const StaleBytes stale(buffer);

@@ -22,7 +22,7 @@ public:
     /// @param responseMax  negotiated, status byte included
     /// @return the response's payload; empty if the board restarts instead (resetWanted())
     Bytes execute(ByteView buffer, std::uint16_t length, std::size_t responseMax);
-    bool takeResetWanted();
+    bool takeResetWanted() { return std::exchange(m_resetWanted, false); }
 
 private:
     struct Request {

@@ -22,18 +22,15 @@ void UartReceiver::put(ByteView bytes, TimePoint now)
 
 bool UartReceiver::idleComesFirst() const
 {
-    if (!m_idleEnabled || !m_sawByte)
-        return false;
-    return m_line.empty() || m_line.front().end - m_byteTime >= m_lastEnd + m_byteTime;
+    return m_idleEnabled && m_sawByte
+        && (m_line.empty() || m_line.front().end - m_byteTime >= m_lastEnd + m_byteTime);
 }
 
 std::optional<TimePoint> UartReceiver::nextEvent() const
 {
     if (idleComesFirst())
         return m_lastEnd + m_byteTime;
-    if (m_line.empty())
-        return std::nullopt;
-    return m_line.front().end;
+    return m_line.empty() ? std::nullopt : std::optional(m_line.front().end);
 }
 
 UartReceiver::Happened UartReceiver::step()
@@ -72,11 +69,8 @@ void UartReceiver::arm(std::span<std::uint8_t> target)
     m_target = target;
     m_filled = 0;
     m_complete = false;
-    if (m_held) {
-        const std::uint8_t value = *m_held;
-        m_held.reset();
-        accept(value);
-    }
+    if (m_held)
+        accept(*std::exchange(m_held, std::nullopt));
 }
 
 void UartReceiver::awaitIdle()
@@ -84,8 +78,6 @@ void UartReceiver::awaitIdle()
     m_idleEnabled = true;
     m_sawByte = false;
 }
-
-bool UartReceiver::takeComplete() { return std::exchange(m_complete, false); }
 
 void UartReceiver::reset()
 {
@@ -153,11 +145,9 @@ void Transmitter::start(TimePoint now)
     if (m_kind != Kind::None)
         return;
     if (m_response) {
-        begin(Kind::Response, std::move(*m_response), now);
-        m_response.reset();
+        begin(Kind::Response, *std::exchange(m_response, std::nullopt), now);
     } else if (m_control) {
-        begin(Kind::Control, std::move(*m_control), now);
-        m_control.reset();
+        begin(Kind::Control, *std::exchange(m_control, std::nullopt), now);
     } else if (!m_async.empty()) {
         begin(Kind::Async, std::move(m_async.front()), now);
         m_async.pop_front();
@@ -172,13 +162,9 @@ void Transmitter::begin(Kind kind, Bytes packet, TimePoint now)
     m_collected = 0;
 }
 
-TimePoint Transmitter::endOf(std::size_t bytes) const { return m_start + wireTime(bytes, m_baud); }
-
 std::optional<TimePoint> Transmitter::nextEvent() const
 {
-    if (m_kind == Kind::None)
-        return std::nullopt;
-    return endOf(m_packet.size());
+    return m_kind == Kind::None ? std::nullopt : std::optional(endOf(m_packet.size()));
 }
 
 void Transmitter::step()
@@ -199,13 +185,9 @@ namespace {
 
 void passLine(std::uint8_t value, TimePoint end, LineFaults &faults, Bytes &out)
 {
-    if (faults.corruptAfter) {
-        if (*faults.corruptAfter == 0) {
-            value ^= 1U;
-            faults.corruptAfter.reset();
-        } else {
-            --*faults.corruptAfter;
-        }
+    if (faults.corruptAfter && (*faults.corruptAfter)-- == 0) {
+        value ^= 1U;
+        faults.corruptAfter.reset();
     }
     if (end > faults.muteUntil)
         out.push_back(value);

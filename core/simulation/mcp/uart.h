@@ -36,7 +36,7 @@ public:
     /// Nothing is received until the line was busy once more and fell idle: then LineIdle happens.
     void awaitIdle();
     /// Whether the armed transfer is complete; says so once.
-    bool takeComplete();
+    bool takeComplete() { return std::exchange(m_complete, false); }
 
     void reset(); ///< forgets everything, also what is still on the line
 
@@ -97,7 +97,7 @@ private:
     enum class Kind : std::uint8_t { None, Response, Control, Async };
     void start(TimePoint now);
     void begin(Kind kind, Bytes packet, TimePoint now);
-    TimePoint endOf(std::size_t bytes) const;
+    TimePoint endOf(std::size_t bytes) const { return m_start + wireTime(bytes, m_baud); }
 
     std::uint32_t m_baud;
     Liar *m_liar;
