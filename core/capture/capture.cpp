@@ -250,12 +250,8 @@ void Capture::endPolledForGood(catalog::RegisterId id)
 
 ChannelId Capture::addImported(std::string name, std::string unit, catalog::RegisterId id)
 {
-    ChannelInfo info;
-    info.registerId = id != 0 ? std::max(id, kFirstOwnRegister) : kImportedRegister + m_nextId;
-    info.name = std::move(name);
-    info.unit = std::move(unit);
-    info.kind = Kind::Slow;
-    return add(std::move(info));
+    id = id != 0 ? std::max(id, kFirstOwnRegister) : kImportedRegister + m_nextId;
+    return add({0, id, std::move(name), std::move(unit), 1.0, 0.0, Kind::Slow});
 }
 
 void Capture::appendImported(

@@ -90,10 +90,8 @@ Result<Overview, PayloadError> decodeOverview(ByteView payload)
     overview.layout = *described;
     for (std::size_t s = 0; s < described->fast.size(); ++s) {
         std::vector<CodeRange> &signal = overview.columns.emplace_back(bins);
-        for (CodeRange &bin : signal) {
-            bin.min = in.s16();
-            bin.max = in.s16();
-        }
+        for (CodeRange &bin : signal)
+            bin = {in.s16(), in.s16()};
     }
     return overview;
 }
@@ -119,10 +117,8 @@ void restore(const Overview &overview, capture::Capture &capture)
                 overview.first + static_cast<Tick>(from) * overview.binTicks,
                 static_cast<std::uint32_t>(2 * (to - from)), {}, {}, 0};
             for (const std::vector<CodeRange> &bins : overview.columns)
-                for (std::size_t bin = from; bin < to; ++bin) {
-                    block.fast.push_back(bins[bin].min);
-                    block.fast.push_back(bins[bin].max);
-                }
+                for (std::size_t bin = from; bin < to; ++bin)
+                    block.fast.insert(block.fast.end(), {bins[bin].min, bins[bin].max});
             capture.append(block);
         }
         from = to + 1;

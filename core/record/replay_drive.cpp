@@ -196,10 +196,7 @@ bool ReplayDrive::fetch(TimePoint now)
             return false;
         }
         if (std::holds_alternative<Damage>(*step)) {
-            ++m_progress.damagedPlaces;
-            drive::LinkCounters counters;
-            counters.badPackets = m_progress.damagedPlaces;
-            m_events.emplace_back(counters);
+            m_events.emplace_back(drive::LinkCounters{.badPackets = ++m_progress.damagedPlaces});
         } else {
             keep(std::move(std::get<Item>(*step)));
         }
@@ -400,13 +397,9 @@ void ReplayDrive::describe(
     info.access = catalog::Access::Read;
     info.streaming = streamed ? catalog::Streaming::Fast : catalog::Streaming::Polled;
     info.perMotor = (id & kMotorBits) != 0;
-    const auto known = m_registers.find(whole);
-    if (known == m_registers.end()) {
-        m_registers.emplace(whole, std::move(info));
-        m_identifiable = true;
-    }
+    const bool isNew = m_registers.emplace(whole, std::move(info)).second;
     const int motor = static_cast<int>(id & kMotorBits);
-    m_identifiable = m_identifiable || motor > m_identity.motors;
+    m_identifiable = m_identifiable || isNew || motor > m_identity.motors;
     m_identity.motors = std::max(m_identity.motors, motor);
 }
 

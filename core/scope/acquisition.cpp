@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace scope {
 
@@ -64,9 +63,7 @@ void Acquisition::run(const capture::Channel *source)
     m_notBefore = kNoTime;
     m_held = kNoTime; // the samples before may have been those of a file, later than all that comes
     if (source && !source->empty()) {
-        m_held = heldUntil(*source);
-        m_notBefore = m_held;
-        m_waitingSince = m_held;
+        m_waitingSince = m_notBefore = m_held = heldUntil(*source);
         m_source = source->info().id;
         m_search.emplace(m_settings.condition, source->end());
     }
@@ -206,7 +203,5 @@ AcquisitionState Acquisition::state() const
         return AcquisitionState::Triggered;
     return m_automatic ? AcquisitionState::Auto : AcquisitionState::Armed;
 }
-
-std::vector<Record> Acquisition::takeRecords() { return std::exchange(m_over, {}); }
 
 } // namespace scope

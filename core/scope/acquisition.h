@@ -12,6 +12,7 @@
 #include "scope/record.h"
 #include "scope/trigger_search.h"
 
+#include <utility>
 #include <vector>
 
 namespace scope {
@@ -63,7 +64,7 @@ public:
     /// The record that waits for its samples; nullptr if none does.
     const Record *current() const { return m_current ? &*m_current : nullptr; }
     /// Records that are over (complete or cut) since the last call, oldest first; at most the last kMostUntaken.
-    std::vector<Record> takeRecords();
+    std::vector<Record> takeRecords() { return std::exchange(m_over, {}); }
 
     static constexpr std::size_t kMostUntaken = 1000;
 

@@ -89,9 +89,8 @@ std::array<XyPoint, 6> voltageHexagon(double busVolts)
     std::array<XyPoint, 6> corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double angle = static_cast<double>(i) * std::numbers::pi / 3;
-        corners[i].x = busVolts * 2 / 3 * std::cos(angle);
-        corners[i].y = busVolts * 2 / 3 * std::sin(angle);
-        corners[i].first = i == 0;
+        corners[i] = {
+            busVolts * 2 / 3 * std::cos(angle), busVolts * 2 / 3 * std::sin(angle), i == 0};
     }
     return corners;
 }

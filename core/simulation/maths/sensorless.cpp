@@ -9,9 +9,7 @@ namespace {
 
 int directionOr(int forced, std::int16_t speed_dpp)
 {
-    if (forced != 0)
-        return forced > 0 ? 1 : -1;
-    return speed_dpp < 0 ? -1 : 1;
+    return (forced != 0 ? forced : speed_dpp) < 0 ? -1 : 1;
 }
 
 /// The observer keeps its back-EMF within -32767..32767, so nothing is cut.

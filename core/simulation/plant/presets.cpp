@@ -2,6 +2,7 @@
 // The inverters read at least two and a half times the nominal current.
 #include "simulation/plant/presets.h"
 
+#include <algorithm>
 #include <array>
 
 namespace simulation {
@@ -144,11 +145,8 @@ std::span<const Preset> presets() { return table(); }
 
 const PlantParameters *findPreset(std::string_view name)
 {
-    for (const Preset &preset : table()) {
-        if (preset.name == name)
-            return &preset.parameters;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(table(), name, &Preset::name);
+    return found != table().end() ? &found->parameters : nullptr;
 }
 
 } // namespace simulation
