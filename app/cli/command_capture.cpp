@@ -217,19 +217,15 @@ Outcome<int> CaptureRun::rehearse(const drive::Stream &stream)
 {
     if ((!m_wanted.start && !m_wanted.ramp) || m_wanted.fromStart || !m_polled.empty())
         return kDone;
-    const auto agreed =
-        m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
-    if (!agreed)
-        return tl::make_unexpected(agreed.error());
-    return m_desk.talk.ask(drive::Stream{}).map(kAllDone);
+    auto agreed = m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
+    return agreed ? m_desk.talk.ask(drive::Stream{}).map(kAllDone) : agreed;
 }
 
 Outcome<int> CaptureRun::prepare()
 {
-    if (m_wanted.start) {
+    if (m_wanted.start)
         if (const auto started = startMotor(); !started)
             return started;
-    }
     return m_wanted.ramp ? ramp() : kDone;
 }
 
@@ -248,13 +244,12 @@ Outcome<int> CaptureRun::startMotor()
                       .arg(stateText(*before))
                 : QStringLiteral("The motor is not idle (%1); stop it, or leave out --start.")
                       .arg(stateText(*before)));
-    if (const auto armed = talk.armToMove(); !armed)
-        return tl::make_unexpected(armed.error());
+    if (auto armed = talk.armToMove(); !armed)
+        return armed;
     m_started = true; // from here on it may turn, whatever the answer says
-    const auto ended =
-        talk.command(drive::Command{drive::MotorAction::Start, motor}, QStringLiteral("The start"));
-    if (!ended)
-        return tl::make_unexpected(ended.error());
+    const drive::Command start{drive::MotorAction::Start, motor};
+    if (auto ended = talk.command(start, QStringLiteral("The start")); !ended)
+        return ended;
     qCInfo(lcProgress) << "started";
     const auto settled = [](MotorState state) {
         return state == MotorState::Running || drive::hasFault(state);
@@ -277,14 +272,12 @@ Outcome<int> CaptureRun::ramp()
     const int motor = m_desk.arguments.motor;
     Conversation &talk = m_desk.talk;
     const RampArguments &ramp = *m_wanted.ramp;
-    if (const auto armed = talk.armToMove(); !armed)
-        return tl::make_unexpected(armed.error());
+    if (auto armed = talk.armToMove(); !armed)
+        return armed;
     const std::chrono::milliseconds duration(ramp.milliseconds);
-    const auto ended =
-        talk.command(drive::SpeedRamp{.motor = motor, .rpm = ramp.rpm, .duration = duration},
-            QStringLiteral("The ramp"));
-    if (!ended)
-        return tl::make_unexpected(ended.error());
+    const drive::SpeedRamp wish{.motor = motor, .rpm = ramp.rpm, .duration = duration};
+    if (auto ended = talk.command(wish, QStringLiteral("The ramp")); !ended)
+        return ended;
     const auto over = talk.waitUntil([] { return false; }, duration);
     if (!over)
         return tl::make_unexpected(over.error());
@@ -344,7 +337,7 @@ Outcome<int> CaptureRun::begin(const drive::Stream &stream)
         : talk.command(drive::Watch{.registers = m_polled, .drawn = m_polled},
             QStringLiteral("The recording"), recordingAdvice());
     if (!ended)
-        return tl::make_unexpected(ended.error());
+        return ended;
     const auto begun = talk.waitUntil([this] { return !m_recorder.empty(); }, kFirstSampleWithin);
     if (!begun)
         return tl::make_unexpected(begun.error());

@@ -20,11 +20,10 @@ constexpr auto kCoastsFor = 10s; ///< a motor may coast
 Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, const QString &what,
     const QString &atRest = {})
 {
-    if (const auto armed = desk.talk.armToMove(); !armed)
-        return tl::make_unexpected(armed.error());
-    const auto ended = desk.talk.command(wish, what);
-    if (!ended)
-        return tl::make_unexpected(ended.error());
+    if (auto armed = desk.talk.armToMove(); !armed)
+        return armed;
+    if (auto ended = desk.talk.command(wish, what); !ended)
+        return ended;
     const auto status = desk.talk.nextStatus(desk.arguments.motor);
     if (!status)
         return tl::make_unexpected(status.error());

@@ -75,15 +75,22 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
 
 Conversation::~Conversation() { close(); }
 
-Outcome<drive::Identified> Conversation::connect()
+template <class T>
+Outcome<T> Conversation::waitFor(
+    const std::optional<T> &told, Milliseconds limit, drive::LinkReason late)
 {
-    m_session.open(endpointOf(m_arguments));
-    const auto waited = waitUntil([this] { return m_board.has_value(); }, kConnectWithin);
+    const auto waited = waitUntil([&told] { return told.has_value(); }, limit);
     if (!waited)
         return tl::make_unexpected(waited.error());
     if (*waited == Waited::TimeOver)
-        return failure(kNoConnection, sentenceOf(drive::LinkReason::NoAnswer, m_arguments));
-    return *m_board;
+        return failure(kNoConnection, sentenceOf(late, m_arguments));
+    return *told;
+}
+
+Outcome<drive::Identified> Conversation::connect()
+{
+    m_session.open(endpointOf(m_arguments));
+    return waitFor(m_board, kConnectWithin, drive::LinkReason::NoAnswer);
 }
 
 void Conversation::close()
@@ -110,13 +117,9 @@ Outcome<drive::Ended> Conversation::ask(const decltype(drive::Wish::what) &what)
     for (int tries = 1;; ++tries) {
         m_ended.reset();
         m_session.submit({.id = ++m_lastWish, .what = what, .source = drive::Source::CommandLine});
-        const auto waited = waitUntil([this] { return m_ended.has_value(); }, kEndWithin);
-        if (!waited)
-            return tl::make_unexpected(waited.error());
-        if (*waited == Waited::TimeOver)
-            return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
-        if (tries == kMostTries || !tooLate(*m_ended))
-            return *m_ended;
+        auto ended = waitFor(m_ended, kEndWithin, drive::LinkReason::Silence);
+        if (!ended || tries == kMostTries || !tooLate(*ended))
+            return ended;
     }
 }
 
@@ -129,12 +132,14 @@ Conversation::Asked Conversation::askToTheEnd(const decltype(drive::Wish::what) 
     return {m_ended, ended.error()};
 }
 
-Outcome<drive::Ended> Conversation::command(
+Outcome<int> Conversation::command(
     const decltype(drive::Wish::what) &wish, const QString &what, const QString &advice)
 {
-    auto ended = ask(wish);
-    if (!ended || ended->outcome == drive::Outcome::Ok)
-        return ended;
+    const auto ended = ask(wish);
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    if (ended->outcome == drive::Outcome::Ok)
+        return kDone;
     const QString reason = plainText(ended->reason);
     switch (ended->outcome) {
     case drive::Outcome::Unknown:
@@ -194,21 +199,18 @@ Outcome<drive::MotorStatus> Conversation::nextStatus(int motor)
     return status(motor);
 }
 
-Outcome<bool> Conversation::bound(const drive::Identified &board)
+Outcome<int> Conversation::bound(const drive::Identified &board)
 {
-    if (m_arguments.limits != drive::UserLimits{}) {
-        const auto set = command(m_arguments.limits, QStringLiteral("The limit"));
-        if (!set)
-            return tl::make_unexpected(set.error());
-    }
+    if (m_arguments.limits != drive::UserLimits{})
+        if (auto set = command(m_arguments.limits, QStringLiteral("The limit")); !set)
+            return set;
     for (int motor = 1; m_arguments.expert && motor <= board.identity.motors; ++motor) {
         if (drive::gapsIn(board.limits.at(static_cast<std::size_t>(motor - 1))).empty())
             continue;
-        const auto agreed = command(drive::ExpertMode{motor}, QStringLiteral("Expert mode"));
-        if (!agreed)
-            return tl::make_unexpected(agreed.error());
+        if (auto set = command(drive::ExpertMode{motor}, QStringLiteral("Expert mode")); !set)
+            return set;
     }
-    return true;
+    return kDone;
 }
 
 Outcome<drive::Identified> Conversation::scaled(const drive::Identified &board)
@@ -225,27 +227,21 @@ Outcome<drive::Identified> Conversation::scaled(const drive::Identified &board)
 
 void Conversation::arm() { m_session.setArmed(true); }
 
-Outcome<bool> Conversation::armToMove()
+Outcome<int> Conversation::armToMove()
 {
     arm();
     if (!m_arguments.cyclicSetPoints)
-        return true;
+        return kDone;
     return command(
-        drive::CyclicSetPoints{}, QStringLiteral("Sending set-points with every exchange"))
-        .map([](const auto &) { return true; });
+        drive::CyclicSetPoints{}, QStringLiteral("Sending set-points with every exchange"));
 }
 
 Outcome<lab::Outcome> Conversation::run(const lab::Experiment &experiment)
 {
     m_experimentEnded.reset();
     m_session.run(experiment);
-    const auto waited = waitUntil(
-        [this] { return m_experimentEnded.has_value(); }, lab::lengthOf(experiment) + kEndWithin);
-    if (!waited)
-        return tl::make_unexpected(waited.error());
-    if (*waited == Waited::TimeOver)
-        return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
-    return *m_experimentEnded;
+    return waitFor(
+        m_experimentEnded, lab::lengthOf(experiment) + kEndWithin, drive::LinkReason::Silence);
 }
 
 bool Conversation::allStopped(StopWord least) const

@@ -48,7 +48,7 @@ public:
     Asked askToTheEnd(const decltype(drive::Wish::what) &what);
     /// ask() for what must succeed: any other outcome is a failure that begins with `what`. `advice` ends the sentence
     /// about a refusal.
-    Outcome<drive::Ended> command(const decltype(drive::Wish::what) &wish, const QString &what,
+    Outcome<int> command(const decltype(drive::Wish::what) &wish, const QString &what,
         const QString &advice = QStringLiteral(
             "look at the board's state and faults with rotorscope-cli info"));
     /// Readings in the order of the ids; a register that never answered is NotSupported at no time.
@@ -60,9 +60,9 @@ public:
 
     void arm();
     /// Arms; set-points travel with every exchange from then on where that was asked for.
-    Outcome<bool> armToMove();
+    Outcome<int> armToMove();
     /// Limits of this run, and expert mode where it was asked for and something is unknown; after connect().
-    Outcome<bool> bound(const drive::Identified &board);
+    Outcome<int> bound(const drive::Identified &board);
     /// The board with the scale of currents that the user gave for all its motors; after connect().
     Outcome<drive::Identified> scaled(const drive::Identified &board);
     /// What was asked of the motors, so far.
@@ -92,6 +92,9 @@ public:
     }
 
 private:
+    /// What `told` holds within the limit; a failure that names `late` if it holds nothing.
+    template <class T>
+    Outcome<T> waitFor(const std::optional<T> &told, Milliseconds limit, drive::LinkReason late);
     void onBatch(const session::BatchPtr &batch);
     void take(const drive::Event &event);
     void onInterruption(const session::Interruption &what);

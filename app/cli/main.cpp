@@ -71,8 +71,8 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
     const auto board = talk.scaled(*met);
     if (!board)
         return tl::make_unexpected(board.error());
-    if (const auto bounded = talk.bound(*board); !bounded)
-        return tl::make_unexpected(bounded.error());
+    if (auto bounded = talk.bound(*board); !bounded)
+        return bounded;
     const int motors = board->identity.motors;
     if (arguments.command->ofOneMotor && arguments.motor > motors)
         return failure(kUsage,
