@@ -7,6 +7,8 @@
 #include <QCoreApplication>
 #include <QFile>
 
+#include <array>
+
 namespace widgets {
 namespace {
 
@@ -15,6 +17,18 @@ struct Imports {
 };
 
 constexpr qint64 kPiece = 1 << 20;
+
+/// In the order of capture::CsvError::What; %1 is what stands there.
+constexpr std::array kWrong{
+    QT_TRANSLATE_NOOP("Imports", "there is no heading with the names of signals"),
+    QT_TRANSLATE_NOOP("Imports", "there is one column only"),
+    QT_TRANSLATE_NOOP("Imports", "there are too many columns"),
+    QT_TRANSLATE_NOOP("Imports", "the line is too long for a line of numbers"),
+    QT_TRANSLATE_NOOP("Imports", "the line has another number of fields than the heading"),
+    QT_TRANSLATE_NOOP("Imports", "\"%1\" is no number"),
+    QT_TRANSLATE_NOOP("Imports", "\"%1\" is no time"),
+    QT_TRANSLATE_NOOP("Imports", "the time %1 is before the one above it"),
+    QT_TRANSLATE_NOOP("Imports", "there is a heading and nothing else")};
 
 struct Imported {
     capture::Capture capture;
@@ -49,38 +63,8 @@ void readFile(const QString &path, const FileJob::Proceed &proceed, Imported &im
 
 QString csvImportErrorText(const capture::CsvError &error)
 {
-    using What = capture::CsvError::What;
-    const QString field = deviceText(error.field);
-    QString what;
-    switch (error.what) {
-    case What::NoHeading:
-        what = Imports::tr("there is no heading with the names of signals");
-        break;
-    case What::NoSignals:
-        what = Imports::tr("there is one column only");
-        break;
-    case What::TooManyColumns:
-        what = Imports::tr("there are too many columns");
-        break;
-    case What::LineTooLong:
-        what = Imports::tr("the line is too long for a line of numbers");
-        break;
-    case What::OtherNumberOfFields:
-        what = Imports::tr("the line has another number of fields than the heading");
-        break;
-    case What::NoNumber:
-        what = Imports::tr("\"%1\" is no number").arg(field);
-        break;
-    case What::NoTime:
-        what = Imports::tr("\"%1\" is no time").arg(field);
-        break;
-    case What::TimeRunsBack:
-        what = Imports::tr("the time %1 is before the one above it").arg(field);
-        break;
-    case What::NoRows:
-        what = Imports::tr("there is a heading and nothing else");
-        break;
-    }
+    QString what = Imports::tr(kWrong.at(static_cast<std::size_t>(error.what)));
+    what.replace(QLatin1String("%1"), deviceText(error.field));
     const QString line = QString::number(error.line);
     return error.column == 0
         ? Imports::tr("line %1: %2").arg(line, what)

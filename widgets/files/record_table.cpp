@@ -4,27 +4,23 @@
 #include "widgets/base/device_text.h"
 
 #include <algorithm>
+#include <array>
 
 namespace widgets {
 
 namespace {
 constexpr double kTimeStep = 1e-4; ///< seconds
+/// In the order of scope::Record::Cause.
+constexpr std::array kCauses{QT_TRANSLATE_NOOP("widgets::RecordTable", "trigger"),
+    QT_TRANSLATE_NOOP("widgets::RecordTable", "event"),
+    QT_TRANSLATE_NOOP("widgets::RecordTable", "forced"),
+    QT_TRANSLATE_NOOP("widgets::RecordTable", "automatic")};
 
 QString causeText(const scope::Record &record)
 {
     if (record.state == scope::Record::State::Released)
         return RecordTable::tr("samples are gone");
-    switch (record.cause) {
-    case scope::Record::Cause::Condition:
-        return RecordTable::tr("trigger");
-    case scope::Record::Cause::Event:
-        return RecordTable::tr("event");
-    case scope::Record::Cause::Forced:
-        return RecordTable::tr("forced");
-    case scope::Record::Cause::Automatic:
-        return RecordTable::tr("automatic");
-    }
-    return {};
+    return RecordTable::tr(kCauses.at(static_cast<std::size_t>(record.cause)));
 }
 } // namespace
 

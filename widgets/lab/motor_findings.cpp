@@ -14,22 +14,30 @@ namespace {
 
 constexpr double kGcm2PerKgm2 = 1e7;
 
-/// How a figure is shown, and where a motor file has it.
+/// A figure, how it is shown, and where a motor file has it. In the order of MotorFindings::Row.
 struct Shown {
+    const char *name;
     double factor;
     const char16_t *unit;
     std::optional<double> motor::MotorSheet::*member; ///< nullptr: it holds no such figure
 };
 constexpr std::array<Shown, MotorFindings::kRows> kShown{{
-    {1.0, u"\u03a9", &motor::MotorSheet::rs_ohm},
-    {1.0, u"V", nullptr},
-    {1.0, u"H", &motor::MotorSheet::ld_h},
-    {1.0, u"H", &motor::MotorSheet::lq_h},
-    {1.0, u"Wb", &motor::MotorSheet::flux_wb},
-    {kGcm2PerKgm2, u"g cm\u00b2", &motor::MotorSheet::inertia_kgm2},
-    {1.0, u"N m s", &motor::MotorSheet::viscous_nms},
-    {1.0, u"N m", &motor::MotorSheet::coulomb_nm},
-    {1e6, u"\u00b5N m s\u00b2", nullptr},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Resistance Rs"), 1.0, u"\u03a9",
+        &motor::MotorSheet::rs_ohm},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Voltage of dead times"), 1.0, u"V", nullptr},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Inductance Ld"), 1.0, u"H",
+        &motor::MotorSheet::ld_h},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Inductance Lq"), 1.0, u"H",
+        &motor::MotorSheet::lq_h},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Flux of the magnets"), 1.0, u"Wb",
+        &motor::MotorSheet::flux_wb},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Inertia J"), kGcm2PerKgm2, u"g cm\u00b2",
+        &motor::MotorSheet::inertia_kgm2},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Viscous friction"), 1.0, u"N m s",
+        &motor::MotorSheet::viscous_nms},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Dry friction"), 1.0, u"N m",
+        &motor::MotorSheet::coulomb_nm},
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Fan"), 1e6, u"\u00b5N m s\u00b2", nullptr},
 }};
 
 const QString kNone = QStringLiteral("\u2013");
@@ -134,33 +142,6 @@ bool MotorFindings::any() const
     });
 }
 
-QString MotorFindings::name(Row row) const
-{
-    switch (row) {
-    case Resistance:
-        return tr("Resistance Rs");
-    case DeadTime:
-        return tr("Voltage of dead times");
-    case Ld:
-        return tr("Inductance Ld");
-    case Lq:
-        return tr("Inductance Lq");
-    case Flux:
-        return tr("Flux of the magnets");
-    case Inertia:
-        return tr("Inertia J");
-    case Viscous:
-        return tr("Viscous friction");
-    case Dry:
-        return tr("Dry friction");
-    case Fan:
-        return tr("Fan");
-    case kRows:
-        break;
-    }
-    return {};
-}
-
 QString MotorFindings::measuredFigure(Row row, const std::optional<double> &value) const
 {
     return figure(row, value, lab::lastPlaceOf(*m_rows[row].value));
@@ -172,7 +153,7 @@ QString MotorFindings::text(Row row, int column) const
     const auto member = kShown[row].member;
     switch (column) {
     case QuantityColumn:
-        return name(row);
+        return tr(kShown[row].name);
     case MeasuredColumn:
         return finding.value ? measuredFigure(row, finding.value->value) : kNone;
     case IntervalColumn:

@@ -48,7 +48,6 @@ private:
     QString text(Row row, int column) const;
     /// With as many digits as the interval of what was measured lets count.
     QString measuredFigure(Row row, const std::optional<double> &value) const;
-    QString name(Row row) const;
     void set(Row row, const std::optional<lab::Estimate> &value, const QString &note);
 
     std::vector<Finding> m_rows;

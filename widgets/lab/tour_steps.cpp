@@ -5,44 +5,21 @@
 namespace widgets {
 namespace {
 
-QString nameOf(int step)
-{
-    switch (step) {
-    case TourSteps::Check:
-        return TourSteps::tr("1. Check");
-    case TourSteps::Windings:
-        return TourSteps::tr("2. Rs, L, flux");
-    case TourSteps::Mechanics:
-        return TourSteps::tr("3. Inertia, friction");
-    case TourSteps::Response:
-        return TourSteps::tr("4. Response");
-    case TourSteps::Gains:
-        return TourSteps::tr("5. Gains");
-    case TourSteps::Proof:
-        return TourSteps::tr("6. Proof");
-    default:
-        return {};
-    }
-}
+/// In the order of TourSteps::Step.
+constexpr std::array kStations{QT_TRANSLATE_NOOP("widgets::TourSteps", "1. Check"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "2. Rs, L, flux"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "3. Inertia, friction"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "4. Response"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "5. Gains"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "6. Proof")};
 
-QString stateText(TourSteps::State state)
-{
-    switch (state) {
-    case TourSteps::State::Waits:
-        return TourSteps::tr("waits");
-    case TourSteps::State::Runs:
-        return TourSteps::tr("\u25b6 runs");
-    case TourSteps::State::Done:
-        return TourSteps::tr("\u2713 done");
-    case TourSteps::State::Unclear:
-        return TourSteps::tr("? not conclusive");
-    case TourSteps::State::Impossible:
-        return TourSteps::tr("\u2013 not possible here");
-    case TourSteps::State::Ended:
-        return TourSteps::tr("\u2716 ended");
-    }
-    return {};
-}
+/// In the order of TourSteps::State.
+constexpr std::array kStates{QT_TRANSLATE_NOOP("widgets::TourSteps", "waits"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "\u25b6 runs"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2713 done"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "? not conclusive"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2013 not possible here"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2716 ended")};
 
 } // namespace
 
@@ -72,8 +49,8 @@ QVariant TourSteps::data(const QModelIndex &index, int role) const
         return {};
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole)
-        return index.column() == StepColumn ? nameOf(index.row())
-            : index.column() == StateColumn ? stateText(row.state)
+        return index.column() == StepColumn ? tr(kStations[std::size_t(index.row())])
+            : index.column() == StateColumn ? tr(kStates[static_cast<std::size_t>(row.state)])
                                             : row.result;
     if (role == Qt::ToolTipRole && index.column() == ResultColumn && !row.result.isEmpty())
         return plainToolTip(row.result);

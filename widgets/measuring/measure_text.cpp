@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace widgets {
@@ -72,6 +73,15 @@ constexpr Entry kEntries[] = {
         QT_TRANSLATE_NOOP("Measures", "By how much the second trace is ahead of the first")},
 };
 
+/// In the order of scope::WhyNot.
+constexpr std::array kWhyNot{QT_TRANSLATE_NOOP("Measures", "no samples"),
+    QT_TRANSLATE_NOOP("Measures", "samples are missing inside"),
+    QT_TRANSLATE_NOOP("Measures", "no full period"),
+    QT_TRANSLATE_NOOP("Measures", "no complete edge"), QT_TRANSLATE_NOOP("Measures", "no step"),
+    QT_TRANSLATE_NOOP("Measures", "not settled"),
+    QT_TRANSLATE_NOOP("Measures", "no set-point given"),
+    QT_TRANSLATE_NOOP("Measures", "not the same frequency")};
+
 const Entry *entryOf(Quantity quantity)
 {
     const auto *found = std::find_if(std::begin(kEntries), std::end(kEntries),
@@ -132,25 +142,7 @@ QString quantityHelp(Quantity quantity)
 
 QString whyNotText(scope::WhyNot why)
 {
-    switch (why) {
-    case scope::WhyNot::NoSamples:
-        return Measures::tr("no samples");
-    case scope::WhyNot::GapInside:
-        return Measures::tr("samples are missing inside");
-    case scope::WhyNot::NoFullPeriod:
-        return Measures::tr("no full period");
-    case scope::WhyNot::NoEdge:
-        return Measures::tr("no complete edge");
-    case scope::WhyNot::NoStep:
-        return Measures::tr("no step");
-    case scope::WhyNot::NotSettled:
-        return Measures::tr("not settled");
-    case scope::WhyNot::NoSetPoint:
-        return Measures::tr("no set-point given");
-    case scope::WhyNot::OtherFrequency:
-        return Measures::tr("not the same frequency");
-    }
-    return {};
+    return Measures::tr(kWhyNot.at(static_cast<std::size_t>(why)));
 }
 
 QString measuredText(double value, scope::UnitKind unit, const capture::ChannelInfo &channel,

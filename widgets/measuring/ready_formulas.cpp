@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 
 namespace widgets {
 
@@ -164,35 +165,27 @@ QString nameAtBeginningOf(const QString &rest)
     return match.hasMatch() ? match.captured(0) : rest;
 }
 
+/// In the order of scope::FormulaError; %1 is what stands there.
+constexpr std::array kFormulaErrors{QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "No formula yet."),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "The formula is too long."),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas",
+        "Too many parentheses inside one another, or too many functions."),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "This sign is not known here: %1"),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "This is no number: %1"),
+    QT_TRANSLATE_NOOP(
+        "widgets::ReadyFormulas", "No signal on the scope and no function is called %1."),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "The formula cannot be read from here on: %1"),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "The number of arguments is wrong: %1"),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "This has to be a number, not a signal: %1"),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "This number is outside what makes sense: %1"),
+    QT_TRANSLATE_NOOP("widgets::ReadyFormulas", "This has to be an angle, in degrees or rad: %1")};
+
 QString whatIsWrong(scope::FormulaError error, const QString &rest)
 {
-    using Error = scope::FormulaError;
-    switch (error) {
-    case Error::Empty:
-        return Ready::tr("No formula yet.");
-    case Error::TooLong:
-        return Ready::tr("The formula is too long.");
-    case Error::TooDeep:
-        return Ready::tr("Too many parentheses inside one another, or too many functions.");
-    case Error::BadCharacter:
-        return Ready::tr("This sign is not known here: %1").arg(rest);
-    case Error::BadNumber:
-        return Ready::tr("This is no number: %1").arg(rest);
-    case Error::UnknownName:
-        return Ready::tr("No signal on the scope and no function is called %1.").arg(rest);
-    case Error::Syntax:
-        return rest.isEmpty() ? Ready::tr("Something is missing at the end.")
-                              : Ready::tr("The formula cannot be read from here on: %1").arg(rest);
-    case Error::WrongArgumentCount:
-        return Ready::tr("The number of arguments is wrong: %1").arg(rest);
-    case Error::NotConstant:
-        return Ready::tr("This has to be a number, not a signal: %1").arg(rest);
-    case Error::OutOfRange:
-        return Ready::tr("This number is outside what makes sense: %1").arg(rest);
-    case Error::NotAnAngle:
-        return Ready::tr("This has to be an angle, in degrees or rad: %1").arg(rest);
-    }
-    return {};
+    if (error == scope::FormulaError::Syntax && rest.isEmpty())
+        return Ready::tr("Something is missing at the end.");
+    QString what = Ready::tr(kFormulaErrors.at(static_cast<std::size_t>(error)));
+    return what.replace(QLatin1String("%1"), rest);
 }
 
 /// In characters.

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <array>
 #include <cmath>
 
 namespace widgets {
@@ -37,42 +38,36 @@ QString wholeText(const snapshots::Entry &entry, std::int64_t raw)
     return std::isfinite(shown) ? numberText(shown, decimalsFor(factor)) : kDash;
 }
 
-QString problemText(session::SnapshotProblem problem)
-{
-    using Problem = session::SnapshotProblem;
-    switch (problem) {
-    case Problem::NotJson:
-        return SnapshotText::tr("it is no JSON");
-    case Problem::NotASnapshot:
-        return SnapshotText::tr("it is no snapshot");
-    case Problem::NewerVersion:
-        return SnapshotText::tr("it is of a newer version than this program knows");
-    case Problem::NoRegisters:
-        return SnapshotText::tr("it has no list of registers");
-    case Problem::TooManyRegisters:
-        return SnapshotText::tr("it has more registers than any board");
-    case Problem::NoName:
-        return SnapshotText::tr("it has no name", "a register in a file");
-    case Problem::NoMotor:
-        return SnapshotText::tr("it has no motor from 0 to 7", "a register in a file");
-    case Problem::NoId:
-        return SnapshotText::tr("it has no id", "a register in a file");
-    case Problem::NoType:
-        return SnapshotText::tr("it has no known type", "a register in a file");
-    case Problem::NumberDoesNotFit:
-        return SnapshotText::tr("its raw number does not fit its type", "a register in a file");
-    case Problem::NoNumber:
-        return SnapshotText::tr("it has neither bits nor a raw number", "a register in a file");
-    case Problem::NoText:
-        return SnapshotText::tr("it has no raw text", "a register in a file");
-    case Problem::NotBytes:
-        return SnapshotText::tr(
-            "its bytes are no pairs of hexadecimal digits", "a register in a file");
-    case Problem::Twice:
-        return SnapshotText::tr("it is there twice", "a register in a file");
-    }
-    return {};
-}
+struct ProblemText {
+    const char *text, *comment;
+};
+
+/// In the order of session::SnapshotProblem.
+constexpr std::array<ProblemText, 14> kProblems{{
+    {QT_TRANSLATE_NOOP("Snapshot", "it is no JSON"), nullptr},
+    {QT_TRANSLATE_NOOP("Snapshot", "it is no snapshot"), nullptr},
+    {QT_TRANSLATE_NOOP("Snapshot", "it is of a newer version than this program knows"), nullptr},
+    {QT_TRANSLATE_NOOP("Snapshot", "it has no list of registers"), nullptr},
+    {QT_TRANSLATE_NOOP("Snapshot", "it has more registers than any board"), nullptr},
+    QT_TRANSLATE_NOOP3("Snapshot", "it has no name", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it has no motor from 0 to 7", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it has no id", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it has no known type", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "its raw number does not fit its type", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it has neither bits nor a raw number", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it has no raw text", "a register in a file"),
+    QT_TRANSLATE_NOOP3(
+        "Snapshot", "its bytes are no pairs of hexadecimal digits", "a register in a file"),
+    QT_TRANSLATE_NOOP3("Snapshot", "it is there twice", "a register in a file"),
+}};
+
+/// In the order of snapshots::NotRestored.
+constexpr std::array kNotRestored{
+    QT_TRANSLATE_NOOP("Snapshot", "This board does not have it, or it cannot be written there."),
+    QT_TRANSLATE_NOOP("Snapshot", "It holds something else in this firmware."),
+    QT_TRANSLATE_NOOP("Snapshot", "Not restored: it moves a motor."),
+    QT_TRANSLATE_NOOP("Snapshot", "Writing it can move something, and its motor is not idle."),
+    QT_TRANSLATE_NOOP("Snapshot", "Firmware gives it in another form than it takes it.")};
 
 } // namespace
 
@@ -95,7 +90,8 @@ QString snapshotRawText(const snapshots::Entry *entry)
 QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error)
 {
     const QString name = fileNameText(file);
-    const QString what = problemText(error.problem);
+    const ProblemText &problem = kProblems.at(static_cast<std::size_t>(error.problem));
+    const QString what = SnapshotText::tr(problem.text, problem.comment);
     const QString line = QString::number(error.line);
     if (error.problem == session::SnapshotProblem::NotJson)
         return SnapshotText::tr("%1 cannot be used: in line %2 %3 (%4).",
@@ -112,20 +108,7 @@ QString snapshotFileErrorText(const QString &file, const session::SnapshotFileEr
 
 QString notRestoredText(snapshots::NotRestored why)
 {
-    using snapshots::NotRestored;
-    switch (why) {
-    case NotRestored::NotOnBoard:
-        return SnapshotText::tr("This board does not have it, or it cannot be written there.");
-    case NotRestored::OtherType:
-        return SnapshotText::tr("It holds something else in this firmware.");
-    case NotRestored::Moves:
-        return SnapshotText::tr("Not restored: it moves a motor.");
-    case NotRestored::MotorMoves:
-        return SnapshotText::tr("Writing it can move something, and its motor is not idle.");
-    case NotRestored::ReadsDifferently:
-        return SnapshotText::tr("Firmware gives it in another form than it takes it.");
-    }
-    return {};
+    return SnapshotText::tr(kNotRestored.at(static_cast<std::size_t>(why)));
 }
 
 QString suggestedFileName(const QDateTime &now, const QString &what)

@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace widgets {
 namespace {
@@ -28,18 +29,10 @@ constexpr int kMostDigits = 32767;
 /// Colours of the rows.
 constexpr int kMeasuredSlot = 0, kWhatIfSlot = 1, kProofSlot = 2, kCurrentSlot = 4;
 
-QString goalText(lab::Goal goal)
-{
-    switch (goal) {
-    case lab::Goal::Stiff:
-        return ResponsePage::tr("stiff");
-    case lab::Goal::Medium:
-        return ResponsePage::tr("medium");
-    case lab::Goal::Quick:
-        return ResponsePage::tr("quick");
-    }
-    return {};
-}
+/// In the order of lab::Goal.
+constexpr std::array kGoalTexts{QT_TRANSLATE_NOOP("widgets::ResponsePage", "stiff"),
+    QT_TRANSLATE_NOOP("widgets::ResponsePage", "medium"),
+    QT_TRANSLATE_NOOP("widgets::ResponsePage", "quick")};
 
 /// A number that is predicted has no interval of its own.
 std::optional<lab::Estimate> predictedValue(double value)
@@ -119,11 +112,6 @@ QSpinBox *ResponsePage::makeSpin(const char *name, const QString &help)
     return spin;
 }
 
-QPushButton *ResponsePage::addButton(const QString &text, const char *name)
-{
-    return named(new QPushButton(text, this), name);
-}
-
 QWidget *ResponsePage::makeChoices()
 {
     m_length = makeSpin("responseLength", tr("The longer, the narrower the error bars"));
@@ -142,9 +130,9 @@ QWidget *ResponsePage::makeChoices()
         gain->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         gain->setAccelerated(true);
     }
-    m_propose = addButton(tr("Pr&opose"), "responsePropose");
-    m_apply = addButton(tr("&Apply"), "responseApply");
-    m_back = addButton(tr("&Back to the old gains"), "responseBack");
+    m_propose = named(new QPushButton(tr("Pr&opose"), this), "responsePropose");
+    m_apply = named(new QPushButton(tr("&Apply"), this), "responseApply");
+    m_back = named(new QPushButton(tr("&Back to the old gains"), this), "responseBack");
     auto *choices = new QWidget(this);
     auto *row = new FlowLayout(kGrid, choices);
     for (QWidget *one : {labelled(tr("&Length"), m_length), labelled(tr("P&icture"), m_picture),
@@ -347,7 +335,7 @@ void ResponsePage::showRows()
     }
     for (const lab::Goal goal : lab::kGoals)
         if (const auto one = m_proposed ? tuning.candidate(goal) : std::nullopt) {
-            LoopRow row{lab::nameOf(goal), goalText(goal),
+            LoopRow row{lab::nameOf(goal), tr(kGoalTexts[static_cast<std::size_t>(goal)]),
                 tr("Ms at most %1, phase margin at least %2\u00b0, at the worst end of each error "
                    "bar")
                     .arg(QLocale().toString(lab::distanceOf(goal).ms),

@@ -40,7 +40,6 @@ private:
     QWidget *makeChoices();
     QWidget *labelled(const QString &text, QWidget *field);
     QSpinBox *makeSpin(const char *name, const QString &help);
-    QPushButton *addButton(const QString &text, const char *name);
     void makeTable();
     void makeBar();
     void connectParts();
