@@ -30,16 +30,26 @@ constexpr double kNewest = 0.1; ///< seconds
 constexpr std::size_t kPointsAPixel = 8; ///< of the plot's width and height: some turns of a circle
 enum class XyRange { Picture, NewestStretch, BetweenCursors };
 
-/// What boards call the two; the first pair that is recorded is taken.
+/// What boards call the two.
 struct Names {
     const char *x;
     const char *y;
 };
-constexpr std::array kCurrentAlphaBeta{
-    Names{"I_ALPHA_MEAS", "I_BETA_MEAS"}, Names{"I_ALPHA", "I_BETA"}};
-constexpr std::array kCurrentDq{Names{"I_D_MEAS", "I_Q_MEAS"}, Names{"I_D", "I_Q"}};
-constexpr std::array kVoltageAlphaBeta{Names{"V_ALPHA", "V_BETA"}, Names{"U_ALPHA", "U_BETA"}};
-constexpr std::array kVoltageDq{Names{"V_D", "V_Q"}, Names{"U_D", "U_Q"}};
+struct Vector {
+    std::array<Names, 2> names; ///< the first pair that is recorded is taken
+    const char *missing;
+};
+/// In the order of XyPanel::Kind, but for the last one.
+constexpr std::array kVectors{
+    Vector{{{{"I_ALPHA_MEAS", "I_BETA_MEAS"}, {"I_ALPHA", "I_BETA"}}},
+        QT_TRANSLATE_NOOP("widgets::XyPanel",
+            "Record I_A and I_B, or the currents \u03b1 and \u03b2, to see this.")},
+    Vector{{{{"I_D_MEAS", "I_Q_MEAS"}, {"I_D", "I_Q"}}},
+        QT_TRANSLATE_NOOP("widgets::XyPanel", "Record the measured currents d and q to see this.")},
+    Vector{{{{"V_ALPHA", "V_BETA"}, {"U_ALPHA", "U_BETA"}}},
+        QT_TRANSLATE_NOOP("widgets::XyPanel", "Record V_ALPHA and V_BETA to see this.")},
+    Vector{{{{"V_D", "V_Q"}, {"U_D", "U_Q"}}},
+        QT_TRANSLATE_NOOP("widgets::XyPanel", "Record V_D and V_Q to see this.")}};
 } // namespace
 
 XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const RegisterModel &registers,
@@ -178,37 +188,19 @@ std::optional<XyPanel::Pair> XyPanel::pair() const
 
 std::optional<XyPanel::Pair> XyPanel::vectorOf(const std::string &ending) const
 {
-    const auto named = [&](const auto &all) -> std::optional<Pair> {
-        for (const Names &names : all) {
-            const auto x = recorded(names.x + ending);
-            const auto y = recorded(names.y + ending);
-            if (x && y)
-                return Pair{*x, *y, false};
-        }
-        return std::nullopt;
-    };
-    switch (kind()) {
-    case Kind::CurrentAlphaBeta: {
-        const auto logged = named(kCurrentAlphaBeta);
-        const auto a = recorded("I_A" + ending);
-        const auto b = recorded("I_B" + ending);
-        // What is recorded now goes before what was once.
-        const ScopeView::TimeRange seen = m_scope.visibleRange();
-        const bool there = logged && !m_capture.extremes(logged->x, seen.from, seen.to).empty();
-        if (a && b && !there)
-            return Pair{*a, *b, true};
-        return logged;
+    std::optional<Pair> named;
+    for (const Names &names : kVectors.at(static_cast<std::size_t>(kind())).names) {
+        const auto x = recorded(names.x + ending), y = recorded(names.y + ending);
+        if (x && y && !named)
+            named = Pair{*x, *y, false};
     }
-    case Kind::CurrentDq:
-        return named(kCurrentDq);
-    case Kind::VoltageAlphaBeta:
-        return named(kVoltageAlphaBeta);
-    case Kind::VoltageDq:
-        return named(kVoltageDq);
-    case Kind::Any:
-        break;
-    }
-    return std::nullopt;
+    if (kind() != Kind::CurrentAlphaBeta)
+        return named;
+    const auto a = recorded("I_A" + ending), b = recorded("I_B" + ending);
+    // What is recorded now goes before what was once.
+    const ScopeView::TimeRange seen = m_scope.visibleRange();
+    const bool there = named && !m_capture.extremes(named->x, seen.from, seen.to).empty();
+    return a && b && !there ? Pair{*a, *b, true} : named;
 }
 
 /// "@2"; empty where there is but one motor.
@@ -220,18 +212,8 @@ std::string XyPanel::motorShown() const
 
 QString XyPanel::missingText() const
 {
-    switch (kind()) {
-    case Kind::CurrentAlphaBeta:
-        return tr("Record I_A and I_B, or the currents \u03b1 and \u03b2, to see this.");
-    case Kind::CurrentDq:
-        return tr("Record the measured currents d and q to see this.");
-    case Kind::VoltageAlphaBeta:
-        return tr("Record V_ALPHA and V_BETA to see this.");
-    case Kind::VoltageDq:
-        return tr("Record V_D and V_Q to see this.");
-    case Kind::Any:
-        break;
-    }
+    if (kind() != Kind::Any)
+        return tr(kVectors.at(static_cast<std::size_t>(kind())).missing);
     return m_scope.channels().isEmpty() ? tr("No trace is shown on the scope.")
                                         : tr("Choose a trace for X and for Y.");
 }
