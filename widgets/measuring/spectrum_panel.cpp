@@ -83,8 +83,6 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     fillTraces();
 }
 
-SpectrumPanel::~SpectrumPanel() { m_pool.waitForDone(); }
-
 QFormLayout *SpectrumPanel::makeChoices()
 {
     new WheelGuard(named(m_trace, "spectrumTrace"));

@@ -29,7 +29,6 @@ public:
     /// All outlive it.
     SpectrumPanel(ScopeView &scope, const capture::Capture &capture, const Device &device,
         ChosenMotor motor, QWidget *parent = nullptr);
-    ~SpectrumPanel() override;
 
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.36; } // the traces are what is looked at

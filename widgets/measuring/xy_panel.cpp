@@ -98,8 +98,6 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     kindChosen();
 }
 
-XyPanel::~XyPanel() { m_pool.waitForDone(); }
-
 QFormLayout *XyPanel::makeChoices()
 {
     const auto named = [](QComboBox *field, const char *name) {

@@ -37,7 +37,6 @@ public:
     /// All outlive it.
     XyPanel(ScopeView &scope, const capture::Capture &capture, const RegisterModel &registers,
         ChosenMotor motor, QWidget *parent = nullptr);
-    ~XyPanel() override;
 
     std::vector<catalog::RegisterId>
     watchedRegisters() const override; ///< the bus, where it is drawn
