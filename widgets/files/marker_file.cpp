@@ -184,20 +184,12 @@ void MarkerFile::update()
                 : tr("All markers are saved as they are (Ctrl+S)"));
         return;
     }
-    switch (place()) {
-    case Place::Opened:
-        m_save->setToolTip(
-            tr("Writes the markers into the recording, or into a copy of it (Ctrl+S)"));
-        break;
-    case Place::Running:
-    case Place::Recorded:
-        m_save->setToolTip(tr("Writes the markers into the recording of the connection (Ctrl+S)"));
-        break;
-    case Place::List:
-        m_save->setToolTip(tr("Writes times and words of the markers to a list, because there is "
-                              "no recording that takes them (Ctrl+S)"));
-        break;
-    }
+    m_save->setToolTip(m_opened
+            ? tr("Writes the markers into the recording, or into a copy of it (Ctrl+S)")
+            : place() == Place::List
+            ? tr("Writes times and words of the markers to a list, because there is no recording "
+                 "that takes them (Ctrl+S)")
+            : tr("Writes the markers into the recording of the connection (Ctrl+S)"));
 }
 
 void MarkerFile::saveThen(std::function<void()> goOn)

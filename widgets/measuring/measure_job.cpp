@@ -3,29 +3,22 @@
 #include "scope/measurer.h"
 #include "scope/phase.h"
 
+#include <algorithm>
+#include <array>
+
 namespace widgets {
 
 namespace {
 using scope::Quantity;
 
 /// Those that ask for a step; the others describe a signal that repeats.
+constexpr std::array kAboutSteps{Quantity::Overshoot, Quantity::Undershoot, Quantity::PeakTime,
+    Quantity::Settling, Quantity::DeadTime, Quantity::SteadyStateError, Quantity::Ripple,
+    Quantity::RippleRms, Quantity::AbsoluteError, Quantity::TimedError};
+
 bool aboutStep(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Overshoot:
-    case Quantity::Undershoot:
-    case Quantity::PeakTime:
-    case Quantity::Settling:
-    case Quantity::DeadTime:
-    case Quantity::SteadyStateError:
-    case Quantity::Ripple:
-    case Quantity::RippleRms:
-    case Quantity::AbsoluteError:
-    case Quantity::TimedError:
-        return true;
-    default:
-        return false;
-    }
+    return std::find(kAboutSteps.begin(), kAboutSteps.end(), quantity) != kAboutSteps.end();
 }
 
 scope::Measurement measured(const MeasureJob &job, const MeasureJob::Piece &piece)
