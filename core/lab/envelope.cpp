@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace lab {
 
@@ -51,21 +52,15 @@ std::optional<std::string> Envelope::take(
 {
     if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
         m_stream = started->layout.id;
-        m_speed.reset();
-        m_current.reset();
-        m_currentD.reset();
-        m_angle.reset();
         m_sampleHz = started->layout.tickHz / std::max(1U, started->layout.fastStep);
-        for (std::size_t i = 0; i < started->layout.fast.size(); ++i) {
-            const capture::StreamSignal &signal = started->layout.fast[i];
-            if (signal.id == m_watched.speed)
-                m_speed = {i, signal.factor, signal.offset};
-            else if (signal.id == m_watched.current)
-                m_current = {i, signal.factor, signal.offset};
-            else if (signal.id == m_watched.currentD)
-                m_currentD = {i, signal.factor, signal.offset};
-            else if (signal.id == m_watched.angle)
-                m_angle = {i, signal.factor, signal.offset};
+        const auto &fast = started->layout.fast;
+        for (const auto &[id, column] :
+            {std::pair(m_watched.speed, &m_speed), std::pair(m_watched.current, &m_current),
+                std::pair(m_watched.currentD, &m_currentD), std::pair(m_watched.angle, &m_angle)}) {
+            column->reset();
+            for (std::size_t i = 0; i < fast.size(); ++i)
+                if (fast[i].id == id)
+                    *column = {i, fast[i].factor, fast[i].offset};
         }
     } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
         if (block->stream != m_stream || block->count == 0)
