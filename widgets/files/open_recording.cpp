@@ -18,33 +18,30 @@ struct Opening {
     Q_DECLARE_TR_FUNCTIONS(Opening)
 };
 
+bool hasField(const record::Happening &happening, const char *key, const char *value)
+{
+    return std::any_of(happening.fields.begin(), happening.fields.end(),
+        [=](const auto &field) { return field.first == key && field.second == value; });
+}
+
 EventKind kindOf(const record::Happening &happening)
 {
-    const auto has = [&happening](const char *key, const char *value) {
-        return std::any_of(happening.fields.begin(), happening.fields.end(),
-            [=](const auto &field) { return field.first == key && field.second == value; });
-    };
     if (happening.name == "motor state")
-        return has("state", "fault now") ? EventKind::Fault : EventKind::State;
+        return hasField(happening, "state", "fault now") ? EventKind::Fault : EventKind::State;
     if (happening.name == "link trouble")
         return EventKind::Loss;
     if (happening.name == "link")
-        return has("state", "lost") ? EventKind::Loss : EventKind::Recovery;
+        return hasField(happening, "state", "lost") ? EventKind::Loss : EventKind::Recovery;
     return happening.name == "write" ? EventKind::Write : EventKind::Command;
 }
 
 /// What of a happening is news beside the others: a line of the motion log tells the end of what has an entry already.
 bool isShown(const record::Happening &happening)
 {
-    const auto is = [&happening](std::string_view key, std::string_view value) {
-        return std::find(happening.fields.begin(), happening.fields.end(),
-                   std::pair<std::string, std::string>(key, value))
-            != happening.fields.end();
-    };
     if (happening.name == "motion")
-        return is("act", "ARM") || is("act", "DISARM") || is("act", "LIMITS")
-            || is("act", "EXPERT_MODE");
-    return happening.name != "ended" || !is("outcome", "ok");
+        return hasField(happening, "act", "ARM") || hasField(happening, "act", "DISARM")
+            || hasField(happening, "act", "LIMITS") || hasField(happening, "act", "EXPERT_MODE");
+    return happening.name != "ended" || !hasField(happening, "outcome", "ok");
 }
 
 } // namespace
