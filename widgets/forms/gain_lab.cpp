@@ -1,8 +1,8 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/look/bold.h"
 #include "widgets/base/look/named.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/wheel_guard.h"

@@ -1,6 +1,6 @@
 #include "widgets/scope/scope_overlay.h"
 
-#include "widgets/base/look/bold.h"
+#include "widgets/base/look/section_head.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/cursors.h"
