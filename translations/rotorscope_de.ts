@@ -1450,6 +1450,10 @@
         <translation>das Board hält seinen Rotor für %1 elektrische Grad neben dem, wo er ist, wie nach einem Ausrichten gegen Reibung: sein Drehmoment wurde danach gezählt</translation>
     </message>
     <message>
+        <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its magnets were counted by that</source>
+        <translation>das Board hält seinen Rotor für %1 elektrische Grad neben dem, wo er ist, wie nach einem Ausrichten gegen Reibung: sein Magnetfluss wurde danach gezählt</translation>
+    </message>
+    <message>
         <source>this board has no gains of a speed loop</source>
         <translation>dieses Board hat keine Verstärkungen eines Drehzahlreglers</translation>
     </message>

@@ -1446,6 +1446,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the board takes its rotor for %1 electrical degrees beside where it is, as after an alignment against friction: its magnets were counted by that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>this board has no gains of a speed loop</source>
         <translation type="unfinished"></translation>
     </message>

@@ -17,6 +17,8 @@ constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal cur
 constexpr int kLevels = 4; ///< against the magnets
 constexpr milliseconds kSpare =
     2s; ///< of the last stage: a host that stalls must not let a start-up fail
+constexpr double kTurns =
+    0.1; ///< of the allowed speed: driven by what should turn nothing, as one that was aligned aside is
 constexpr double kDrawnMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
 
 /// No speed in any of them.
@@ -67,14 +69,18 @@ private:
 /// One current after the other against the magnets: a board that can weaken them takes none that would strengthen them.
 class LevelCourse : public Course {
 public:
-    LevelCourse(const RestPlan &plan, int motor)
+    LevelCourse(const RestPlan &plan, const Subject &subject)
         : m_plan(plan)
-        , m_motor(motor)
+        , m_motor(subject.motor)
+        , m_turns_rpm(kTurns * drive::realBoundsOf(subject.limits, plan.caps).rpm)
     {
     }
     std::optional<Ask> next(const Moment &moment) override
     {
-        if (!moment.answered || (m_level > 0 && moment.now < m_due))
+        const bool turns = m_level > 0 && std::abs(moment.rpm.value_or(0.0)) > m_turns_rpm;
+        if (turns)
+            m_level = std::max(m_level, kLevels);
+        if (!moment.answered || (m_level > 0 && moment.now < m_due && !turns))
             return std::nullopt;
         m_over = m_level > kLevels;
         if (m_over)
@@ -93,6 +99,7 @@ public:
 private:
     RestPlan m_plan;
     int m_motor;
+    double m_turns_rpm; ///< from there on it gets no more current
     int m_level = 0; ///< asked for
     TimePoint m_due{};
     bool m_over = false;
@@ -148,7 +155,7 @@ Conditions conditionsOf(const RestPlan &plan, const Subject &subject)
 std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject)
 {
     if (subject.seesRotor())
-        return std::make_unique<LevelCourse>(plan, subject.motor);
+        return std::make_unique<LevelCourse>(plan, subject);
     return std::make_unique<StartUpCourse>(plan);
 }
 

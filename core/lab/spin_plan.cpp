@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lab {
 
@@ -33,7 +34,7 @@ constexpr double kJump =
 /// What held the first speed may have been measured badly: if too much of it is left, the motor goes on to accelerate.
 constexpr Duration kLook = 20ms;
 constexpr int kLooks = SpinPlan::kListen / kLook;
-constexpr double kAway = 0.2; ///< of the way, beyond the upper speed
+constexpr double kAway = 0.2; ///< of the way, beyond the speed that it comes from
 constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
 
@@ -67,9 +68,14 @@ public:
         const bool there =
             m_pushing ? rpm >= std::abs(m_plan.highRpm) : rpm <= std::abs(m_plan.lowRpm);
         const double took_s = toSeconds(moment.now - m_turned);
-        const double beyond = rpm - std::abs(m_plan.highRpm);
-        const bool runsAway = !m_pushing && moment.now - m_turned >= kNoticed
-            && beyond > kAway * std::abs(m_plan.highRpm - m_plan.lowRpm);
+        const double way = std::abs(m_plan.highRpm - m_plan.lowRpm);
+        const double beyond =
+            m_pushing ? std::abs(m_plan.lowRpm) - rpm : rpm - std::abs(m_plan.highRpm);
+        const bool strays = beyond > kAway * way;
+        if (m_plan.fluxAmps > 0.0 && strays && moment.now - m_turned < kPatience)
+            return calm(moment.now);
+        m_calm = false;
+        const bool runsAway = !m_pushing && moment.now - m_turned >= kNoticed && strays;
         if (!there && !runsAway && moment.now - m_turned < kPatience)
             return m_plan.fluxAmps > 0.0 && moment.now - m_shaken >= kShake
                 ? std::optional(shake(moment.now))
@@ -110,14 +116,27 @@ private:
         return shake(now);
     }
 
+    /// Nothing along the magnets, which is a torque where an encoder stands aside, and no jump.
+    std::optional<Ask> calm(TimePoint now)
+    {
+        if (std::exchange(m_calm, true))
+            return std::nullopt;
+        m_shaken = now;
+        const double amps = m_pushing ? std::min(m_hold + m_push, kMostPush * m_nominal)
+                                      : m_hold * (1.0 - kMostDrop);
+        return drive::CurrentReference{m_motor, m_sign * amps, 0.0};
+    }
+
     /// The same torque on the whole, in jumps, and another current along the magnets with each.
     Ask shake(TimePoint now)
     {
         m_shaken = now;
         m_above = !m_above;
         const double jump = kJump * std::abs(m_mean - m_hold * (m_pushing ? 1.0 : 0.0));
-        return drive::CurrentReference{m_motor, m_sign * (m_mean + (m_above ? jump : -jump)),
-            m_draw.between(-m_plan.fluxAmps, m_plan.fluxAmps)};
+        const double along = m_draw.between(-m_plan.fluxAmps, m_plan.fluxAmps);
+        const double most = std::sqrt(std::max(0.0, m_nominal * m_nominal - along * along));
+        return drive::CurrentReference{
+            m_motor, m_sign * std::min(most, m_mean + (m_above ? jump : -jump)), along};
     }
 
     SpinPlan m_plan;
@@ -135,6 +154,7 @@ private:
     double m_mean = 0.0; ///< A, of this way
     TimePoint m_turned{}, m_shaken{}, m_due{};
     bool m_above = false;
+    bool m_calm = false; ///< until it is nearer to the speeds that it goes between
     bool m_pushing = true;
     bool m_over = false;
 };

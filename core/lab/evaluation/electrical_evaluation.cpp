@@ -132,20 +132,42 @@ double rangeAlongD(const std::vector<TurningSlices> &slices)
     return most - least;
 }
 
-std::vector<TurningSlices> slicesFrom(const std::vector<Segment> &segments, double slice_s)
-{
+struct Turning {
     std::vector<TurningSlices> slices;
+    double aside_rad = 0.0;
+};
+
+Turning turningFrom(const std::vector<Segment> &segments, double slice_s)
+{
+    Turning turning;
     for (const Segment &segment : segments)
         if (TurningSlices one = slicesOf(segment, slice_s); !one.all.empty())
-            slices.push_back(std::move(one));
-    rotorSpeeds(slices);
-    return slices;
+            turning.slices.push_back(std::move(one));
+    turning.aside_rad = rotorSpeeds(turning.slices);
+    return turning;
 }
 
 /// What another length of the slices changes is not known, and as much again.
 Estimate withLength(const Estimate &found, const Estimate &coarse)
 {
     return withScale(found, 2.0 * std::abs(coarse.value / found.value - 1.0));
+}
+
+/// An encoder that was aligned against friction: the magnets make a voltage along d, too, and inductances that differ are mixed.
+void takeAside(Electrics &found, double aside_rad)
+{
+    constexpr double kNoticed_deg = 8.0; // 1 % of the flux
+    const double angle_deg = std::abs(aside_rad) * 180.0 / std::numbers::pi;
+    for (double *value : {&found.flux_wb->value, &*found.flux_wb->low, &*found.flux_wb->high})
+        *value /= std::cos(aside_rad);
+    const double mixed =
+        std::sin(std::abs(aside_rad)) * std::abs(found.lq_h->value / found.ld_h->value - 1.0);
+    found.ld_h = withScale(*found.ld_h, mixed);
+    found.lq_h = withScale(*found.lq_h, mixed);
+    if (angle_deg > kNoticed_deg)
+        found.notes.push_back("the board takes its rotor for " + decimalText(angle_deg, 2)
+            + " electrical degrees beside where it is, as after an alignment against friction: its "
+              "magnets were counted by that");
 }
 
 /// What is known so far.
@@ -155,7 +177,6 @@ struct Parts {
     std::optional<TurningFit> turning;
     double bus_v = 0.0; ///< what a board's full scale of voltage is of
     double period_s = 0.0; ///< of the control loops, while it turned
-    bool turnedAtRest = false; ///< as one that swings does while its encoder is aligned
 };
 
 /// @return  why nothing follows, empty if it does
@@ -174,12 +195,11 @@ std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
     Plateaus plateaus(rest.nominalAmps, byEncoder(rest.angle) || byHall(rest.angle));
     for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
         plateaus.take(segment);
-    parts.turnedAtRest = plateaus.turning > 0;
     constexpr double kLeastRatio = 1.3;
     if (!(plateaus.strongest_a >= kLeastRatio * plateaus.weakest_a))
-        return parts.turnedAtRest ? "the rotor turned where it was to rest: neither its "
-                                    "resistance nor the angle that it was aligned to is sure"
-                                  : "at rest no two different currents were held for long enough";
+        return plateaus.turning > 0 ? "the rotor turned where it was to rest: neither its "
+                                      "resistance nor the angle that it was aligned to is sure"
+                                    : "at rest no two different currents were held for long enough";
     const auto fit = leastSquares(plateaus.rows, std::array{kResistance, kDeadTime});
     if (!fit || !(fit->values[kResistance] > 0.0))
         return "at rest no resistance follows from the voltages";
@@ -204,8 +224,8 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
         fastChannel(capture, spin.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
     const std::vector<Segment> segments = whileTurning(
         segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin));
-    const auto slices = slicesFrom(segments, kSlice_s);
-    if (!(rangeAlongD(slices) > kLeastRange * spin.nominalAmps))
+    const Turning fine = turningFrom(segments, kSlice_s);
+    if (!(rangeAlongD(fine.slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";
     Electrics &found = parts.found;
     const bool hall = byHall(spin.angle);
@@ -213,16 +233,15 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
         return turningFit(rows, {parts.bus_v, spin.nominalAmps},
             found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
     };
-    const auto fit = fitTo(slices), coarse = fitTo(slicesFrom(segments, 2.0 * kSlice_s));
+    const auto fit = fitTo(fine.slices),
+               coarse = fitTo(turningFrom(segments, 2.0 * kSlice_s).slices);
     if (!fit || !coarse)
         return "while it turned no inductance follows from the voltages";
     found.ld_h = withLength(withScale(fit->ld_h, hall ? kAlongByHall : kAlong), coarse->ld_h);
     found.lq_h = withLength(withScale(fit->lq_h, hall ? kJumpByHall : kJump), coarse->lq_h);
     found.flux_wb = withLength(withScale(fit->flux_wb, kVoltageScale), coarse->flux_wb);
-    constexpr double kAside =
-        1.06; // 1 / cos(20 degrees): the angle that it may have been aligned to
-    if (parts.turnedAtRest)
-        found.flux_wb->high = *found.flux_wb->high * kAside;
+    if (byEncoder(spin.angle))
+        takeAside(found, fine.aside_rad);
     constexpr double kTold = 0.5; // of its value: less is as good as nothing
     if (!(*found.ld_h->low > kTold * found.ld_h->value)) {
         found.ld_h.reset();
@@ -231,7 +250,7 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
     parts.turning = fit;
-    parts.period_s = slices.front().period_s;
+    parts.period_s = fine.slices.front().period_s;
     return {};
 }
 

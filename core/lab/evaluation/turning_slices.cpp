@@ -169,7 +169,7 @@ TurningSlices slicesOf(const Segment &segment, double slice_s)
     return slices;
 }
 
-void rotorSpeeds(std::vector<TurningSlices> &slices)
+double rotorSpeeds(std::vector<TurningSlices> &slices)
 {
     std::vector<std::pair<Stretch, double>> stretches;
     Rows rows;
@@ -184,9 +184,11 @@ void rotorSpeeds(std::vector<TurningSlices> &slices)
     constexpr std::array<std::size_t, kColumns> kAll{0, 1, 2, 3, 4, 5, 6, 7, 8};
     const auto fit = leastSquares(rows, kAll);
     if (!fit)
-        return;
+        return 0.0;
     for (const auto &[stretch, step_s] : stretches)
         setSpeeds(stretch, *fit, step_s);
+    constexpr std::size_t kByQ = 0, kByD = 4;
+    return std::atan2(fit->values[kByD], fit->values[kByQ]);
 }
 
 } // namespace lab
