@@ -90,10 +90,12 @@ struct Bench {
         press("runBookChoose");
         openSteps();
         press("connect");
-        if (!QTest::qWaitFor([this] {
-                return rig.workbench.device().identified()
-                    && rig.workbench.device().status(1).state == MotorState::Idle;
-            }))
+        if (!QTest::qWaitFor(
+                [this] {
+                    return rig.workbench.device().identified()
+                        && rig.workbench.device().status(1).state == MotorState::Idle;
+                },
+                kSeriesMs))
             return false;
         auto *arm = find<QCheckBox>("arm");
         QTest::mouseClick(arm, Qt::LeftButton, {}, QPoint(8, arm->height() / 2));
@@ -103,7 +105,8 @@ struct Bench {
         find<QSpinBox>("stepHold")->setValue(200);
         find<QSpinBox>("stepApproach")->setValue(200);
         find<QSpinBox>("stepRepeat")->setValue(1);
-        return QTest::qWaitFor([this] { return find<QPushButton>("stepRun")->isEnabled(); });
+        return QTest::qWaitFor(
+            [this] { return find<QPushButton>("stepRun")->isEnabled(); }, kSeriesMs);
     }
     /// One series, until it is in its folder.
     bool run(int number)
@@ -112,7 +115,8 @@ struct Bench {
         if (auto *dialog = find<QDialog>("experimentQuestion")) {
             QTest::mouseClick(dialog->findChild<QPushButton *>(QStringLiteral("experimentConfirm")),
                 Qt::LeftButton);
-            if (!QTest::qWaitFor([this] { return find<QDialog>("experimentQuestion") == nullptr; }))
+            if (!QTest::qWaitFor(
+                    [this] { return find<QDialog>("experimentQuestion") == nullptr; }, kSeriesMs))
                 return false;
             QApplication::setActiveWindow(&rig.window);
         }
