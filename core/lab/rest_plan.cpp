@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal current
-constexpr int kLevels = 4; ///< against the magnets
+constexpr int kLevels = 4; ///< along the magnets
 constexpr milliseconds kSpare =
     2s; ///< of the last stage: a host that stalls must not let a start-up fail
 constexpr double kTurns =
@@ -66,12 +66,14 @@ private:
     bool m_over = false;
 };
 
-/// One current after the other against the magnets: a board that can weaken them takes none that would strengthen them.
+/// One current after the other along the magnets: against them, because a board that can weaken them takes none that would
+/// strengthen them; but with them where Hall sensors leave the angle open, so that they draw the rotor to it.
 class LevelCourse : public Course {
 public:
     LevelCourse(const RestPlan &plan, const Subject &subject)
         : m_plan(plan)
         , m_motor(subject.motor)
+        , m_sign(byHall(subject.nameOf(subject.registers.angle)) ? 1.0 : -1.0)
         , m_turns_rpm(kTurns * drive::realBoundsOf(subject.limits, plan.caps).rpm)
     {
     }
@@ -91,7 +93,7 @@ public:
         const bool last = m_level++ == kLevels;
         if (last)
             m_due = moment.now;
-        return drive::CurrentReference{m_motor, 0.0, last ? 0.0 : -amps};
+        return drive::CurrentReference{m_motor, 0.0, last ? 0.0 : m_sign * amps};
     }
     TimePoint due() const override { return m_due; }
     bool over() const override { return m_over; }
@@ -99,6 +101,7 @@ public:
 private:
     RestPlan m_plan;
     int m_motor;
+    double m_sign;
     double m_turns_rpm; ///< from there on it gets no more current
     int m_level = 0; ///< asked for
     TimePoint m_due{};

@@ -2,7 +2,7 @@
 // One current would not do: what a bridge loses by its dead time hardly depends on the current, and would count as
 // resistance.
 //
-// A board that sees its rotor holds them against the magnets, where they turn nothing. One that does not see it holds them in its
+// A board that sees its rotor holds them along the magnets, where they turn nothing. One that does not see it holds them in its
 // start-up, whose stages are borrowed for that: none of them turns, and the motor is stopped before the last one is over.
 #pragma once
 
