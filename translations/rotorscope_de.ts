@@ -1290,6 +1290,10 @@
         <translation>der Strom folgt darin seinem Sollwert nicht</translation>
     </message>
     <message>
+        <source>the gains were changed while it was measured</source>
+        <translation>die Verstärkungen wurden während der Messung geändert</translation>
+    </message>
+    <message>
         <source>it is the loop at %1 A: what a bridge loses by its dead time damps it the more the smaller the current is</source>
         <translation>es ist der Regelkreis bei %1 A: was eine Brücke durch ihre Totzeit verliert, dämpft ihn umso mehr, je kleiner der Strom ist</translation>
     </message>

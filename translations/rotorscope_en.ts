@@ -1286,6 +1286,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the gains were changed while it was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it is the loop at %1 A: what a bridge loses by its dead time damps it the more the smaller the current is</source>
         <translation type="unfinished"></translation>
     </message>

@@ -186,6 +186,7 @@ constexpr const char *kLabTexts[] = {
         "without an encoder follows its current, too"),
     QT_TRANSLATE_NOOP("Lab", "nothing in it follows the set-point"),
     QT_TRANSLATE_NOOP("Lab", "the current does not follow its reference in it"),
+    QT_TRANSLATE_NOOP("Lab", "the gains were changed while it was measured"),
     QT_TRANSLATE_NOOP("Lab",
         "it is the loop at %1 A: what a bridge loses by its dead time damps it the more the "
         "smaller the current is"),

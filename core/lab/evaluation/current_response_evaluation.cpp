@@ -121,6 +121,10 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         span.take(at->first, at->second, plan->motor);
     if (!span.any)
         return fail(std::string("the set-point was never moved in it"));
+    if (std::ranges::any_of(after, [&, motor = plan->motor](const auto &one) {
+            return one.first <= span.to && changesGains(motor, one.second);
+        }))
+        return fail(std::string(kGainsChanged));
     const std::vector<Segment> segments = segmentsOf(*angle, others, span.from, span.to);
     if (segments.empty())
         return fail(std::string("it holds no samples of that time"));

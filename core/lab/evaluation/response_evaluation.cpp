@@ -5,6 +5,7 @@
 #include "lab/happenings.h"
 #include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
+#include "record/gain_stretches.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,7 @@ public:
             && numberOf(what, "ms") == 0.0) {
             finish(at);
             const double rpm = numberOf(what, "rpm").value_or(0.0);
+            m_left = false;
             m_open = StepAsked{m_last, rpm, at, at, at};
             m_last = rpm;
         } else if (what.name == "motion" && m_open && what.field("act") == "SPEED_RAMP") {
@@ -55,12 +57,19 @@ public:
         } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
             || endsLink(what) || what.name == kEndEntry) {
             finish(at);
+            m_commanded = true;
+            m_left = !edges.empty();
             over = over || what.name == kEndEntry;
             if (over && what.field("outcome") != "complete")
                 reason = what.field("reason");
+        } else if (changesGains(m_plan.motor, what)) {
+            // What the plan lends is written before the first command, and given back behind the last edge.
+            const bool lends = m_plan.plan.kp > 0 && !m_commanded;
+            gainsChanged = gainsChanged || (!lends && !m_left);
         }
     }
     std::vector<Edge> edges;
+    bool gainsChanged = false; ///< from the plan to the last edge
     std::string reason; ///< why it ended early
     bool over = false;
     Nanos end = 0; ///< of what the last edge holds for
@@ -98,6 +107,8 @@ private:
     const capture::Channel &m_reference;
     std::optional<StepAsked> m_open;
     double m_last = 0.0;
+    bool m_commanded = false; ///< by anything since the plan
+    bool m_left = false; ///< behind the last edge
     std::vector<double> m_late; ///< from being asked for to the jump
     std::vector<std::size_t> m_unsure;
 };
@@ -153,6 +164,17 @@ double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
         / (kHann * static_cast<double>(kTransform) * static_cast<double>(kTransform) * transforms));
 }
 
+/// What is told of a written register behind a word, e.g. 350 of "ok, was 700, is 350"; empty: nothing.
+std::string_view toldBehind(std::string_view told, std::string_view word)
+{
+    const std::size_t place = told.find(word);
+    if (place == std::string_view::npos)
+        return {};
+    told.remove_prefix(place + word.size());
+    return told.substr(0, told.find(','));
+}
+
+constexpr std::string_view kDivisor = "_DIV"; ///< of a gain: what its digits weigh
 constexpr double kNormal = 1.96; ///< 95 % to either side, in standard errors
 
 /// @param hz, phase  where the loop is 1, and its phase there in rad
@@ -183,6 +205,26 @@ void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoin
 }
 
 } // namespace
+
+bool changesGains(int motor, const record::Happening &what)
+{
+    if (what.name != "ended")
+        return false;
+    return std::ranges::any_of(what.fields, [motor](const auto &field) {
+        std::string_view name = field.first;
+        const std::size_t at = name.find('@');
+        const int of =
+            at == std::string_view::npos ? 1 : numberIn<int>(name.substr(at + 1)).value_or(0);
+        name = name.substr(0, at);
+        if (name.ends_with(kDivisor))
+            name.remove_suffix(kDivisor.size());
+        if (of != motor || !record::isGain(name))
+            return false;
+        const std::string_view is = toldBehind(field.second, ", is ");
+        return is.empty() ? field.second.starts_with("unknown")
+                          : is != toldBehind(field.second, ", was ");
+    });
+}
 
 double varianceOf(double coherence, int averages)
 {
@@ -246,6 +288,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
     edges.settle();
     if (edges.edges.empty())
         return fail(std::string("the set-point was never moved in it"));
+    if (edges.gainsChanged)
+        return fail(std::string(kGainsChanged));
     CrossSpectrum sum(kTransform, 1.0 / kSample_s, kSignals);
     for (const Segment &segment : segmentsOf(*angle, others, edges.edges.front().at, edges.end))
         if (static_cast<double>(segment.turned_deg.size()) * segment.step_s

@@ -52,6 +52,11 @@ double varianceOf(double coherence, int averages);
 /// What a regulator makes of an error, with the hold of its output: A/rpm.
 std::complex<double> regulatorAt(const SpeedRegulator &regulator, double hz);
 
+/// Whether it is the end of a write by which a gain of this motor, or what its digits weigh, became or may have become another.
+bool changesGains(int motor, const record::Happening &what);
+/// Then the loop is neither the one before nor the one behind, and nothing follows.
+inline constexpr const char *kGainsChanged = "the gains were changed while it was measured";
+
 /// The first such experiment in a recording; or why there is none, or nothing follows from it, without a full stop.
 Result<SpeedResponse, std::string> evaluateResponse(
     const capture::Capture &capture, const Happenings &all);

@@ -153,6 +153,89 @@ private Q_SLOTS:
         QVERIFY(!measured.found->crossover_hz && !measured.found->ms);
     }
 
+    void changedGainsAreNoLoop_data()
+    {
+        QTest::addColumn<int>("after_s"); // of the plan
+        QTest::addColumn<bool>("lent"); // three quarters of the gains
+        QTest::addColumn<bool>("changes");
+        QTest::newRow("before the first edge") << 0 << false << true;
+        QTest::newRow("in the middle") << 8 << false << true;
+        QTest::newRow("behind it") << -1 << false << false;
+        QTest::newRow("lent ones, given back") << -1 << true << false;
+        QTest::newRow("lent ones in the middle") << 8 << true << true;
+    }
+    void changedGainsAreNoLoop()
+    {
+        QFETCH(const int, after_s);
+        QFETCH(const bool, lent);
+        LabBench bench(support::servo());
+        const Registers &registers = bench.experiment.subject.registers;
+        ResponsePlan plan = responsePlanFor(bench.experiment.subject, {});
+        const int kp = int(bench.number(registers.gain)),
+                  ki = int(bench.number(registers.integral));
+        if (lent) {
+            plan.kp = 3 * kp / 4;
+            plan.ki = 3 * ki / 4;
+        }
+        bench.experiment.plan = plan;
+        const std::int64_t other = kp / 2;
+        const TimePoint due = bench.pair.now + std::chrono::seconds(after_s);
+        bool written = after_s < 0;
+        bench.eachTurn = [&] {
+            if (!written && bench.pair.now >= due) {
+                written = true;
+                bench.pair.submit(
+                    drive::Write{{{registers.gain, other}}, drive::Reach::Parameters});
+            }
+        };
+        QVERIFY(bench.run().end == End::Complete);
+        if (after_s < 0)
+            QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(
+                drive::Write{{{registers.gain, other}}, drive::Reach::Parameters})));
+        const auto found = evaluateResponse(bench.capture, bench.happenings);
+        QTEST(found.has_value() ? false : found.error() == kGainsChanged, "changes");
+        QCOMPARE(found.has_value(), after_s < 0);
+    }
+
+    /// Also those of the current loop, and what the digits weigh; of this motor alone.
+    void whatChangesGainsIsReadFromItsEnd_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("told");
+        QTest::addColumn<bool>("changes");
+        QTest::newRow("another") << "SPEED_KP"
+                                 << "ok, was 700, is 350" << true;
+        QTest::newRow("the same") << "SPEED_KP"
+                                  << "ok, was 700, is 700" << false;
+        QTest::newRow("not known before") << "SPEED_KI"
+                                          << "ok, is 350" << true;
+        QTest::newRow("its weight") << "SPEED_KP_DIV"
+                                    << "ok, was 4, is 5" << true;
+        QTest::newRow("of the current") << "I_Q_KP"
+                                        << "ok, was 700, is 350" << true;
+        QTest::newRow("of motor 1") << "SPEED_KP@1"
+                                    << "ok, was 700, is 350" << true;
+        QTest::newRow("of motor 2") << "SPEED_KP@2"
+                                    << "ok, was 700, is 350" << false;
+        QTest::newRow("no gain") << "SPEED_REF"
+                                 << "ok, was 700, is 350" << false;
+        QTest::newRow("refused") << "SPEED_KP"
+                                 << "refused, was 700" << false;
+        QTest::newRow("not sent") << "SPEED_KP"
+                                  << "not sent" << false;
+        QTest::newRow("nobody knows") << "SPEED_KP"
+                                      << "unknown, was 700" << true;
+    }
+    void whatChangesGainsIsReadFromItsEnd()
+    {
+        QFETCH(const QString, name);
+        QFETCH(const QString, told);
+        const record::Happening end{
+            "ended", {{"wish", "7"}, {name.toStdString(), told.toStdString()}}};
+        QTEST(changesGains(1, end), "changes");
+        QVERIFY(!changesGains(1, {"write", end.fields}));
+    }
+
     void whatIsMissingIsSaid()
     {
         const Measured none = measure("servo24", [](LabBench &bench) {

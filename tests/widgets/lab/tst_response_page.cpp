@@ -131,8 +131,10 @@ private:
         QTRY_VERIFY(bench.find<QPushButton>("proveRun")->isEnabled());
 
         const int questions = bench.questions;
-        QVERIFY(bench.runToItsEnd("proveRun"));
+        aProofOfChangedGainsIsNone(bench);
         QCOMPARE(bench.questions, questions + 1); // steps are another kind of motion
+        QVERIFY(bench.runToItsEnd("proveRun"));
+        QCOMPARE(bench.questions, questions + 1);
         const widgets::LoopRow proof = rowOf(bench, "proof");
         QVERIFY2(proof.ms && proof.rise_s, qPrintable(bench.said("responseSentence")));
         QVERIFY2(proof.ms->value < 1.1 * 1.7, qPrintable(QString::number(proof.ms->value)));
@@ -183,6 +185,28 @@ private:
         QVERIFY2(said.contains(QLatin1String(verdict))
                 && said.contains(QLatin1String("Back to the old gains")),
             qPrintable(said));
+    }
+
+    /// Taken back while they are proved: the second half is that of other gains.
+    void aProofOfChangedGainsIsNone(LabWindow &bench)
+    {
+        QVERIFY(bench.find<QPushButton>("proveRun")->isEnabled());
+        bench.press("proveRun");
+        if (bench.asks())
+            bench.agree();
+        QTRY_VERIFY(bench.running());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Running, 20'000);
+        bench.rig.workbench.edits().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), LabWindow::kRunMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.said("responseSentence")
+                                     .contains(QLatin1String("The gains were changed while it was "
+                                                             "measured")),
+            20'000);
+        QVERIFY(!bench.said("responseSentence").contains(QLatin1String("keeps")));
+        QVERIFY(!rowOf(bench, "proof").ms);
+        bench.rig.workbench.edits().redo();
+        QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
+        QTRY_VERIFY(bench.find<QPushButton>("proveRun")->isEnabled());
     }
 
 private Q_SLOTS:

@@ -161,11 +161,16 @@ ExperimentBar::Run LoopTuning::responseRun(
     const lab::SpeedLoop present = m_facts.speedLoop(subject).value_or(lab::SpeedLoop());
     const lab::SpeedLoop loop = plan.kp > 0 ? lab::withGains(present, plan.kp, plan.ki) : present;
     const double nominalAmps = subject.limits.nominalCurrentAmps;
-    const auto evaluate = [this, plan, loop, nominalAmps, toProve](
+    const auto evaluate = [this, plan, loop, nominalAmps, toProve, motor = subject.motor](
                               const Experiments::Record &record) -> ExperimentBar::Show {
         if (record.outcome.swings)
             return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
-        const auto response = lab::evaluateResponse(record.capture, record.happenings);
+        auto response = lab::evaluateResponse(record.capture, record.happenings);
+        // A proof is its steps, too.
+        if (toProve && response && std::ranges::any_of(record.happenings, [&](const auto &one) {
+                return lab::changesGains(motor, one.second);
+            }))
+            response = fail(std::string(lab::kGainsChanged));
         std::optional<lab::StepSeries> steps;
         if (toProve)
             if (const auto series = lab::stepSeries(record.capture, record.happenings))
@@ -174,12 +179,13 @@ ExperimentBar::Run LoopTuning::responseRun(
         if (response)
             measured = measuredBy(*response, loop, nominalAmps);
         return [=, this]() -> QStringList {
-            if (!response)
+            m_proof.reset();
+            if (!response) {
+                Q_EMIT changed();
                 return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
+            }
             if (toProve)
                 m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
-            else
-                m_proof.reset();
             if (!toProve || lab::missed(m_proof->kept)) {
                 m_measured = measured;
                 ++m_measurements;
