@@ -1,5 +1,6 @@
 #include "widgets/lab/identification.h"
 
+#include "lab/evaluation/finding.h"
 #include "widgets/lab/lab_text.h"
 
 namespace widgets {
@@ -32,15 +33,21 @@ ExperimentBar::Evaluate Identification::evaluation(
 {
     return [this, evaluate](const Experiments::Record &record) -> ExperimentBar::Show {
         const auto found = evaluate(record.capture, record.happenings);
-        return [this, found]() -> QStringList {
+        return [this, found, end = record.outcome.end]() -> QStringList {
+            const bool complete = end == lab::End::Complete;
             if (!found) {
+                if (end == lab::End::Refused)
+                    return {}; // why is said already
                 const QString why = notConclusive(labSentence(found.error()));
-                m_findings.fail(std::is_same_v<Found, lab::Mechanics>, why);
+                if (complete)
+                    m_findings.fail(std::is_same_v<Found, lab::Mechanics>, why);
                 return {why};
             }
-            m_findings.take(*found);
+            m_findings.take(*found, complete);
             if (whole(*found))
                 return {};
+            if (found->notes.empty())
+                return {labSentence(lab::lackOf(*found))};
             return {notConclusive(labSentences(found->notes).join(QLatin1Char(' ')))};
         };
     };

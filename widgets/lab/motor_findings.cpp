@@ -71,20 +71,24 @@ void MotorFindings::set(Row row, const std::optional<lab::Estimate> &value, cons
     m_rows[row] = {value, note};
 }
 
-void MotorFindings::take(const lab::Electrics &found)
+void MotorFindings::take(const lab::Electrics &found, bool complete)
 {
     const QString notes = notesText(found.notes);
-    set(Resistance, found.rs_ohm,
+    const auto put = [&](Row row, const std::optional<lab::Estimate> &value, const QString &note) {
+        if (value || complete)
+            set(row, value, note);
+    };
+    put(Resistance, found.rs_ohm,
         found.rs_ohm ? tr("of a phase with its switches, as warm as it is now") : notes);
-    set(DeadTime, found.deadTime_v,
+    put(DeadTime, found.deadTime_v,
         found.deadTime_v ? tr("what the bridge loses; a motor file does not hold it") : notes);
     for (const auto &[row, value] :
         {std::pair(Ld, found.ld_h), std::pair(Lq, found.lq_h), std::pair(Flux, found.flux_wb)})
-        set(row, value, value && found.rs_ohm ? QString() : notes);
+        put(row, value, value && found.rs_ohm ? QString() : notes);
     cellsChanged();
 }
 
-void MotorFindings::take(const lab::Mechanics &found)
+void MotorFindings::take(const lab::Mechanics &found, bool /*complete*/)
 {
     constexpr double kPercent = 100.0;
     const QString model =

@@ -28,8 +28,9 @@ public:
 
     explicit MotorFindings(QObject *parent = nullptr);
 
-    void take(const lab::Electrics &found);
-    void take(const lab::Mechanics &found);
+    /// @param complete  the run came to its end; else what it does not tell stays as it was measured before
+    void take(const lab::Electrics &found, bool complete = true);
+    void take(const lab::Mechanics &found, bool complete = true); ///< tells all of it
     /// What could not be measured is told in the rows of its kind. @param mechanical  else electrical
     void fail(bool mechanical, const QString &why);
     void clear();

@@ -129,6 +129,38 @@ private Q_SLOTS:
         QVERIFY(!bench.find<QPushButton>("identifyBack")->isEnabled());
     }
 
+    /// Refused, or ended early: what was measured before is as true as it was.
+    void aRunThatTellsNothingLeavesTheRows()
+    {
+        LabWindow bench("servo24");
+        QVERIFY(bench.connectBoard());
+        widgets::Identification identification(bench.device(), bench.rig.workbench.experiments());
+        Findings &findings = identification.findings();
+        lab::Electrics windings;
+        windings.rs_ohm = {0.35, 0.34, 0.36};
+        windings.ld_h = {1e-3, 0.9e-3, 1.1e-3};
+        findings.take(windings);
+        const auto run = identification.electricalRun();
+        QVERIFY(run);
+        const auto toldOfEnd = [&](lab::End end) {
+            widgets::Experiments::Record record;
+            record.outcome.end = end;
+            record.outcome.reason = "the motor is not in speed control";
+            return run->evaluate(record)();
+        };
+        QVERIFY(toldOfEnd(lab::End::Refused).isEmpty());
+        QCOMPARE(findings.measured().rs_ohm, std::optional(0.35));
+        QVERIFY(!toldOfEnd(lab::End::Interrupted).isEmpty());
+        QCOMPARE(findings.measured().ld_h, std::optional(1e-3));
+        lab::Electrics atRest;
+        atRest.rs_ohm = {0.4, 0.39, 0.41};
+        findings.take(atRest, false);
+        QCOMPARE(findings.measured().rs_ohm, std::optional(0.4));
+        QCOMPARE(findings.measured().ld_h, std::optional(1e-3));
+        QVERIFY(!toldOfEnd(lab::End::Complete).isEmpty());
+        QVERIFY(!findings.measured().rs_ohm && !findings.measured().ld_h);
+    }
+
     void cancelStopsTheMotorAndTheOtherPartIsNotBegun()
     {
         LabWindow bench("servo24", {960, 540});
