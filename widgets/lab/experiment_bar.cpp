@@ -11,6 +11,7 @@
 #include <QBoxLayout>
 #include <QDialog>
 #include <QProgressBar>
+#include <QResizeEvent>
 #include <QShortcut>
 
 #include <algorithm>
@@ -24,6 +25,11 @@ std::vector<lab::Experiment> allOf(const ExperimentBar::Run &run)
     all.insert(all.end(), run.later.begin(), run.later.end());
     return all;
 }
+
+constexpr int kLines = 3; ///< of the sentence
+
+/// Without the ends of its paragraphs, which take room.
+QString flowing(QString text) { return text.replace(QLatin1Char('\n'), QLatin1Char(' ')); }
 
 } // namespace
 
@@ -74,7 +80,7 @@ void ExperimentBar::makeRow(const char *prefix)
     m_place->setFixedSize(100, m_cancel->sizeHint().height());
     auto *place = bare(new QVBoxLayout(m_place));
     place->addWidget(m_progress, 0, Qt::AlignVCenter);
-    m_sentence = new SteadyLabel(this, 3);
+    m_sentence = new SteadyLabel(this, kLines);
     m_sentence->setObjectName(named("Sentence"));
     m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto *buttons = new QWidget(this);
@@ -132,14 +138,25 @@ int ExperimentBar::add(Button button)
 
 void ExperimentBar::addAside(QWidget *widget) { m_flow->addWidget(widget); }
 
-/// The sentence beside the buttons where there is room for some words, else below them.
+/// Whether the sentence has room for a text, in so many pixels.
+bool ExperimentBar::fits(const QString &text, int width) const
+{
+    constexpr int kTall = 10'000;
+    const QFontMetrics metrics = m_sentence->fontMetrics();
+    return metrics.boundingRect(QRect(0, 0, width, kTall), Qt::TextWordWrap, text).height()
+        <= kLines * metrics.lineSpacing();
+}
+
+/// The sentence beside the buttons where there is room for some words, and for how it ended; else below them.
 void ExperimentBar::fold()
 {
     constexpr int kLetters = 24;
     int line = 0;
     for (int i = 0; i < m_flow->count(); ++i)
         line += m_flow->itemAt(i)->sizeHint().width() + kHalfGrid;
-    const bool beside = width() >= line + kLetters * fontMetrics().averageCharWidth();
+    const int room = width() - line;
+    m_crowded = m_crowded || !fits(flowing(m_told), room); // the next run moves no button
+    const bool beside = !m_crowded && room >= kLetters * fontMetrics().averageCharWidth();
     m_flow->parentWidget()->setMinimumWidth(beside ? line : 0);
     m_row->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
@@ -152,6 +169,8 @@ QSize ExperimentBar::minimumSizeHint() const
 void ExperimentBar::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    if (event->oldSize().width() != width())
+        m_crowded = false;
     fold();
 }
 
@@ -392,10 +411,22 @@ void ExperimentBar::refresh()
     m_progress->setVisible(running);
     if (running)
         return;
-    // How it ended, and below it what is to be known, or what the next one lacks.
-    const QString why = hints();
-    m_sentence->setText(
-        m_told.isEmpty() || why.isEmpty() ? m_told + why : m_told + QLatin1Char('\n') + why);
+    fold();
+    m_row->activate();
+    m_sentence->setText(sentence());
+}
+
+/// How it ended, and below it what is to be known, and what the next one lacks. That gives way: the buttons have it, too.
+QString ExperimentBar::sentence() const
+{
+    const QString why = hints(), flows = flowing(m_told);
+    if (m_told.isEmpty())
+        return why;
+    const QString below = why.isEmpty() ? why : QLatin1Char('\n') + why;
+    for (const QString &text : {m_told + below, flows + below, m_told})
+        if (fits(text, m_sentence->width()))
+            return text;
+    return flows;
 }
 
 } // namespace widgets

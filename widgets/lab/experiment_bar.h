@@ -102,6 +102,8 @@ protected:
 
 private:
     void fold();
+    bool fits(const QString &text, int width) const;
+    QString sentence() const;
     void makeRow(const char *prefix);
     Result<Run, QString> wanted(int which) const;
     bool settled(int which) const;
@@ -130,6 +132,7 @@ private:
     std::size_t m_part = 0;
     QString m_told; ///< how the last one ended
     bool m_known = false; ///< a board is
+    bool m_crowded = false; ///< beside the buttons there was no room for how one ended
     QString m_more; ///< what has to be known of it
 
     QBoxLayout *m_row = nullptr;

@@ -1,6 +1,8 @@
 // Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves in
 // the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of it.
 #include "session/recording/recording_reader.h"
+#include "widgets/base/steady_label.h"
+#include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/live_gain.h"
 #include "widgets/lab/plan_picture.h"
@@ -131,6 +133,28 @@ private Q_SLOTS:
         // What is above it scrolls up and down, not to the side.
         auto *fields = bench.find<QLineEdit>("stepFrom");
         QTRY_VERIFY(fields->visibleRegion().boundingRect().size() == fields->size());
+    }
+
+    /// How it ended is what counts: it gets the room beside the buttons, or below them, and a hint gives way to it.
+    void howItEndedIsReadInASmallWindow()
+    {
+        Bench bench; // 1280x720
+        QVERIFY(bench.connectBoard());
+        auto *sentence = bench.find<widgets::SteadyLabel>("stepSentence");
+        auto *bar = static_cast<widgets::ExperimentBar *>(sentence->parentWidget());
+        QTRY_COMPARE(bench.said(), QStringLiteral("Arm first."));
+        bar->tell(QStringLiteral("Done; the motor is as it was."));
+        QCOMPARE(bench.said(), QStringLiteral("Done; the motor is as it was.\nArm first."));
+        const QString interrupted = QStringLiteral(
+            "Interrupted: every motor was stopped; the set-point is 1500 rpm now, it was 1000 rpm; "
+            "SPEED_KP may hold what the experiment wrote, it was 1234; SPEED_KI may hold what the "
+            "experiment wrote, it was 5678.\nThe gains were changed meanwhile: the row has the "
+            "first.");
+        bar->tell(interrupted);
+        QTRY_VERIFY(!sentence->isCut());
+        QVERIFY(bench.said().startsWith(interrupted.left(interrupted.indexOf(QLatin1Char('\n')))));
+        QVERIFY(bench.run()->toolTip().contains(QLatin1String("Arm first.")));
+        QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
     }
 
     void whatIsOfferedRunsOnAMotorWithoutASensor()
