@@ -4159,6 +4159,10 @@
         <translation>%1: wird im Stillstand gemessen, den Motor zuerst stoppen.</translation>
     </message>
     <message>
+        <source>The motor is in torque control: ask for a speed first, with Go or a speed ramp.</source>
+        <translation>Der Motor ist in Drehmomentregelung: zuerst eine Drehzahl verlangen, mit Anfahren oder einer Drehzahlrampe.</translation>
+    </message>
+    <message>
         <source>What was measured is being evaluated.</source>
         <translation>Das Gemessene wird ausgewertet.</translation>
     </message>

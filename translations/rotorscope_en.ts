@@ -4158,6 +4158,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The motor is in torque control: ask for a speed first, with Go or a speed ramp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What was measured is being evaluated.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -203,7 +203,14 @@ Result<ExperimentBar::Run, QString> ExperimentBar::wanted(int which) const
         if (runs && lab::conditionsOf(experiment).beginning != lab::Beginning::AtSpeed)
             return fail(tr("%1 is measured at rest: stop the motor first.", "Resistance")
                             .arg(experimentName(experiment)));
+        if (runs && !lab::conditionsOf(experiment).lent.empty())
+            return fail(labSentence(
+                "the motor turns, and its gains are written while it rests: stop it first"));
     }
+    const drive::StartTarget target = m_parts.motion.startTarget(m_parts.device.motor());
+    if (target.control == drive::ControlMode::Torque) // Other may be one that is not known
+        return fail(tr("The motor is in torque control: ask for a speed first, with Go or a speed "
+                       "ramp."));
     return run;
 }
 

@@ -6,6 +6,8 @@
 #include "widgets/lab/identify_page.h"
 #include "widgets/lab/lab_window.h"
 
+#include <QComboBox>
+#include <QLineEdit>
 #include <QMessageBox>
 
 #include <cmath>
@@ -177,6 +179,25 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
         QTRY_VERIFY(bench.said("identifySentence").contains(QLatin1String("Interrupted: ")));
         QCOMPARE(bench.world.counts().starts, 1);
+    }
+
+    void torqueControlIsSaidBeforeThePress()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("electricalRun"));
+        bench.find<QComboBox>("setpointMode")->setCurrentIndex(1);
+        auto *torque = bench.find<QLineEdit>("torque");
+        torque->setText(QStringLiteral("0"));
+        QTest::keyClick(torque, Qt::Key_Return);
+        for (const char *name : {"electricalRun", "mechanicalRun"}) {
+            const auto *run = bench.find<QPushButton>(name);
+            QTRY_VERIFY(!run->isEnabled());
+            QTRY_VERIFY2(run->toolTip().contains(QLatin1String("with Go or a speed ramp")),
+                qPrintable(run->toolTip()));
+        }
+        QVERIFY(bench.device().armed());
     }
 
     void whatABoardCannotDoIsGreyWithTheReason()
