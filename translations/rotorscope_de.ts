@@ -9531,6 +9531,11 @@ mN·m</translation>
         <translation>rpm</translation>
     </message>
     <message>
+        <source>%1× up, %2× down</source>
+        <comment>numbers of steps</comment>
+        <translation>%1× aufwärts, %2× abwärts</translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation>Reihe</translation>
     </message>

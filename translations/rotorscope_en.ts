@@ -9524,6 +9524,11 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1× up, %2× down</source>
+        <comment>numbers of steps</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation type="unfinished"></translation>
     </message>

@@ -47,13 +47,23 @@ QString signedText(double value, int decimals)
                 : (value < 0.0 ? QString(kMinus) : QStringLiteral("+")) + text;
 }
 
-QString stepText(const lab::StepPlan &plan)
+/// With how many were held to their end, which are fewer than planned where the series ended early.
+QString stepText(const lab::StepSeries &series)
 {
+    const auto held = [&series](bool up) {
+        return QString::number(std::ranges::count_if(
+            series.runs, [up](const lab::StepRun &run) { return run.up == up && !run.cut; }));
+    };
+    const QString up = held(true), down = held(false);
     const auto number = [](int rpm) {
         return QString::number(rpm).replace(QLatin1Char('-'), kMinus);
     };
-    return QStringLiteral("%1 \u2192 %2").arg(number(plan.fromRpm), number(plan.toRpm)) + kNarrow
-        + StepRuns::tr("rpm") + QStringLiteral(", %1\u00d7").arg(plan.repeat);
+    return QStringLiteral("%1 \u2192 %2")
+               .arg(number(series.plan.fromRpm), number(series.plan.toRpm))
+        + kNarrow + StepRuns::tr("rpm") + QStringLiteral(", ")
+        + (up == down
+                ? up + QChar(0x00d7)
+                : StepRuns::tr("%1\u00d7 up, %2\u00d7 down", "numbers of steps").arg(up, down));
 }
 
 } // namespace
@@ -148,7 +158,7 @@ QString StepRuns::text(const StepResult &result, int column) const
                   .arg(QString::number(result.number))
             : QString::number(result.number);
     case StepColumn:
-        return stepText(result.series.plan);
+        return stepText(result.series);
     case KpColumn:
         return result.kp;
     case KiColumn:

@@ -23,7 +23,11 @@ StepResult result(double rise_s, std::optional<double> half_s = {})
         one.series.rise_s = lab::Estimate{rise_s, rise_s - *half_s, rise_s + *half_s};
     lab::StepRun run;
     run.rise_s = rise_s;
-    one.series.runs = {run};
+    for (int repeat = 0; repeat < one.series.plan.repeat; ++repeat)
+        for (const bool up : {true, false}) {
+            run.up = up;
+            one.series.runs.push_back(run);
+        }
     return one;
 }
 
@@ -51,6 +55,16 @@ private Q_SLOTS:
         QCOMPARE(text(runs, 1), QStringLiteral("25.0\u202fms"));
         QCOMPARE(runs.index(0, StepRuns::StepColumn).data().toString(),
             QStringLiteral("1000 \u2192 \u22121500\u202frpm, 3\u00d7"));
+    }
+    void onlyStepsThatWereMadeAreCounted()
+    {
+        StepRuns runs;
+        StepResult one = result(0.030);
+        one.series.runs.resize(4);
+        one.series.runs.back().cut = true;
+        runs.add(one);
+        QCOMPARE(runs.index(0, StepRuns::StepColumn).data().toString(),
+            QStringLiteral("1000 \u2192 \u22121500\u202frpm, 2\u00d7 up, 1\u00d7 down"));
     }
     void anIntervalStandsBesideAndWhatIsNotKnownIsADash()
     {
