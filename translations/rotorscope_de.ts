@@ -9865,6 +9865,14 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <source>Make the tour first: it proposes the gains.</source>
         <translation>Zuerst die Tour machen: sie schlägt die Verstärkungen vor.</translation>
     </message>
+    <message>
+        <source>The response was not conclusive: no gains follow from it.</source>
+        <translation>Der Frequenzgang war nicht schlüssig: Aus ihm folgen keine Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>There are no gains to prove.</source>
+        <translation>Es gibt keine Verstärkungen zu prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::TourSteps</name>
@@ -9911,6 +9919,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>– not possible here</source>
         <translation>– hier nicht möglich</translation>
+    </message>
+    <message>
+        <source>– passed over</source>
+        <translation>– übergangen</translation>
     </message>
     <message>
         <source>✖ ended</source>

@@ -9857,6 +9857,14 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>Make the tour first: it proposes the gains.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The response was not conclusive: no gains follow from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no gains to prove.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::TourSteps</name>
@@ -9902,6 +9910,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>– not possible here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– passed over</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

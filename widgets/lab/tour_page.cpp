@@ -217,15 +217,23 @@ Result<ExperimentBar::Run, QString> TourPage::proof()
     const auto gains = chosen();
     const auto &measured = m_parts.tuning.measured();
     if (!gains && !measured)
-        return fail(tr("Make the tour first: it proposes the gains."));
+        return fail(m_steps.state(TourSteps::Response) == State::Unclear
+                ? noGainsText()
+                : tr("Make the tour first: it proposes the gains."));
     if (!gains)
         return fail(measured->whyNone.empty() ? tr("No gains keep the distance of this goal.")
                                               : labSentence(measured->whyNone));
     return m_parts.tuning.proofRun(length(), *gains);
 }
 
+QString TourPage::noGainsText()
+{
+    return tr("The response was not conclusive: no gains follow from it.");
+}
+
 void TourPage::began(int which)
 {
+    m_measurements = m_parts.tuning.measurements();
     if (which == m_prove)
         return m_steps.set(TourSteps::Proof, State::Runs);
     if (m_next == TourSteps::Windings)
@@ -285,7 +293,8 @@ void TourPage::showStation(Step step)
                 : m_bar->more());
     } else if (step == TourSteps::Response) {
         const auto &found = m_parts.tuning.measured();
-        const bool margins = found && found->response.crossover_hz && found->response.ms;
+        const bool margins = m_parts.tuning.measurements() != m_measurements && found
+            && found->response.crossover_hz && found->response.ms;
         m_steps.set(step, margins ? State::Done : State::Unclear,
             margins ? tr("Crossover %1 Hz, Ms %2")
                           .arg(numberText(found->response.crossover_hz->value, 1),
@@ -307,9 +316,17 @@ void TourPage::showGains()
     m_back->setToolTip(plainToolTip(
         why.isEmpty() ? tr("Writes the gains from before the first Apply, as one step") : why));
     const auto &measured = tuning.measured();
+    const auto one = tuning.candidate(goal());
+    const bool none = !measured && m_steps.state(TourSteps::Response) == State::Unclear;
+    const State proof = m_steps.state(TourSteps::Proof);
+    if (proof == State::Waits && (none || (measured && !one)))
+        m_steps.set(TourSteps::Proof, State::PassedOver, tr("There are no gains to prove."));
+    else if (proof == State::PassedOver && !none && (!measured || one))
+        m_steps.set(TourSteps::Proof, State::Waits);
+    if (none)
+        return m_steps.set(TourSteps::Gains, State::PassedOver, noGainsText());
     if (!measured)
         return m_steps.set(TourSteps::Gains, State::Waits);
-    const auto one = tuning.candidate(goal());
     if (!one)
         return m_steps.set(TourSteps::Gains, State::Unclear,
             measured->whyNone.empty() ? tr("No gains keep the distance of this goal.")

@@ -50,12 +50,14 @@ private:
     void ended(int which, bool complete);
     void showStation(Step step);
     void showGains();
+    static QString noGainsText();
     std::optional<LoopTuning::Gains> chosen() const;
     std::chrono::milliseconds length() const;
     lab::Goal goal() const;
 
     Parts m_parts;
     Step m_next = TourSteps::Windings; ///< what the tour runs next
+    int m_measurements = 0; ///< of the tuning, when the last run began
     TourSteps m_steps;
     QTreeView *m_table;
     QComboBox *m_goal = nullptr;

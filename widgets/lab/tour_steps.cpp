@@ -19,6 +19,7 @@ constexpr std::array kStates{QT_TRANSLATE_NOOP("widgets::TourSteps", "waits"),
     QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2713 done"),
     QT_TRANSLATE_NOOP("widgets::TourSteps", "? not conclusive"),
     QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2013 not possible here"),
+    QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2013 passed over"),
     QT_TRANSLATE_NOOP("widgets::TourSteps", "\u2716 ended")};
 
 } // namespace

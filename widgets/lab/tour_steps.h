@@ -13,7 +13,7 @@ class TourSteps : public RowTable {
     Q_OBJECT
 public:
     enum Step { Check, Windings, Mechanics, Response, Gains, Proof, kSteps };
-    enum class State : std::uint8_t { Waits, Runs, Done, Unclear, Impossible, Ended };
+    enum class State : std::uint8_t { Waits, Runs, Done, Unclear, Impossible, PassedOver, Ended };
     enum Column { StepColumn, StateColumn, ResultColumn };
 
     explicit TourSteps(QObject *parent = nullptr);
