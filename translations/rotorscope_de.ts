@@ -9863,7 +9863,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>Make the tour first: it proposes the gains.</source>
-        <translation>Zuerst die Tour machen: sie schlägt die Verstärkungen vor.</translation>
+        <translation>Zuerst den Rundgang machen: er schlägt die Verstärkungen vor.</translation>
     </message>
     <message>
         <source>The response was not conclusive: no gains follow from it.</source>
