@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,6 +23,18 @@ namespace widgets {
 namespace {
 
 constexpr qsizetype kMostTold = 3;
+
+/// Whatever column is clicked or moved to, the first ones stay in view: they tell which run it is.
+class RunList : public RowList {
+public:
+    using RowList::RowList;
+    void scrollTo(const QModelIndex &index, ScrollHint hint) override
+    {
+        const int across = horizontalScrollBar()->value();
+        RowList::scrollTo(index, hint);
+        horizontalScrollBar()->setValue(across);
+    }
+};
 
 QString problemsText(const QStringList &problems)
 {
@@ -41,7 +54,7 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     , m_keeper(keeper)
     , m_files(files)
     , m_model(new RunBookModel(this))
-    , m_table(new RowList("runBookTable", tr("Runs"), m_model, this))
+    , m_table(new RunList("runBookTable", tr("Runs"), m_model, this))
     , m_folder(named(new QLabel(this), "runBookFolder"))
     , m_told(named(new SteadyLabel(this, 1), "runBookTold"))
 {
@@ -125,7 +138,9 @@ bool RunBookPanel::eventFilter(QObject *watched, QEvent *event)
         event->accept();
         return true;
     }
-    m_table->setCurrentIndex(m_table->currentIndex().siblingAtColumn(RunBookModel::NoteColumn));
+    const QModelIndex note = m_table->currentIndex().siblingAtColumn(RunBookModel::NoteColumn);
+    m_table->setCurrentIndex(note);
+    m_table->QTreeView::scrollTo(note); // to be seen while it is typed
     return false;
 }
 

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,12 +53,19 @@ QString endText(const session::Run &run)
     return RunText::tr("Interrupted: %1.").arg(why);
 }
 
+/// Empty where none is known: dashes alone tell nothing.
 QString numbersText(const QJsonObject &result)
 {
     const QString kind = result[QLatin1String("kind")].toString();
     const auto at = [&result](const char *name) { return numberIn(result, name); };
+    const auto anyIn = [](const QJsonObject &object, std::initializer_list<const char *> names) {
+        return std::any_of(names.begin(), names.end(),
+            [&object](const char *name) { return std::isfinite(numberIn(object, name)); });
+    };
     if (kind == QLatin1String("step")) {
         const QJsonObject mean = result[QLatin1String("mean")].toObject();
+        if (!anyIn(mean, {"rise_s", "overshoot_pct", "settling_s"}))
+            return {};
         return RunText::tr("rise %1 ms, overshoot %2 %, settling %3 ms")
             .arg(shown(numberIn(mean, "rise_s") * kMilli, 1),
                 shown(numberIn(mean, "overshoot_pct"), 1),
@@ -73,7 +81,8 @@ QString numbersText(const QJsonObject &result)
             .arg(siText(at("rs_ohm"), QStringLiteral("\u03a9")),
                 siText(at("ld_h"), QStringLiteral("H")), siText(at("lq_h"), QStringLiteral("H")),
                 siText(at("flux_wb"), QStringLiteral("Wb")));
-    if (kind == QLatin1String("response"))
+    if (kind == QLatin1String("response")
+        && anyIn(result, {"crossover_hz", "phase_margin_deg", "ms"}))
         return RunText::tr("crossover %1 Hz, phase margin %2\u00b0, Ms %3")
             .arg(
                 shown(at("crossover_hz"), 1), shown(at("phase_margin_deg"), 0), shown(at("ms"), 2));

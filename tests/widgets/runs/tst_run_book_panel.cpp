@@ -13,8 +13,10 @@
 
 #include <QCheckBox>
 #include <QDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -257,6 +259,32 @@ private Q_SLOTS:
         QCOMPARE(bench.rig.window.settings().runFolder, bench.folder.path());
     }
 
+    void whatWasNotCarriedOutHasNoNumbers()
+    {
+        using Book = widgets::RunBookModel;
+        session::Run run;
+        run.experiment = QStringLiteral("step plan");
+        run.end = QStringLiteral("refused");
+        run.reason = QStringLiteral("the motor is not in speed control");
+        const QJsonValue none(QJsonValue::Null);
+        run.result = {{QStringLiteral("kind"), QStringLiteral("step")},
+            {QStringLiteral("mean"),
+                QJsonObject{{QStringLiteral("rise_s"), none},
+                    {QStringLiteral("overshoot_pct"), none},
+                    {QStringLiteral("settling_s"), none}}}};
+        Book book;
+        book.setRuns({run});
+        QCOMPARE(book.index(0, Book::ResultColumn).data().toString(),
+            QStringLiteral("Not carried out: the motor is not in speed control."));
+        run.end = QStringLiteral("complete");
+        run.result = {
+            {QStringLiteral("kind"), QStringLiteral("response")}, {QStringLiteral("ms"), none}};
+        run.notes = {QStringLiteral("no margin is told")};
+        book.setRuns({run});
+        QCOMPARE(book.index(0, Book::ResultColumn).data().toString(),
+            QStringLiteral("no margin is told"));
+    }
+
     void whatWasStoppedIsKeptAsThat()
     {
         Bench bench;
@@ -280,6 +308,14 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.model().rowCount(), 1);
         QVERIFY(bench.cell(0, widgets::RunBookModel::ResultColumn)
                     .startsWith(QLatin1String("Interrupted: ")));
+
+        // However long it is: which run it is stays in view, until its note is written.
+        QTreeView *table = bench.table();
+        table->header()->resizeSection(widgets::RunBookModel::ResultColumn, 4000);
+        table->setCurrentIndex(bench.model().index(0, widgets::RunBookModel::ResultColumn));
+        QCOMPARE(table->horizontalScrollBar()->value(), 0);
+        QTest::keyClick(table, Qt::Key_F2);
+        QVERIFY(table->horizontalScrollBar()->value() > 0);
     }
 };
 
