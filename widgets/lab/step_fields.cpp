@@ -19,7 +19,9 @@ namespace {
 constexpr double kAnyRpm = 1e6; ///< where no board has told its limit
 constexpr double kUsualRpm = 4000.0;
 constexpr double kNotch_rpm = 50.0;
-constexpr double kFromShare = 0.25, kToShare = 0.375; ///< of the limit, offered at first
+/// Of the limit, offered at first: the step down of a heavy rotor on a supply that takes nothing back raises its bus, and
+/// a step of 550 rpm trips the simulated blower. Twenty digits of the set-point say enough.
+constexpr double kFromShare = 0.25, kToShare = 0.3, kLeastStep_rpm = 120.0;
 /// Above what an observer needs, and a smaller step: the faster a motor turns the more a brake gives back.
 constexpr double kFromObserved = 1.25, kObservedShare = 0.075;
 constexpr int kNotch_ms = 50, kUsual_ms = 500, kLeastHold_ms = 50, kMost_ms = 10'000,
@@ -102,8 +104,12 @@ void StepFields::setLimits(double greatestRpm, double leastRpm)
             from = std::min(kFromObserved * leastRpm, (leastRpm + greatest) / 2.0);
             to = std::min(from + kObservedShare * greatest, greatest);
         }
-        m_from->setValue(round(from));
-        m_to->setValue(round(to));
+        from = round(from);
+        to = round(to);
+        if (to - from < kLeastStep_rpm)
+            to = std::min(from + notch * std::ceil(kLeastStep_rpm / notch), greatest);
+        m_from->setValue(from);
+        m_to->setValue(to);
     }
     m_offering = false;
 }

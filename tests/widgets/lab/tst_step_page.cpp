@@ -157,14 +157,26 @@ private Q_SLOTS:
         QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
     }
 
-    void whatIsOfferedRunsOnAMotorWithoutASensor()
+    void whatIsOfferedRuns_data()
     {
-        Bench bench("pm24");
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<int>("from");
+        QTest::addColumn<int>("to");
+        QTest::newRow("without a sensor") << QStringLiteral("pm24") << 1500 << 1800;
+        QTest::newRow("a heavy rotor") << QStringLiteral("blower36") << 1150 << 1350;
+    }
+    void whatIsOfferedRuns()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const int, from);
+        QFETCH(const int, to);
+        Bench bench(qPrintable(motor));
         QVERIFY(bench.connectBoard());
         QVERIFY(bench.arm());
-        QCOMPARE(bench.find<QLineEdit>("stepFrom")->text(), QStringLiteral("1500"));
-        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QStringLiteral("1800"));
+        QCOMPARE(bench.find<QLineEdit>("stepFrom")->text(), QString::number(from));
+        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QString::number(to));
         QVERIFY2(bench.runToItsEnd(), qPrintable(bench.said()));
+        QTRY_VERIFY2(bench.said().startsWith(QLatin1String("Done; ")), qPrintable(bench.said()));
     }
 
     void theQuestionShowsThePlanAndNoMovesNothing()
