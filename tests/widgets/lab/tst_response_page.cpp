@@ -4,6 +4,7 @@
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/loop/bode_plot.h"
 #include "widgets/lab/loop/loop_rows.h"
+#include "widgets/lab/loop/loop_tuning.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -226,6 +227,42 @@ private Q_SLOTS:
         QTest::keyClick(plot, Qt::Key_F);
         // Gains of the speed loop do not follow from it.
         QVERIFY(!bench.find<QPushButton>("responsePropose")->isEnabled());
+    }
+
+    void whatIsOfNoBoardIsNotShown()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("speedResponseRun"));
+        bench.find<QSpinBox>("responseLength")->setValue(6);
+        widgets::Experiments::RecordPtr record;
+        connect(&bench.rig.workbench.experiments(), &widgets::Experiments::ended, this,
+            [&](const widgets::Experiments::RecordPtr &ended) { record = ended; });
+        QVERIFY(bench.runToItsEnd("speedResponseRun"));
+        QVERIFY(record);
+
+        // A page that comes only now begins with what was measured.
+        const auto kp = int(bench.held("SPEED_KP"));
+        for (const char *name : {"whatIfKp", "whatIfKi"})
+            bench.find<QSpinBox>(name)->setValue(0);
+        bench.open(Qt::Key_T, Qt::ControlModifier);
+        QTRY_VERIFY(!bench.find("responsePage")->isVisible());
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(bench.find<QSpinBox>("whatIfKp")->value(), kp);
+
+        // What is evaluated when its board is gone is forgotten.
+        widgets::Workbench &workbench = bench.rig.workbench;
+        widgets::LoopTuning tuning(
+            bench.device(), workbench.registers(), workbench.edits(), workbench.experiments());
+        const auto run = tuning.speedRun(std::chrono::seconds(6));
+        QVERIFY2(run, run ? "" : qPrintable(run.error()));
+        const auto show = run->evaluate(*record);
+        bench.press("connect");
+        QTRY_VERIFY(!bench.device().identified());
+        QVERIFY(show().isEmpty());
+        QVERIFY(!tuning.measured());
+        QTRY_COMPARE(rowsOf(bench).rowCount(), 0);
     }
 
     void escEndsItAndNothingIsProposed()

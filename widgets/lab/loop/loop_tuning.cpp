@@ -66,6 +66,7 @@ void LoopTuning::boardChanged()
     m_applied.reset();
     m_writing.reset();
     ++m_measurements;
+    ++m_boards;
     Q_EMIT watchedRegistersChanged();
     Q_EMIT changed();
 }
@@ -141,9 +142,12 @@ Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::millisec
     lab::ResponsePlan plan = lab::currentResponsePlanFor(*subject, m_device.userLimits());
     plan.length = length;
     const auto loop = m_facts.speedLoop(*subject);
-    const auto evaluate = [this](const Experiments::Record &record) -> ExperimentBar::Show {
+    const auto evaluate = [this, board = m_boards](
+                              const Experiments::Record &record) -> ExperimentBar::Show {
         const auto found = lab::evaluateCurrentResponse(record.capture, record.happenings);
-        return [this, found]() -> QStringList {
+        return [this, board, found]() -> QStringList {
+            if (board != m_boards)
+                return {};
             if (!found)
                 return {tr("Not conclusive: %1").arg(labSentence(found.error()))};
             m_current = *found;
@@ -161,7 +165,8 @@ ExperimentBar::Run LoopTuning::responseRun(
     const lab::SpeedLoop present = m_facts.speedLoop(subject).value_or(lab::SpeedLoop());
     const lab::SpeedLoop loop = plan.kp > 0 ? lab::withGains(present, plan.kp, plan.ki) : present;
     const double nominalAmps = subject.limits.nominalCurrentAmps;
-    const auto evaluate = [this, plan, loop, nominalAmps, toProve, motor = subject.motor](
+    const auto evaluate = [this, board = m_boards, plan, loop, nominalAmps, toProve,
+                              motor = subject.motor](
                               const Experiments::Record &record) -> ExperimentBar::Show {
         if (record.outcome.swings)
             return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
@@ -179,6 +184,8 @@ ExperimentBar::Run LoopTuning::responseRun(
         if (response)
             measured = measuredBy(*response, loop, nominalAmps);
         return [=, this]() -> QStringList {
+            if (board != m_boards)
+                return {}; // the board is gone, and what is known of it
             m_proof.reset();
             if (!response) {
                 Q_EMIT changed();

@@ -100,6 +100,7 @@ private:
     };
     std::optional<Swinging> m_swinging; ///< with those gains no response can be measured
     int m_measurements = 0;
+    int m_boards = 0; ///< how many have come and gone
     lab::Promise m_promised; ///< of what was applied
 };
 

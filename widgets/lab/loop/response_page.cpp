@@ -258,6 +258,8 @@ void ResponsePage::takeTuning()
     if (!isVisible())
         return;
     const auto &measured = m_parts.tuning.measured();
+    if (measured && gains() == LoopTuning::Gains()) // none were put in: the page was not there yet
+        return setGains({measured->loop.proportional, measured->loop.integral});
     if (measured)
         return whatIf();
     m_proposed = false;
