@@ -1,6 +1,7 @@
-// What a START would go to. The user's own limits bound what the board was set to before as well: its references and
-// the stages of its start-up are read first, and a START that would go beyond is refused. Without such limits nothing
-// is read; the board's own limits are the business of its firmware then.
+// What a START would go to. The user's own limits bound what the board was set to before as well: its last ramps, its
+// references and the stages of its start-up are read first, and a START that would go beyond is refused. In speed control
+// the last ramp counts, as in drive/start_target.h, and the reference only where the board does not tell that ramp.
+// Without such limits nothing is read; the board's own limits are the business of its firmware then.
 #pragma once
 
 #include "drive/mcp/mcp_reads.h"
@@ -29,6 +30,8 @@ public:
 
 private:
     std::vector<RegisterId> wanted() const;
+    std::optional<Value> held(RegisterId id) const;
+    std::string refuseTorque(const Value &held) const;
 
     const McpFacts &m_board;
     int m_motor;

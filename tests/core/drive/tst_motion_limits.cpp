@@ -55,6 +55,9 @@ private Q_SLOTS:
     void ownLimitsOutliveTheConnection();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused();
+    void theLastRampSaysWhereAStartGoes_data();
+    void theLastRampSaysWhereAStartGoes();
+    void theLastTorqueSaysWhereAStartGoes();
     void aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit();
     void stagesOfTheStartUpAreWithinTheLimits();
     void setPointsOfEveryFamilyAreBounded_data();
@@ -289,6 +292,72 @@ void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused()
         const std::string why = session.ended[start].front().reason;
         QVERIFY2(why.find("your own limit") != std::string::npos, why.c_str());
     }
+}
+
+void TestMotionLimits::theLastRampSaysWhereAStartGoes_data()
+{
+    QTest::addColumn<int>("rpm"); // asked for while it rests; the reference is 1380 rpm still
+    QTest::addColumn<double>("limit");
+    QTest::addColumn<bool>("starts");
+    QTest::newRow("the old reference is beyond the limit") << 498 << 1000.0 << true;
+    QTest::newRow("backwards") << -498 << 1000.0 << true;
+    QTest::newRow("the ramp is beyond the limit") << 1998 << 1500.0 << false;
+    QTest::newRow("the ramp is beyond it backwards") << -1998 << 1500.0 << false;
+    QTest::newRow("both are") << 1998 << 1000.0 << false;
+}
+
+void TestMotionLimits::theLastRampSaysWhereAStartGoes()
+{
+    QFETCH(int, rpm);
+    QFETCH(double, limit);
+    QFETCH(bool, starts);
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    Session session(true, options);
+    QVERIFY(session.runUntilEnded(session.submit(SpeedRamp{1, rpm, 0ms})));
+    const RegisterId reference = session.id("SPEED_REF");
+    QVERIFY(session.runUntilEnded(session.submit(Read{{reference}})));
+    QVERIFY(session.values.at(reference).value == Value(std::int64_t{1380}));
+
+    QVERIFY(session.runUntilEnded(session.submit(UserLimits{limit, 0.0})));
+    const WishId start = session.submit(Command{MotorAction::Start, 1});
+    const std::string why = reasonOf(session, start);
+    QCOMPARE(session.outcome(start) == Outcome::Ok, starts);
+    QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), starts ? 1U : 0U);
+    if (!starts) {
+        QVERIFY2(why.starts_with("SPEED_RAMP is beyond your own limit"), why.c_str());
+        return;
+    }
+    double fastest = 0.0;
+    session.runUntil(
+        [&] {
+            if (session.status.contains(1))
+                fastest = std::max(fastest, std::abs(session.status.at(1).speedRpm.value_or(0.0)));
+            return false;
+        },
+        3s);
+    QVERIFY2(fastest > 400.0 && fastest < limit, std::to_string(fastest).c_str());
+}
+
+void TestMotionLimits::theLastTorqueSaysWhereAStartGoes()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    Session session(true, options);
+    const auto starts = [&](double amps) {
+        session.runUntilEnded(session.submit(UserLimits{}));
+        session.runUntilEnded(session.submit(TorqueRamp{1, amps, 0ms}));
+        session.runUntilEnded(session.submit(UserLimits{0.0, 0.3}));
+        return session.submit(Command{MotorAction::Start, 1});
+    };
+    for (const double amps : {0.8, -0.8}) {
+        const std::string why = reasonOf(session, starts(amps));
+        QVERIFY2(why.starts_with("TORQUE_RAMP is beyond your own limit of 0.3 A"), why.c_str());
+    }
+    QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), 0U);
+    const WishId within = starts(0.2);
+    const std::string why = reasonOf(session, within);
+    QVERIFY2(session.outcome(within) == Outcome::Ok, why.c_str());
 }
 
 void TestMotionLimits::aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit()
