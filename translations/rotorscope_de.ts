@@ -1090,8 +1090,12 @@
         <translation>es braucht zwei Ströme, der zweite mindestens 1,5-mal so stark wie der erste</translation>
     </message>
     <message>
-        <source>%1 A are more than a motor at rest is given here</source>
-        <translation>%1 A sind mehr, als ein ruhender Motor hier bekommt</translation>
+        <source>%1 A are more than the %2 A of your own limit</source>
+        <translation>%1 A sind mehr als die %2 A Ihrer eigenen Grenze</translation>
+    </message>
+    <message>
+        <source>%1 A are more than the %2 A that a motor at rest is given here</source>
+        <translation>%1 A sind mehr als die %2 A, die ein ruhender Motor hier bekommt</translation>
     </message>
     <message>
         <source>at most %1 A flow along the magnets</source>
@@ -1108,6 +1112,10 @@
     <message>
         <source>it needs two speeds in one direction, the lower one first</source>
         <translation>es braucht zwei Drehzahlen in einer Richtung, die niedrigere zuerst</translation>
+    </message>
+    <message>
+        <source>the speed has to go to and fro by 1 rpm or more</source>
+        <translation>die Drehzahl muss um mindestens 1 rpm hin und her gehen</translation>
     </message>
     <message>
         <source>the speed may go to and fro by less than half of it</source>

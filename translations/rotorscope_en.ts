@@ -1090,7 +1090,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 A are more than a motor at rest is given here</source>
+        <source>%1 A are more than the %2 A of your own limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 A are more than the %2 A that a motor at rest is given here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1107,6 +1111,10 @@
     </message>
     <message>
         <source>it needs two speeds in one direction, the lower one first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed has to go to and fro by 1 rpm or more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

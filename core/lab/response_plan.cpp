@@ -83,7 +83,9 @@ std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
         return "this board does not record the angle of its rotor";
     if (plan.length < 4s || plan.length > 40s)
         return "it takes 4 to 40 s";
-    if (plan.amplitudeRpm < 1 || 2 * plan.amplitudeRpm >= std::abs(plan.rpm))
+    if (plan.amplitudeRpm < 1)
+        return "the speed has to go to and fro by 1 rpm or more";
+    if (2 * plan.amplitudeRpm >= std::abs(plan.rpm))
         return "the speed may go to and fro by less than half of it";
     if (plan.kp < 0 || plan.ki < 0 || plan.kp > kMostGain || plan.ki > kMostGain)
         return "gains are 0 to " + std::to_string(kMostGain) + " digits";

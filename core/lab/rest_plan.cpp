@@ -131,9 +131,12 @@ std::string objectionTo(const RestPlan &plan, const Subject &subject)
         return "the board does not tell the nominal current of its motor";
     if (!(plan.lowAmps > 0.0) || !(plan.highAmps >= 1.5 * plan.lowAmps))
         return "it needs two currents, the second at least 1.5 times as strong as the first";
-    const double allowed = drive::realBoundsOf(subject.limits, plan.caps).amps;
-    if (plan.highAmps > std::min(allowed, subject.limits.nominalCurrentAmps))
-        return decimalText(plan.highAmps, 3) + " A are more than a motor at rest is given here";
+    const double allowed = std::min(
+        drive::realBoundsOf(subject.limits, plan.caps).amps, subject.limits.nominalCurrentAmps);
+    if (plan.highAmps > allowed)
+        return decimalText(plan.highAmps, 3) + " A are more than the " + decimalText(allowed, 3)
+            + (allowed == plan.caps.maxCurrentAmps ? " A of your own limit"
+                                                   : " A that a motor at rest is given here");
     if (plan.rise < 10ms || plan.rise > 2s || plan.hold < 100ms || plan.hold > 2s)
         return "a current rises within 10 ms to 2 s and is held for 100 ms to 2 s";
     return {};

@@ -105,10 +105,12 @@ constexpr const char *kLabTexts[] = {
         "the board does not tell the strength of the magnets, without which no torque is known"),
     QT_TRANSLATE_NOOP(
         "Lab", "it needs two currents, the second at least 1.5 times as strong as the first"),
-    QT_TRANSLATE_NOOP("Lab", "%1 A are more than a motor at rest is given here"),
+    QT_TRANSLATE_NOOP("Lab", "%1 A are more than the %2 A of your own limit"),
+    QT_TRANSLATE_NOOP("Lab", "%1 A are more than the %2 A that a motor at rest is given here"),
     QT_TRANSLATE_NOOP("Lab", "at most %1 A flow along the magnets"),
     QT_TRANSLATE_NOOP("Lab", "it takes 1 to 30 s"), QT_TRANSLATE_NOOP("Lab", "it takes 4 to 40 s"),
     QT_TRANSLATE_NOOP("Lab", "it needs two speeds in one direction, the lower one first"),
+    QT_TRANSLATE_NOOP("Lab", "the speed has to go to and fro by 1 rpm or more"),
     QT_TRANSLATE_NOOP("Lab", "the speed may go to and fro by less than half of it"),
     QT_TRANSLATE_NOOP("Lab", "There is no such motor."),
     QT_TRANSLATE_NOOP("Lab",

@@ -52,6 +52,21 @@ private Q_SLOTS:
         QCOMPARE(std::get<RestPlan>(*narrower).caps.maxSpeedRpm, 1000.0);
     }
 
+    void itsObjectionsNameTheBound()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        const auto objection = [&](const char *kind, const PlanNumbers &numbers) {
+            const auto plan = planOf(kind, numbers, subject, {});
+            return plan ? objectionTo(Experiment{*plan, subject}) : plan.error();
+        };
+        QCOMPARE(objection("rest", {{"low_a", 0.1}, {"high_a", 0.5}, {"max_a", 0.3}}),
+            std::string("0.5 A are more than the 0.3 A of your own limit"));
+        QVERIFY(objection("rest", {{"low_a", 1}, {"high_a", 1e5}})
+                    .ends_with(" A that a motor at rest is given here"));
+        QCOMPARE(objection("response", {{"amplitude_rpm", 0}}),
+            std::string("the speed has to go to and fro by 1 rpm or more"));
+    }
+
     void whatItCannotMeanIsNamed_data()
     {
         QTest::addColumn<QString>("kind");
