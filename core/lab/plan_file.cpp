@@ -1,9 +1,11 @@
 #include "lab/plan_file.h"
 
 #include "lab/caps.h"
-#include "lab/plan_fields.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
 
 namespace lab {
 
@@ -19,26 +21,112 @@ std::string keyOf(const std::string &name)
     return key;
 }
 
-/// The fields of the file over those of the usual plan.
-template <class Which>
-Result<Plan, std::string> withNumbers(Which plan, const PlanNumbers &numbers)
+const double *numberIn(const PlanNumbers &numbers, std::string_view key)
 {
-    record::Happening names;
-    putFields(names, plan);
-    record::Happening wanted;
-    for (const auto &number : numbers) {
-        const std::string &key = number.first;
-        const auto name = std::find_if(names.fields.begin(), names.fields.end(),
-            [&](const auto &field) { return keyOf(field.first) == key; });
-        if (name == names.fields.end())
-            return fail("its plan has no \"" + key + "\"");
-        wanted.fields.emplace_back(name->first, decimalText(number.second));
+    const auto found = std::find_if(
+        numbers.begin(), numbers.end(), [key](const auto &number) { return number.first == key; });
+    return found == numbers.end() ? nullptr : &found->second;
+}
+
+/// Takes the numbers of a file into the fields of a plan, as far as they can be meant: none is rounded or cut.
+class TakeNumbers {
+public:
+    explicit TakeNumbers(const PlanNumbers &numbers)
+        : m_numbers(numbers)
+    {
     }
-    TakeFields take(wanted);
+    void operator()(const char *name, double &value)
+    {
+        // 0 would bound nothing: who wants no bound leaves it out.
+        const bool bound = std::string_view(name).starts_with("max ");
+        if (const double *number = take(name, -kMost, kMost, false);
+            number && bound && *number <= 0.0)
+            m_wrong = m_keys.back();
+        else if (number != nullptr)
+            value = *number;
+    }
+    void operator()(const char *name, int &value)
+    {
+        const std::string_view word = name;
+        const bool yesOrNo = word == "flux" || word == "current loop";
+        if (const double *number = take(name, yesOrNo ? 0.0 : -kMost, yesOrNo ? 1.0 : kMost, true))
+            value = static_cast<int>(*number);
+    }
+    void operator()(const char *name, std::uint32_t &value)
+    {
+        if (const double *number = take(name, 0.0, kMost, true))
+            value = static_cast<std::uint32_t>(*number);
+    }
+    void operator()(const char *name, milliseconds &value)
+    {
+        if (const double *number = take(name, 0.0, kMost, true))
+            value = milliseconds(static_cast<milliseconds::rep>(*number));
+    }
+
+    /// Those that the plan has.
+    const std::vector<std::string> &keys() const { return m_keys; }
+    /// The key of a number that cannot be meant; empty: none.
+    const std::string &wrong() const { return m_wrong; }
+
+private:
+    static constexpr double kMost = 1e6; ///< rpm, A, ms: beyond everything that is carried out
+
+    const double *take(const char *name, double least, double most, bool whole)
+    {
+        const double *number = numberIn(m_numbers, m_keys.emplace_back(keyOf(name)));
+        const bool meant = number == nullptr
+            || (*number >= least && *number <= most && (!whole || *number == std::round(*number)));
+        if (!meant)
+            m_wrong = m_keys.back();
+        return meant ? number : nullptr;
+    }
+
+    const PlanNumbers &m_numbers;
+    std::vector<std::string> m_keys;
+    std::string m_wrong;
+};
+
+/// The numbers of the file over those of the usual plan.
+/// @param needed  what the experiment has no usual number for
+template <class Which>
+Result<Plan, std::string> withNumbers(
+    Which plan, const PlanNumbers &numbers, std::initializer_list<const char *> needed = {})
+{
+    TakeNumbers take(numbers);
     eachField(plan, take);
+    const std::vector<std::string> &keys = take.keys();
+    for (const auto &[key, number] : numbers) {
+        if (std::find(keys.begin(), keys.end(), key) != keys.end())
+            continue;
+        std::string known;
+        for (const std::string &one : keys)
+            known += (known.empty() ? "" : ", ") + one;
+        return fail("the key \"" + key + "\" is not known, its plan may have " + known);
+    }
     if (!take.wrong().empty())
-        return fail("its \"" + keyOf(take.wrong()) + "\" is no number that can be meant");
+        return fail("its \"" + take.wrong() + "\" is no number that can be meant");
+    for (const char *key : needed)
+        if (numberIn(numbers, key) == nullptr)
+            return fail("its plan needs \"" + std::string(key) + "\"");
     return Plan(plan);
+}
+
+/// Both gains or neither: the other one would be 0.
+Result<Plan, std::string> responseWith(const ResponsePlan &plan, const PlanNumbers &numbers)
+{
+    if (numberIn(numbers, "speed_kp") == nullptr && numberIn(numbers, "speed_ki") == nullptr)
+        return withNumbers(plan, numbers);
+    return withNumbers(plan, numbers, {"speed_kp", "speed_ki"});
+}
+
+/// Of a file's bounds and the user's the lower ones count.
+drive::UserLimits lowerOf(const PlanNumbers &numbers, const drive::UserLimits &caps)
+{
+    const auto lower = [&](const char *key, double own) {
+        const double *number = numberIn(numbers, key);
+        return number != nullptr && *number > 0.0 ? lowerKnown(*number, own) : own;
+    };
+    return {lower("max_rpm", caps.maxSpeedRpm), lower("max_a", caps.maxCurrentAmps)};
 }
 
 } // namespace
@@ -46,28 +134,26 @@ Result<Plan, std::string> withNumbers(Which plan, const PlanNumbers &numbers)
 Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &numbers,
     const Subject &subject, const drive::UserLimits &caps)
 {
+    const drive::UserLimits lower = lowerOf(numbers, caps);
     auto plan = [&]() -> Result<Plan, std::string> {
         if (kind == "step")
-            return withNumbers(StepPlan{.caps = caps}, numbers);
+            return withNumbers(StepPlan{}, numbers, {"from_rpm", "to_rpm"});
         if (kind == "current_step")
-            return withNumbers(currentStepPlanFor(subject, false, 0.0, 0.0, caps), numbers);
+            return withNumbers(
+                currentStepPlanFor(subject, false, 0.0, 0.0, lower), numbers, {"from_a", "to_a"});
         if (kind == "spin")
-            return withNumbers(spinPlanFor(subject, caps), numbers);
+            return withNumbers(spinPlanFor(subject, lower), numbers);
         if (kind == "current_response")
-            return withNumbers(currentResponsePlanFor(subject, caps), numbers);
+            return responseWith(currentResponsePlanFor(subject, lower), numbers);
         if (kind == "response")
-            return withNumbers(responsePlanFor(subject, caps), numbers);
+            return responseWith(responsePlanFor(subject, lower), numbers);
         if (kind == "rest")
-            return withNumbers(restPlanFor(subject, caps), numbers);
-        return fail("there is no experiment \"" + kind + "\"");
+            return withNumbers(restPlanFor(subject, lower), numbers);
+        return fail("there is no experiment \"" + kind
+            + "\", there are step, current_step, spin, rest, response and current_response");
     }();
-    if (!plan)
-        return plan;
-    // Of a file's bounds and the user's the lower ones count.
-    drive::UserLimits &own =
-        std::visit([](auto &of) -> drive::UserLimits & { return of.caps; }, *plan);
-    own = {lowerKnown(own.maxSpeedRpm, caps.maxSpeedRpm),
-        lowerKnown(own.maxCurrentAmps, caps.maxCurrentAmps)};
+    if (plan)
+        std::visit([&](auto &of) { of.caps = lower; }, *plan);
     return plan;
 }
 

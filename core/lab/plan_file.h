@@ -14,6 +14,7 @@ namespace lab {
 using PlanNumbers = std::vector<std::pair<std::string, double>>;
 
 /// @param kind  "step", "current_step", "spin", "response", "current_response" or "rest"; what numbers leave out is as the experiment has it of itself
+///              but both ends of a series of steps, and both gains of a response or neither
 /// @return  or why not, in a sentence without a full stop
 Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &numbers,
     const Subject &subject, const drive::UserLimits &caps);

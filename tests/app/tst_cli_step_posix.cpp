@@ -162,7 +162,9 @@ private Q_SLOTS:
             return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
         };
         for (const char *bad : {R"({"experiment":"step","register":1})", R"({"experiment":"go"})",
-                 R"({"experiment":"step","from_rpm":"fast"})", "[]", "{"}) {
+                 R"({"experiment":"step","from_rpm":"fast"})",
+                 R"({"experiment":"step","from_rpm":1500,"to_rpm":1800,"max_a":0})",
+                 R"({"experiment":"step","from_rpm":1500})", "[]", "{"}) {
             QVERIFY(plan(bad));
             const CliRun refused = board.cli("experiment", {board.file("plan.json")});
             COMPARE_STATUS(refused, 5);

@@ -50,6 +50,12 @@ private Q_SLOTS:
         const auto narrower = planOf("rest", {{"max_rpm", 1000}}, subject, own);
         QVERIFY(narrower);
         QCOMPARE(std::get<RestPlan>(*narrower).caps.maxSpeedRpm, 1000.0);
+        const drive::UserLimits both{.maxSpeedRpm = 1000.0, .maxCurrentAmps = 0.3};
+        const auto within = planOf("rest", {{"max_rpm", 1000}, {"max_a", 0.3}}, subject, own);
+        QVERIFY(within);
+        QCOMPARE(
+            std::get<RestPlan>(*within), restPlanFor(subject, both)); // what it leaves out, too
+        QCOMPARE(objectionTo(Experiment{*within, subject}), std::string());
     }
 
     void itsObjectionsNameTheBound()
@@ -65,6 +71,61 @@ private Q_SLOTS:
                     .ends_with(" A that a motor at rest is given here"));
         QCOMPARE(objection("response", {{"amplitude_rpm", 0}}),
             std::string("the speed has to go to and fro by 1 rpm or more"));
+    }
+
+    void whatHasNoUsualNumberIsNeeded_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("given");
+        QTest::addColumn<QString>("needed");
+        QTest::newRow("a speed to go to") << "step"
+                                          << "from_rpm"
+                                          << "to_rpm";
+        QTest::newRow("a speed to come from") << "step"
+                                              << "to_rpm"
+                                              << "from_rpm";
+        QTest::newRow("a current to go to") << "current_step"
+                                            << "from_a"
+                                            << "to_a";
+        QTest::newRow("a current to come from") << "current_step"
+                                                << "to_a"
+                                                << "from_a";
+        QTest::newRow("the other gain") << "response"
+                                        << "speed_kp"
+                                        << "speed_ki";
+        QTest::newRow("of the current's, too") << "current_response"
+                                               << "speed_ki"
+                                               << "speed_kp";
+    }
+    void whatHasNoUsualNumberIsNeeded()
+    {
+        QFETCH(const QString, kind);
+        QFETCH(const QString, given);
+        QFETCH(const QString, needed);
+        const Subject &subject = m_bench.experiment.subject;
+        const auto planWith = [&](const PlanNumbers &numbers) {
+            return planOf(kind.toStdString(), numbers, subject, {});
+        };
+        const auto plan = planWith({{given.toStdString(), 1}});
+        QVERIFY(!plan);
+        QCOMPARE(plan.error(), "its plan needs \"" + needed.toStdString() + '"');
+        QVERIFY(planWith({{given.toStdString(), 1}, {needed.toStdString(), 2}}));
+    }
+
+    void whatIsNotKnownIsNamedWithWhatIs()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        QCOMPARE(planOf("step", {{"from", 1500}, {"to_rpm", 1800}}, subject, {}).error(),
+            std::string(
+                "the key \"from\" is not known, its plan may have from_rpm, to_rpm, repeat, "
+                "hold_ms, approach_ms, max_rpm, max_a"));
+        const std::string kinds = planOf("autotune", {}, subject, {}).error();
+        for (const char *kind :
+            {"step", "current_step", "spin", "rest", "response", "current_response"}) {
+            QVERIFY2(kinds.find(kind) != std::string::npos, kinds.c_str());
+            const auto known = planOf(kind, {{"x", 1}}, subject, {}).error();
+            QVERIFY2(known.starts_with("the key \"x\""), known.c_str());
+        }
     }
 
     void whatItCannotMeanIsNamed_data()
@@ -85,6 +146,28 @@ private Q_SLOTS:
                                    << "from_rpm" << std::nan("") << "\"from_rpm\"";
         QTest::newRow("endless") << "rest"
                                  << "max_a" << 1e300 << "\"max_a\"";
+        QTest::newRow("a bound of nothing") << "step"
+                                            << "max_a" << 0.0 << "\"max_a\"";
+        QTest::newRow("a bound below nothing") << "spin"
+                                               << "max_rpm" << -1.0 << "\"max_rpm\"";
+        QTest::newRow("a bound that is no number") << "response"
+                                                   << "max_rpm" << std::nan("") << "\"max_rpm\"";
+        QTest::newRow("neither yes nor no") << "current_step"
+                                            << "flux" << 2.0 << "\"flux\"";
+        QTest::newRow("no loop") << "response"
+                                 << "current_loop" << -1.0 << "\"current_loop\"";
+        QTest::newRow("a seed below 0") << "spin"
+                                        << "seed" << -1.0 << "\"seed\"";
+        QTest::newRow("half a seed") << "response"
+                                     << "seed" << 0.5 << "\"seed\"";
+        QTest::newRow("more than whole numbers hold") << "spin"
+                                                      << "seed" << 1e12 << "\"seed\"";
+        QTest::newRow("a time below 0") << "rest"
+                                        << "hold_ms" << -400.0 << "\"hold_ms\"";
+        QTest::newRow("a speed of nothing") << "step"
+                                            << "from_rpm" << 2e6 << "\"from_rpm\"";
+        QTest::newRow("a current of nothing") << "rest"
+                                              << "high_a" << -1e300 << "\"high_a\"";
     }
     void whatItCannotMeanIsNamed()
     {
@@ -96,6 +179,9 @@ private Q_SLOTS:
             kind.toStdString(), {{key.toStdString(), number}}, m_bench.experiment.subject, {});
         QVERIFY(!plan);
         QVERIFY2(plan.error().find(named.toStdString()) != std::string::npos, plan.error().c_str());
+        if (key.toStdString() != "speed" && key.toStdString() != "SPEED_KP" && kind != "stop")
+            QCOMPARE(
+                plan.error(), "its " + named.toStdString() + " is no number that can be meant");
     }
 
 private:
