@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QTimer>
 
 #include <array>
@@ -148,10 +149,14 @@ Outcome<int> ConversationRecording::start(const QString &source)
         return tl::make_unexpected(waited.error());
     if (m_started)
         return kDone;
+    const QString todo = QFileInfo(QFileInfo(m_path).path()).isDir()
+        ? QStringLiteral("choose a name that is not there yet")
+        : QStringLiteral("its folder is not there, make it first or choose another one");
     return failure(kFileError,
-        QStringLiteral("%1 cannot be recorded: %2; choose a name that is not there yet.")
+        QStringLiteral("%1 cannot be recorded: %2; %3.")
             .arg(m_path,
-                m_result ? m_result->systemText : QStringLiteral("the disk does not answer")));
+                m_result ? m_result->systemText : QStringLiteral("the disk does not answer"),
+                todo));
 }
 
 void ConversationRecording::add(TimePoint at, const snapshots::Snapshot &registers)

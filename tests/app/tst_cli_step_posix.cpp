@@ -309,6 +309,18 @@ private Q_SLOTS:
         QCOMPARE(file.readAll(), QByteArray("mine"));
     }
 
+    void aFolderThatIsNotThereIsNamedAsTheReason()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        const CliRun run =
+            board.cli("step speed --from 1000 --to 1500 -o", {board.file("none/run.pcapng")});
+        COMPARE_STATUS(run, 5);
+        QVERIFY2(run.err.contains(QStringLiteral("its folder is not there")), qPrintable(run.err));
+        QVERIFY(run.oneLineOfError());
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
+    }
+
     void boardsThatRecordNothingAndFilesWithoutASeriesSayWhy()
     {
         for (const char *kind : {"speed", "torque", "flux"}) {
