@@ -1923,6 +1923,10 @@
         <translation>Der Sollwert ändert sich um mehr als 20 % der Grenze von %1.</translation>
     </message>
     <message>
+        <source>It is not known from where the set-point moves.</source>
+        <translation>Von wo sich der Sollwert ändert, ist nicht bekannt.</translation>
+    </message>
+    <message>
         <source>It acts against the way the motor turns now (%1).</source>
         <comment>speed</comment>
         <translation>Es wirkt gegen die jetzige Drehrichtung des Motors (%1).</translation>
@@ -1934,6 +1938,14 @@
     <message>
         <source>The control changes between speed and torque while the motor runs.</source>
         <translation>Die Regelung wechselt zwischen Drehzahl und Drehmoment, während der Motor läuft.</translation>
+    </message>
+    <message>
+        <source>It is not known whether its speed or its torque is controlled.</source>
+        <translation>Ob seine Drehzahl oder sein Drehmoment geregelt wird, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It ends the experiment that is running.</source>
+        <translation>Es beendet das Experiment, das läuft.</translation>
     </message>
     <message>
         <source>Arm</source>

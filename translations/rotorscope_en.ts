@@ -1923,12 +1923,24 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>It is not known from where the set-point moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It acts against the way the motor turns now (%1).</source>
         <comment>speed</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The control changes between speed and torque while the motor runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not known whether its speed or its torque is controlled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It ends the experiment that is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -15,7 +15,9 @@ struct Judge {
     void step(std::optional<double> length, double limit, bool agreed)
     {
         const double greatest = kGreatestQuietStep * limit * (1.0 + 1e-9);
-        if (!length || !(agreed || *length <= greatest))
+        if (!length)
+            found.push_back(MotionCaution::StepFromUnknown);
+        else if (!(agreed || *length <= greatest))
             found.push_back(MotionCaution::Step);
     }
     static std::optional<double> length(std::optional<double> from, double to)
@@ -46,13 +48,23 @@ struct Judge {
     void mode(bool torque)
     {
         if (!rests(scene.state) && scene.torqueMode != torque)
-            found.push_back(MotionCaution::OtherMode);
+            found.push_back(
+                scene.torqueMode ? MotionCaution::OtherMode : MotionCaution::UnknownMode);
+    }
+
+    void takesOver()
+    {
+        if (scene.experiment)
+            found.push_back(MotionCaution::EndsExperiment);
     }
 
     void operator()(const Command &command)
     {
-        if (command.action == MotorAction::Start && !scene.startedBefore)
+        if (command.action != MotorAction::Start)
+            return;
+        if (!scene.startedBefore)
             found.push_back(MotionCaution::FirstStart);
+        takesOver();
     }
     void operator()(const SpeedRamp &ramp)
     {
@@ -60,6 +72,7 @@ struct Judge {
             within(scene.agreedRpm, scene.speedReferenceRpm, ramp.rpm));
         reversal(ramp.rpm);
         mode(false);
+        takesOver();
     }
     void operator()(const TorqueRamp &ramp)
     {
@@ -68,6 +81,7 @@ struct Judge {
         reversal(ramp.amps);
         noLimit(ramp.amps != 0.0);
         mode(true);
+        takesOver();
     }
     void operator()(const CurrentReference &reference)
     {
@@ -81,10 +95,12 @@ struct Judge {
         reversal(reference.iqAmps);
         noLimit(reference.iqAmps != 0.0);
         mode(true);
+        takesOver();
     }
     void operator()(const PositionRamp &)
     {
         found.push_back(MotionCaution::Position); // it goes there by itself, and stays
+        takesOver();
     }
     template <class Other>
     void operator()(const Other &)

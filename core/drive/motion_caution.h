@@ -13,11 +13,14 @@ namespace drive {
 
 enum class MotionCaution : std::uint8_t {
     FirstStart, ///< the first START of this motor since the board was met
-    Step, ///< a set-point that moves by more than a fifth of its limit, or from an unknown value
+    Step, ///< a set-point that moves by more than a fifth of its limit
+    StepFromUnknown, ///< one that moves by nobody knows how much
     Reversal, ///< the other way, or torque against the turning, while the rotor turns
     Position, ///< the shaft goes to an angle, wherever it is now
     NoSpeedLimit, ///< torque control, in which nothing keeps the speed within the user's own limit
     OtherMode, ///< speed control becomes torque control or back, while the motor is driven
+    UnknownMode, ///< nobody knows whether it does
+    EndsExperiment, ///< a motor that is moved by itself is taken over
 };
 
 /// How things stand with one motor. What is not known counts as the worse.
@@ -31,6 +34,7 @@ struct MotionScene {
     std::optional<double> speedRpm; ///< measured
     std::optional<double> speedReferenceRpm, iqReferenceAmps, idReferenceAmps;
     std::optional<bool> torqueMode; ///< false: it controls the speed
+    bool experiment = false; ///< one is running, which ends with any act
 };
 
 constexpr double kGreatestQuietStep = 0.2; ///< of the limit

@@ -242,6 +242,8 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
         return Messages::tr("It is the first start since the board was connected or stopped.");
     case MotionCaution::Step:
         return Messages::tr("The set-point moves by more than 20 % of the limit of %1.").arg(limit);
+    case MotionCaution::StepFromUnknown:
+        return Messages::tr("It is not known from where the set-point moves.");
     case MotionCaution::Reversal:
         return Messages::tr("It acts against the way the motor turns now (%1).", "speed")
             .arg(speed);
@@ -251,6 +253,10 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
         return Messages::tr("In torque control nothing keeps the speed within your own limit.");
     case MotionCaution::OtherMode:
         return Messages::tr("The control changes between speed and torque while the motor runs.");
+    case MotionCaution::UnknownMode:
+        return Messages::tr("It is not known whether its speed or its torque is controlled.");
+    case MotionCaution::EndsExperiment:
+        return Messages::tr("It ends the experiment that is running.");
     }
     return {};
 }

@@ -245,7 +245,8 @@ QString MotionGate::offerFor(const std::vector<drive::WishContent> &acts) const
 {
     for (const drive::WishContent &act : acts)
         for (const drive::MotionCaution caution : drive::cautionsOf(act, sceneOf(motorOf(act))))
-            if (caution != drive::MotionCaution::Step)
+            if (caution != drive::MotionCaution::Step
+                && caution != drive::MotionCaution::StepFromUnknown)
                 return {};
     const Agreed most = stepsOf(acts);
     if (m_agreeOnly || (most.rpm > 0.0) == (most.amps > 0.0))
@@ -349,6 +350,7 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     drive::MotionScene scene;
     scene.state = status.state;
     scene.startedBefore = m_started.contains(motor);
+    scene.experiment = m_experiment;
     // A ceiling that stands in for a limit in expert mode makes no step a small one.
     scene.bounds = drive::realBoundsOf(m_device.limits(motor), m_device.userLimits());
     if (const auto agreed = m_agreedSteps.find(motor); agreed != m_agreedSteps.end()) {

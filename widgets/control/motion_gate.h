@@ -56,6 +56,8 @@ public:
     /// The same for people: "1500 rpm"; empty: not known.
     QString startText(int motor) const;
 
+    /// An experiment moves a motor from now on, or does no more: what is asked for meanwhile ends it.
+    void setExperiment(bool running) { m_experiment = running; }
     /// What of an act of several wishes has not been sent is not sent any more.
     void dropRest() { m_rest.clear(); }
 
@@ -112,6 +114,7 @@ private:
     drive::WishId m_last = 0; ///< whose end the rest waits for
     bool m_agreeOnly = false; ///< yes sends nothing
     QTimer m_patience; ///< with a board that is silent while a question is open
+    bool m_experiment = false; ///< one is running
     bool m_hiccup = false; ///< since it was asked
     QStringList m_subject; ///< of the question, without what changes all the time
 };

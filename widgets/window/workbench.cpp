@@ -209,7 +209,10 @@ void Workbench::connectExperiments()
     connect(&m_experiments, &Experiments::noted, this,
         [this](qint64 at, const record::Happening &what) { m_recording.add(at, what); });
     connect(
+        &m_experiments, &Experiments::began, &m_motion, [this] { m_motion.setExperiment(true); });
+    connect(
         &m_experiments, &Experiments::ended, this, [this](const Experiments::RecordPtr &record) {
+            m_motion.setExperiment(false);
             m_recorder.noteExperiment(record->outcome.at, ExperimentBar::endText(record->outcome));
         });
 }

@@ -62,6 +62,7 @@ private Q_SLOTS:
     void whatIsNotDrivenHasNoMode();
     void theBordersBelongToTheQuietSide();
     void aPositionIsAlwaysAskedAbout();
+    void whatEndsAnExperimentIsAskedAbout();
 };
 
 void TestMotionCaution::onlyTheFirstStartIsAskedAbout()
@@ -105,7 +106,7 @@ void TestMotionCaution::aStepWithinWhatWasAgreedIsNotAskedAbout()
     scene.speedReferenceRpm = 2600.0; // from outside of it
     QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
     scene.speedReferenceRpm.reset();
-    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::StepFromUnknown});
 
     scene = torque();
     scene.agreedAmps = 4.0;
@@ -118,7 +119,7 @@ void TestMotionCaution::whatIsNotKnownCountsAsAStep()
 {
     MotionScene scene = running();
     scene.speedReferenceRpm.reset();
-    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::StepFromUnknown});
     scene = running();
     scene.speedReferenceRpm = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
@@ -156,7 +157,8 @@ void TestMotionCaution::anotherModeWhileDriven()
     QVERIFY(cautionsOf(speed(1000), torque()) == Cautions{MotionCaution::OtherMode});
     MotionScene scene = running();
     scene.torqueMode.reset();
-    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::OtherMode});
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::UnknownMode});
+    QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, scene) == Cautions{MotionCaution::UnknownMode});
     QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, idle()).empty());
 }
 
@@ -177,10 +179,12 @@ void TestMotionCaution::currentsAreJudgedAsAVector()
     QVERIFY(cautionsOf(CurrentReference{1, 1.8, 0.8}, torque()) == Cautions{MotionCaution::Step});
     MotionScene scene = torque();
     scene.idReferenceAmps.reset();
-    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene)
+        == Cautions{MotionCaution::StepFromUnknown});
     scene = torque();
     scene.iqReferenceAmps.reset();
-    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene)
+        == Cautions{MotionCaution::StepFromUnknown});
     scene = torque(); // the length of both together, of what is and of what is to be
     scene.agreedAmps = 5.0;
     scene.iqReferenceAmps = 3.0;
@@ -242,6 +246,23 @@ void TestMotionCaution::aPositionIsAlwaysAskedAbout()
     for (const MotionScene &scene : {idle(), running()})
         QVERIFY(cautionsOf(PositionRamp{1, 0.0, 0ms}, scene) == Cautions{MotionCaution::Position});
     QVERIFY(cautionsOf(Read{}, MotionScene{}).empty());
+}
+
+void TestMotionCaution::whatEndsAnExperimentIsAskedAbout()
+{
+    MotionScene scene = running();
+    scene.experiment = true;
+    const Cautions ends{MotionCaution::EndsExperiment};
+    QVERIFY(cautionsOf(speed(1000), scene) == ends);
+    QVERIFY(cautionsOf(Command{MotorAction::Start, 1}, scene) == ends);
+    QVERIFY(cautionsOf(PositionRamp{1, 0.0, 0ms}, scene).back() == MotionCaution::EndsExperiment);
+    for (const MotorAction action :
+        {MotorAction::StopMotor, MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
+        QVERIFY(cautionsOf(Command{action, 1}, scene).empty());
+    scene.torqueMode = true;
+    for (const WishContent &act :
+        {WishContent(TorqueRamp{1, 1.0, 0ms}), WishContent(CurrentReference{1, 1.0, 0.0})})
+        QVERIFY(cautionsOf(act, scene) == ends);
 }
 
 QTEST_GUILESS_MAIN(TestMotionCaution)

@@ -116,6 +116,26 @@ private Q_SLOTS:
         QCOMPARE(bench.sent, 2);
     }
 
+    void anExperimentIsEndedByAnAgreementOnly()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        bench.gate.setExperiment(true);
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1006));
+        QCOMPARE(bench.asked.size(), 1U);
+        QVERIFY2(bench.asked[0]
+                     .lines.join(QLatin1Char('\n'))
+                     .contains(QStringLiteral("It ends the experiment")),
+            qPrintable(bench.asked[0].lines.join(QLatin1Char('\n'))));
+        QVERIFY(bench.asked[0].offer.isEmpty());
+        bench.gate.decline();
+        QCOMPARE(bench.sent, 0);
+        bench.gate.setExperiment(false);
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1006));
+        QCOMPARE(bench.asked.size(), 1U);
+        QCOMPARE(bench.sent, 1);
+    }
+
     void stepsUpToWhatWasAgreedAreNotAskedAboutUntilDisarmed()
     {
         GateBench bench;
