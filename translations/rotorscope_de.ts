@@ -1822,8 +1822,8 @@
         <translation>erledigt</translation>
     </message>
     <message>
-        <source>refused by the board</source>
-        <translation>vom Board abgelehnt</translation>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
     </message>
     <message>
         <source>not sent</source>
@@ -1832,6 +1832,14 @@
     <message>
         <source>sent, but the answer was lost</source>
         <translation>gesendet, aber die Antwort ging verloren</translation>
+    </message>
+    <message>
+        <source>refused by this program</source>
+        <translation>von diesem Programm abgelehnt</translation>
+    </message>
+    <message>
+        <source>refused by the board</source>
+        <translation>vom Board abgelehnt</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -1887,6 +1895,82 @@
     <message>
         <source>Stop NOT confirmed. Use the hardware stop.</source>
         <translation>Stopp NICHT bestätigt. Benutzen Sie den Hardware-Stopp.</translation>
+    </message>
+    <message>
+        <source>beyond your own limit of %1 rpm</source>
+        <translation>jenseits Ihrer eigenen Grenze von %1 rpm</translation>
+    </message>
+    <message>
+        <source>beyond your own limit of %1 A</source>
+        <translation>jenseits Ihrer eigenen Grenze von %1 A</translation>
+    </message>
+    <message>
+        <source>beyond the limit of %1 rpm</source>
+        <translation>jenseits der Grenze von %1 rpm</translation>
+    </message>
+    <message>
+        <source>beyond the limit of %1 A</source>
+        <translation>jenseits der Grenze von %1 A</translation>
+    </message>
+    <message>
+        <source>%1 is beyond your own limit of %2 rpm</source>
+        <translation>%1 ist jenseits Ihrer eigenen Grenze von %2 rpm</translation>
+    </message>
+    <message>
+        <source>%1 is beyond your own limit of %2 A</source>
+        <translation>%1 ist jenseits Ihrer eigenen Grenze von %2 A</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the limit of %2 rpm</source>
+        <translation>%1 ist jenseits der Grenze von %2 rpm</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the limit of %2 A</source>
+        <translation>%1 ist jenseits der Grenze von %2 A</translation>
+    </message>
+    <message>
+        <source>the speed on the way is beyond your own limit of %1 rpm</source>
+        <translation>die Drehzahl auf dem Weg ist jenseits Ihrer eigenen Grenze von %1 rpm</translation>
+    </message>
+    <message>
+        <source>the speed on the way is beyond the limit of %1 rpm</source>
+        <translation>die Drehzahl auf dem Weg ist jenseits der Grenze von %1 rpm</translation>
+    </message>
+    <message>
+        <source>%1 is on, and then no limit of your own holds: turn it off first</source>
+        <translation>%1 ist an, und dann gilt keine Ihrer eigenen Grenzen: erst ausschalten</translation>
+    </message>
+    <message>
+        <source>in this control mode no limit of your own holds: take yours away first</source>
+        <translation>in dieser Regelungsart gilt keine Ihrer eigenen Grenzen: erst diese wegnehmen</translation>
+    </message>
+    <message>
+        <source>in torque control nothing keeps the speed within your own limit of %1 rpm: take that limit away first</source>
+        <translation>in der Drehmomentregelung hält nichts die Drehzahl in Ihrer eigenen Grenze von %1 rpm: erst diese Grenze wegnehmen</translation>
+    </message>
+    <message>
+        <source>the fault is still present; remove its cause first</source>
+        <translation>der Fehler liegt noch vor; erst seine Ursache beseitigen</translation>
+    </message>
+    <message>
+        <source>no answer about what it would start to</source>
+        <translation>keine Antwort darauf, wohin der Start ginge</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>stopped; arm again first</source>
+        <translation>gestoppt; erst wieder freigeben</translation>
+    </message>
+    <message>
+        <source>too late: it was asked for more than half a second ago</source>
+        <translation>zu spät: es wurde vor mehr als einer halben Sekunde verlangt</translation>
     </message>
     <message>
         <source>%1: %2.</source>

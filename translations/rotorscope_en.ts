@@ -1822,7 +1822,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>refused by the board</source>
+        <source>refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1831,6 +1831,14 @@
     </message>
     <message>
         <source>sent, but the answer was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused by this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused by the board</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1886,6 +1894,82 @@
     </message>
     <message>
         <source>Stop NOT confirmed. Use the hardware stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond your own limit of %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond your own limit of %1 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the limit of %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the limit of %1 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is beyond your own limit of %2 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is beyond your own limit of %2 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is beyond the limit of %2 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is beyond the limit of %2 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed on the way is beyond your own limit of %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed on the way is beyond the limit of %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is on, and then no limit of your own holds: turn it off first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in this control mode no limit of your own holds: take yours away first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in torque control nothing keeps the speed within your own limit of %1 rpm: take that limit away first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fault is still present; remove its cause first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer about what it would start to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped; arm again first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too late: it was asked for more than half a second ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

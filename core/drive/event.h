@@ -153,7 +153,7 @@ struct RegistersRead {
 /// How a wish ended; exactly one for each.
 enum class Outcome : std::uint8_t {
     Ok,
-    Refused, ///< the board said no; nothing or only a part happened (see writes)
+    Refused, ///< the board or the drive said no; nothing or only a part happened (see writes)
     NotSent, ///< certainly not carried out
     Unknown, ///< sent, the answer was lost; whether it happened must be read back
 };
@@ -171,6 +171,7 @@ struct Ended {
     Outcome outcome = Outcome::Ok;
     std::string reason; ///< the board's or the drive's word, from core
     std::vector<WriteResult> writes;
+    bool byProgram = false; ///< refused before anything of it left: the board was not asked
 };
 
 struct MotorStatus {

@@ -96,6 +96,7 @@ protected:
         m_finished = true;
         m_ended.outcome = outcome;
         m_ended.reason = std::move(reason);
+        m_ended.byProgram = outcome == Outcome::Refused && !m_sent;
     }
     /// The same for who is asked for a request: there is none.
     std::nullopt_t noRequest(Outcome outcome, std::string reason = {})

@@ -88,7 +88,8 @@ void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, Ti
         m_events.emplace_back(std::move(*motion));
     }
     if (wish.id != 0)
-        m_events.emplace_back(Ended{wish.id, outcome, std::move(reason), {}});
+        m_events.emplace_back(
+            Ended{wish.id, outcome, std::move(reason), {}, outcome == Outcome::Refused});
 }
 
 void WishDrive::setLimits(const Wish &wish, const UserLimits &limits, TimePoint now)

@@ -63,7 +63,7 @@ std::string refuseTorqueControl(const BoardFacts &board)
     if (!(board.user.maxSpeedRpm > 0.0))
         return {};
     return "in torque control nothing keeps the speed within your own limit of "
-        + std::to_string(std::lround(board.user.maxSpeedRpm)) + " rpm; take that limit away first";
+        + std::to_string(std::lround(board.user.maxSpeedRpm)) + " rpm: take that limit away first";
 }
 
 std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach)

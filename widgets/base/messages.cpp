@@ -3,12 +3,43 @@
 #include "widgets/base/device_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
 
 namespace widgets {
 namespace {
 
 struct Messages {
     Q_DECLARE_TR_FUNCTIONS(Messages)
+};
+
+/// The drive's own words (core/drive), English there as in recordings and on the command line. No place holder takes a space.
+constexpr const char *kReasons[] = {
+    // NOLINTBEGIN(bugprone-suspicious-missing-comma): long ones stand in several pieces
+    QT_TRANSLATE_NOOP("Messages", "beyond your own limit of %1 rpm"),
+    QT_TRANSLATE_NOOP("Messages", "beyond your own limit of %1 A"),
+    QT_TRANSLATE_NOOP("Messages", "beyond the limit of %1 rpm"),
+    QT_TRANSLATE_NOOP("Messages", "beyond the limit of %1 A"),
+    QT_TRANSLATE_NOOP("Messages", "%1 is beyond your own limit of %2 rpm"),
+    QT_TRANSLATE_NOOP("Messages", "%1 is beyond your own limit of %2 A"),
+    QT_TRANSLATE_NOOP("Messages", "%1 is beyond the limit of %2 rpm"),
+    QT_TRANSLATE_NOOP("Messages", "%1 is beyond the limit of %2 A"),
+    QT_TRANSLATE_NOOP("Messages", "the speed on the way is beyond your own limit of %1 rpm"),
+    QT_TRANSLATE_NOOP("Messages", "the speed on the way is beyond the limit of %1 rpm"),
+    QT_TRANSLATE_NOOP(
+        "Messages", "%1 is on, and then no limit of your own holds: turn it off first"),
+    QT_TRANSLATE_NOOP(
+        "Messages", "in this control mode no limit of your own holds: take yours away first"),
+    QT_TRANSLATE_NOOP("Messages",
+        "in torque control nothing keeps the speed within your own limit of %1 rpm: take that "
+        "limit away first"),
+    QT_TRANSLATE_NOOP("Messages", "the fault is still present; remove its cause first"),
+    QT_TRANSLATE_NOOP("Messages", "no answer about what it would start to"),
+    QT_TRANSLATE_NOOP("Messages", "no answer"), QT_TRANSLATE_NOOP("Messages", "not connected"),
+    QT_TRANSLATE_NOOP("Messages", "not armed"),
+    QT_TRANSLATE_NOOP("Messages", "stopped; arm again first"),
+    QT_TRANSLATE_NOOP("Messages", "too late: it was asked for more than half a second ago"),
+    // NOLINTEND(bugprone-suspicious-missing-comma)
 };
 
 } // namespace
@@ -182,13 +213,21 @@ QString outcomeText(drive::Outcome outcome)
     case Outcome::Ok:
         return Messages::tr("done");
     case Outcome::Refused:
-        return Messages::tr("refused by the board");
+        return Messages::tr("refused");
     case Outcome::NotSent:
         return Messages::tr("not sent");
     case Outcome::Unknown:
         return Messages::tr("sent, but the answer was lost");
     }
     return {};
+}
+
+QString outcomeText(const drive::Ended &ended)
+{
+    if (ended.outcome != drive::Outcome::Refused)
+        return outcomeText(ended.outcome);
+    return ended.byProgram ? Messages::tr("refused by this program")
+                           : Messages::tr("refused by the board");
 }
 
 QString motorStateText(drive::MotorState state)
@@ -332,12 +371,38 @@ QString stopNotConfirmedText()
     return Messages::tr("Stop NOT confirmed. Use the hardware stop.");
 }
 
+std::optional<QString> reasonText(const QString &english)
+{
+    static const QRegularExpression place(QStringLiteral("%\\d"));
+    static const QRegularExpression number(QStringLiteral("^\\d+\\.\\d+$"));
+    for (const char *known : kReasons) {
+        QStringList pieces = QString::fromUtf8(known).split(place);
+        for (QString &piece : pieces)
+            piece = QRegularExpression::escape(piece);
+        const QRegularExpression pattern(
+            QRegularExpression::anchoredPattern(pieces.join(QStringLiteral("(\\S+)"))));
+        const auto match = pattern.match(english);
+        if (!match.hasMatch())
+            continue;
+        QString text = QCoreApplication::translate("Messages", known);
+        for (qsizetype at = pieces.size() - 1; at > 0; --at) {
+            QString word = deviceText(match.captured(int(at)));
+            if (number.match(word).hasMatch())
+                word.replace(QLatin1Char('.'), QLocale().decimalPoint());
+            text.replace(QStringLiteral("%%1").arg(at), word);
+        }
+        return text;
+    }
+    return std::nullopt;
+}
+
 QString failureText(const QString &action, const drive::Ended &ended)
 {
     if (ended.outcome == drive::Outcome::Ok)
         return {};
-    const QString reason = deviceText(ended.reason);
-    const QString how = outcomeText(ended.outcome);
+    const QString reason =
+        reasonText(QString::fromStdString(ended.reason)).value_or(deviceText(ended.reason));
+    const QString how = outcomeText(ended);
     return reason.isEmpty()
         ? Messages::tr("%1: %2.", "action: how it ended").arg(action, how)
         : Messages::tr("%1: %2 (%3).", "action: how it ended (the board's word)")

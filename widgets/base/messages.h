@@ -11,6 +11,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace widgets {
 
 QString linkStateText(drive::LinkState state);
@@ -28,6 +30,10 @@ QString motorsOutOfReachText(bool wereAtRest, std::optional<std::chrono::millise
 /// Why a port could not be opened or is gone, and what to do; empty for None.
 QString portProblemText(const session::PortError &error, const QString &port);
 QString outcomeText(drive::Outcome outcome);
+/// The same, and who refused it.
+QString outcomeText(const drive::Ended &ended);
+/// The drive's own word for why something was not done; empty: it is none that is known, but a board's perhaps.
+std::optional<QString> reasonText(const QString &english);
 QString motorStateText(drive::MotorState state);
 QString stopWordText(drive::StopWord word);
 /// Why the user is asked before an act of motion. @param limit, speed  with unit

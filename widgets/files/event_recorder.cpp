@@ -193,9 +193,8 @@ void EventRecorder::ended(const drive::Ended &ended)
     m_lastEnded = {ended.id, id};
     const ScopeEvent *event = m_log.find(id);
     if (event && ended.outcome != drive::Outcome::Ok)
-        m_log.setText(id,
-            tr("%1 (%2)", "a command and how it ended")
-                .arg(event->text, outcomeText(ended.outcome)));
+        m_log.setText(
+            id, tr("%1 (%2)", "a command and how it ended").arg(event->text, outcomeText(ended)));
     for (const drive::WriteResult &write : ended.writes)
         wrote(write, seconds);
 }

@@ -1,5 +1,7 @@
 #include "widgets/lab/lab_text.h"
 
+#include "widgets/base/messages.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
@@ -275,7 +277,7 @@ QString labWords(const QString &english)
     }
     const auto end = english.indexOf(QLatin1String("; "));
     return end < 0
-        ? english
+        ? reasonText(english).value_or(english)
         : labWords(english.left(end)) + QLatin1String("; ") + labWords(english.mid(end + 2));
 }
 

@@ -71,7 +71,7 @@ std::string StartCheck::refusal() const
         if (auto why = refuseTorqueControl(m_board); !why.empty())
             return why;
     if (mode && *mode != kPositionModeNumber && controlModeOf(*mode) == ControlMode::Other)
-        return "in this control mode no limit of your own holds; take yours away first";
+        return "in this control mode no limit of your own holds: take yours away first";
     const StartTarget target = startTarget(*m_board.catalog, m_board.limitsOf(m_motor), m_motor,
         [this](RegisterId id) { return held(id); });
     const bool byRamp = target.ramp.has_value(); // the reference is left from before, then
@@ -80,7 +80,7 @@ std::string StartCheck::refusal() const
         if (reading.status != ReadStatus::Ok || info == nullptr)
             continue;
         if (isSource(*info) && asNumber(reading.value).value_or(0.0) != 0.0)
-            return info->name + " is on, and then no limit of your own holds; turn it off first";
+            return info->name + " is on, and then no limit of your own holds: turn it off first";
         std::string why;
         if (info->name == kSpeedRamp)
             why = byRamp ? refuseSpeed(m_board, m_motor, target.rpm.value_or(0.0)) : "";

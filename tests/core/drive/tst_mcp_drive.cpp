@@ -218,6 +218,7 @@ void TestMcpDrive::aStartThatIsRefusedSaysWhy()
     QVERIFY(session.runUntilEnded(start));
     QVERIFY(session.outcome(start) == Outcome::Refused);
     QCOMPARE(session.ended[start].front().reason, "CMD_NOK in FAULT_NOW, UNDER_VOLT");
+    QVERIFY(!session.ended[start].front().byProgram);
     QVERIFY(session.status[1].state == MotorState::FaultNow);
     QCOMPARE(session.status[1].faultsNow, std::vector<std::string>{"UNDER_VOLT"});
 }

@@ -326,6 +326,7 @@ void TestMotionLimits::theLastRampSaysWhereAStartGoes()
     QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), starts ? 1U : 0U);
     if (!starts) {
         QVERIFY2(why.starts_with("SPEED_RAMP is beyond your own limit"), why.c_str());
+        QVERIFY(session.ended.at(start).front().byProgram);
         return;
     }
     double fastest = 0.0;

@@ -272,6 +272,8 @@ private Q_SLOTS:
         bench.sayYes();
         bench.link.runFor(200ms);
         QCOMPARE(bench.failed.size(), 1);
+        QVERIFY2(bench.failed[0].contains(QStringLiteral("refused by the board")),
+            qPrintable(bench.failed[0]));
         bench.gate.want(QStringLiteral("Start"), bench.start());
         QCOMPARE(bench.asked.size(), 2U);
     }
@@ -335,6 +337,8 @@ private Q_SLOTS:
         bench.link.runFor(500ms);
         QCOMPARE(bench.sent, 1);
         QCOMPARE(bench.failed.size(), 1);
+        QVERIFY2(bench.failed[0].contains(QStringLiteral("refused by this program")),
+            qPrintable(bench.failed[0]));
     }
 
     void stopAndWhatEndsMotionIsNeverAsked()

@@ -111,6 +111,11 @@ void TestLabText::theyAreGerman_data()
         << QStringLiteral(
                "ein Schritt davon: es wurde abgelehnt (BAD_RAW); was vorher war: es wurde "
                "abgelehnt");
+    QTest::newRow("why the drive refused it")
+        << "the start: it was refused (SPEED_RAMP is beyond your own limit of 1234.5 rpm); the "
+           "motor has to turn"
+        << QStringLiteral("der Start: es wurde abgelehnt (SPEED_RAMP ist jenseits Ihrer eigenen "
+                          "Grenze von 1234,5 rpm); der Motor muss drehen");
     QTest::newRow("of a session") << "every motor was stopped"
                                   << "jeder Motor wurde gestoppt";
     QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"

@@ -96,6 +96,9 @@ private Q_SLOTS:
         ended.reason = "%1 %2 %3";
         const QString sentence = widgets::failureText(QStringLiteral("Start"), ended);
         QVERIFY2(sentence.contains(QStringLiteral("(%1 %2 %3)")), qPrintable(sentence));
+        ended.reason = "%1 is beyond your own limit of 9 rpm";
+        const QString known = widgets::failureText(QStringLiteral("Start"), ended);
+        QVERIFY2(known.contains(QString::fromStdString(ended.reason)), qPrintable(known));
         session::PortError error;
         error.problem = session::PortProblem::Busy;
         error.detail = QStringLiteral("%1");
