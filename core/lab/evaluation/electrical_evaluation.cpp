@@ -21,7 +21,7 @@ constexpr double kVoltageScale = 0.015;
 constexpr double kScaleAtRest = 0.02;
 /// Of the inductances, beside what the rows leave open: a jump of the current lasts a few samples, and Lq is told by those alone.
 /// Less well where the angle, too, is known in jumps. Source: simulated motors (docs/experiments.md).
-constexpr double kAlong = 0.02, kAlongByHall = 0.035, kJump = 0.035, kJumpByHall = 0.1;
+constexpr double kAlong = 0.02, kAlongByHall = 0.035, kJump = 0.04, kJumpByHall = 0.1;
 constexpr std::size_t kCurrentQ = 0, kCurrentD = 1, kVoltageQ = 2, kVoltageD = 3, kReference = 4;
 
 Estimate withScale(const Estimate &own, double scale)
@@ -240,6 +240,15 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     found.ld_h = withLength(withScale(fit->ld_h, hall ? kAlongByHall : kAlong), coarse->ld_h);
     found.lq_h = withLength(withScale(fit->lq_h, hall ? kJumpByHall : kJump), coarse->lq_h);
     found.flux_wb = withLength(withScale(fit->flux_wb, kVoltageScale), coarse->flux_wb);
+    double fastest = 0.0;
+    for (const TurningSlices &one : fine.slices)
+        for (const TurningSlice &slice : one.all)
+            fastest = std::max(fastest, std::abs(slice.rotorSpeed));
+    const double turn_rad = fastest * fine.slices.front().period_s;
+    if (const double unsure = seldomSeen(turn_rad); unsure > 0.0) {
+        found.lq_h = withScale(*found.lq_h, unsure);
+        found.notes.push_back(seldomSeenNote(turn_rad));
+    }
     if (byEncoder(spin.angle))
         takeAside(found, fine.aside_rad);
     constexpr double kTold = 0.5; // of its value: less is as good as nothing

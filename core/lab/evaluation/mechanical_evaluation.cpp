@@ -55,14 +55,6 @@ double hallLag(
     return std::sqrt(squares / static_cast<double>(instants.size()));
 }
 
-/// What the current does within a control period is not seen: where the rotor turns far in one, and the inductance is small, its
-/// mean is beside its samples. As a share of the torque, the square of that angle in rad; next to nothing up to 17 degrees.
-double seldomSeen(double turn_rad)
-{
-    constexpr double kLittle_rad = 0.3;
-    return turn_rad > kLittle_rad ? turn_rad * turn_rad : 0.0;
-}
-
 /// To either side by itself: what cannot be below 0 has its value at one end.
 void grow(Estimate &one, double by)
 {
@@ -288,11 +280,8 @@ Result<Mechanics, std::string> evaluateMechanics(
     const double turn_rad = stretches.fastest * plan->polePairs * segments.front().period_s;
     const double unsure = std::hypot(lag, seldomSeen(turn_rad));
     Mechanics found = mechanicsOf(*plan, {*plain, *fan, stretches.fastest, digit_nm, unsure});
-    if (seldomSeen(turn_rad) > 0.0)
-        found.notes.push_back("the rotor turns by up to "
-            + decimalText(turn_rad * 180.0 / std::numbers::pi, 2)
-            + " electrical degrees within a control period: what its current does meanwhile is "
-              "not seen");
+    if (unsure > lag)
+        found.notes.push_back(seldomSeenNote(turn_rad));
     const Fit &chosen = found.fan ? *fan : *plain;
     take(found, aside);
     if (flux)

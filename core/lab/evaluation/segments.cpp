@@ -1,5 +1,6 @@
 #include "lab/evaluation/segments.h"
 
+#include "base/text.h"
 #include "scope/sample_range.h"
 
 #include <algorithm>
@@ -144,6 +145,19 @@ std::vector<Segment> whileTurning(
         }
     }
     return turning;
+}
+
+double seldomSeen(double turn_rad)
+{
+    constexpr double kLittle_rad = 0.3;
+    return turn_rad > kLittle_rad ? turn_rad * turn_rad : 0.0;
+}
+
+std::string seldomSeenNote(double turn_rad)
+{
+    return "the rotor turns by up to " + decimalText(turn_rad * 180.0 / std::numbers::pi, 2)
+        + " electrical degrees within a control period: what its current does meanwhile is not "
+          "seen";
 }
 
 } // namespace lab

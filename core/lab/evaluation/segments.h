@@ -4,6 +4,7 @@
 #include "capture/channel.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lab {
@@ -31,5 +32,10 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
 /// @param edge_s  to either side of a sample, for its speed
 std::vector<Segment> whileTurning(
     std::vector<Segment> segments, double least_degPerS, double edge_s = 5e-3);
+
+/// What the current does within a control period is not seen: where the rotor turns far in one, and the inductance is small, its
+/// mean is beside its samples. As a share of what follows from it, the square of that angle; next to nothing up to 17 degrees.
+double seldomSeen(double turn_rad);
+std::string seldomSeenNote(double turn_rad); ///< without a full stop
 
 } // namespace lab

@@ -14,12 +14,13 @@ namespace {
 
 enum Unknown : std::size_t { kRs, kLoss, kAlongD, kAlongQ, kMagnets, kAside };
 
-/// From which change on a current jumps: half of what twenty exceed, or as far as noise does not go. Smaller ones move with what
+/// From which change on a current jumps: 0.6 of what thirty exceed, or as far as noise does not go. Smaller ones move with what
 /// the angle is off by.
 double leastJump(const std::vector<TurningSlices> &slices)
 {
     constexpr double kFar = 3.0, kDeviation = 1.4826; // of a normal distribution, from its median
-    constexpr std::size_t kFew = 20;
+    constexpr std::size_t kFew = 30;
+    constexpr double kShare = 0.6;
     std::vector<double> changes;
     for (const TurningSlices &one : slices)
         for (const TurningSlice &slice : one.all)
@@ -33,7 +34,7 @@ double leastJump(const std::vector<TurningSlices> &slices)
     };
     const double noise = kFar * kDeviation * inOrder(changes.size() / 2);
     const double jump = inOrder(changes.size() - kFew);
-    return std::clamp(noise, jump / 2.0, jump);
+    return std::clamp(noise, kShare * jump, jump);
 }
 
 /// One row for each slice, or every so many-th, but for what the dead time takes.
