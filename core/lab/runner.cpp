@@ -641,8 +641,10 @@ void Runner::finish()
 {
     m_wishes.clear();
     m_phase = Phase::Over;
-    const double now_rpm = m_asked_rpm.value_or(m_target_rpm); // on its way it may have been taken
-    if (m_commanded && std::abs(now_rpm - m_before_rpm) > tolerated())
+    const auto isOld = [this](double rpm) { return std::abs(rpm - m_before_rpm) <= tolerated(); };
+    // What is on its way may have been taken, and may not: of the two, the one that is not the old one is said.
+    const double now_rpm = m_asked_rpm && !isOld(*m_asked_rpm) ? *m_asked_rpm : m_target_rpm;
+    if (m_commanded && !isOld(now_rpm))
         m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ") + "the set-point "
             + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm) + " now, it was "
             + rpmText(m_before_rpm);

@@ -40,6 +40,7 @@ private Q_SLOTS:
     void aRefusedStartLeavesTheMotorAlone();
     void aStartThatWasTakenAndAnsweredOtherwiseIsStopped();
     void aTorqueThatMayStillBeInForceIsSaid();
+    void aWayBackThatWasOnlyAskedForIsSaid();
     void aBoardThatDoesNotObeyIsToldAtTheEnd();
     void aRotorThatTurnsOnIsWaitedFor_data();
     void aRotorThatTurnsOnIsWaitedFor();
@@ -549,6 +550,27 @@ void TestRunner::aTorqueThatMayStillBeInForceIsSaid()
     };
     VERIFY_END(bench.run(), End::Aborted);
     QVERIFY2(bench.runner->outcome().reason.find("in torque control now") != std::string::npos,
+        bench.runner->outcome().reason.c_str());
+}
+
+/// As where the port is closed meanwhile: what was asked for last may not have been taken.
+void TestRunner::aWayBackThatWasOnlyAskedForIsSaid()
+{
+    constexpr int kBefore_rpm = 1400;
+    LabBench bench;
+    QVERIFY(bench.pair.runAt(kBefore_rpm));
+    bench.pair.runFor(1s);
+    bench.begin();
+    QVERIFY(bench.runUntil(
+        [&] {
+            const auto ramps = bench.asked<SpeedRamp>();
+            return !ramps.empty() && ramps.back().rpm == kBefore_rpm;
+        },
+        30s));
+    bench.runner->interrupt("the port was closed");
+    QVERIFY2(
+        bench.runner->outcome().reason.find("the set-point may be 1000 rpm now, it was 1400 rpm")
+            != std::string::npos,
         bench.runner->outcome().reason.c_str());
 }
 
