@@ -994,6 +994,14 @@
         <translation>%1 enthält vielleicht, was der Versuch geschrieben hat</translation>
     </message>
     <message>
+        <source>what it held before comes back with: rotorscope-cli set %1</source>
+        <translation>was vorher darin stand, kommt zurück mit: rotorscope-cli set %1</translation>
+    </message>
+    <message>
+        <source>%1 has no stage with a speed, as an experiment leaves it that was ended early: write the motor&apos;s own stages first</source>
+        <translation>%1 hat keine Stufe mit einer Drehzahl, wie ein Versuch es hinterlässt, der vorzeitig beendet wurde: erst die eigenen Stufen des Motors schreiben</translation>
+    </message>
+    <message>
         <source>the motor is in torque control now, it was in speed control</source>
         <translation>der Motor ist jetzt in Drehmomentregelung, er war in Drehzahlregelung</translation>
     </message>

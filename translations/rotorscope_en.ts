@@ -994,6 +994,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what it held before comes back with: rotorscope-cli set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no stage with a speed, as an experiment leaves it that was ended early: write the motor&apos;s own stages first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the motor is in torque control now, it was in speed control</source>
         <translation type="unfinished"></translation>
     </message>

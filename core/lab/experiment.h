@@ -48,6 +48,7 @@ struct Outcome {
     std::string reason;
     TimePoint at{}; ///< when it ended; the session says it
     bool swings = false; ///< it ended before it began: the speed did not come to rest
+    bool leaves = false; ///< something is not as it was before, or may not be
     bool operator==(const Outcome &) const = default;
 };
 

@@ -1,7 +1,9 @@
 #include "lab/runner.h"
 
+#include "base/text.h"
 #include "drive/values.h"
 #include "lab/caps.h"
+#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,25 @@ std::string namesOf(const std::vector<std::string> &faults)
     for (const std::string &name : faults)
         all += (all.empty() ? "" : ", ") + name;
     return all;
+}
+
+/// As rotorscope-cli set takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a number as
+/// it is, because gains have no scale.
+std::string typed(const catalog::Value &value)
+{
+    const auto *bytes = std::get_if<Bytes>(&value);
+    return bytes != nullptr ? '"' + hexOf(*bytes, " ") + '"'
+                            : drive::shortNumber(drive::asNumber(value).value_or(0.0));
+}
+
+/// A start-up as an experiment at rest writes it. No motor that starts without a sensor has such a one of its own.
+bool turnsNothing(const catalog::Value &startUp)
+{
+    const auto *bytes = std::get_if<Bytes>(&startUp);
+    const auto stages = motor::revUpOfBytes(bytes != nullptr ? ByteView(*bytes) : ByteView());
+    return stages
+        && std::all_of(stages->begin(), stages->end(),
+            [](const motor::RevUpStage &stage) { return stage.speed_rpm == 0; });
 }
 
 Watched watchedOf(const Experiment &experiment)
@@ -354,6 +375,10 @@ void Runner::onRead(TimePoint now)
         if (old == m_values.end())
             return refuse("the board does not give " + m_experiment.subject.nameOf(lent.id)
                 + ", which would be written");
+        if (lent.id == m_experiment.subject.registers.startUp && turnsNothing(old->second))
+            return refuse(m_experiment.subject.nameOf(lent.id)
+                + " has no stage with a speed, as an experiment leaves it that was ended early: "
+                  "write the motor's own stages first");
         m_old.push_back({lent.id, old->second});
     }
     const drive::StartTarget target = startTarget();
@@ -641,21 +666,28 @@ void Runner::finish()
 {
     m_wishes.clear();
     m_phase = Phase::Over;
+    const auto say = [this](const std::string &what) {
+        m_soFar.reason += (m_soFar.reason.empty() ? "" : "; ") + what;
+        m_soFar.leaves = true;
+    };
     const auto isOld = [this](double rpm) { return std::abs(rpm - m_before_rpm) <= tolerated(); };
     // What is on its way may have been taken, and may not: of the two, the one that is not the old one is said.
     const double now_rpm = m_asked_rpm && !isOld(*m_asked_rpm) ? *m_asked_rpm : m_target_rpm;
     if (m_commanded && !isOld(now_rpm))
-        m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ") + "the set-point "
-            + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm) + " now, it was "
-            + rpmText(m_before_rpm);
-    if (m_lent)
-        for (const drive::RegisterWrite &old : m_old)
-            m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
-                + m_experiment.subject.nameOf(old.id) + " may hold what the experiment wrote";
+        say(std::string("the set-point ") + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm)
+            + " now, it was " + rpmText(m_before_rpm));
+    if (m_lent) {
+        std::string all;
+        for (const drive::RegisterWrite &old : m_old) {
+            const std::string name = m_experiment.subject.nameOf(old.id);
+            say(name + " may hold what the experiment wrote");
+            all += " " + name + "=" + typed(old.value);
+        }
+        say("what it held before comes back with: rotorscope-cli set" + all);
+    }
     if (m_byTorque)
-        m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
-            + (m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
-                              : "the motor is in torque control now, it was in speed control");
+        say(m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
+                           : "the motor is in torque control now, it was in speed control");
     m_outcome = m_soFar;
 }
 

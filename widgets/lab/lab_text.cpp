@@ -72,6 +72,10 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the set-point is %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 may hold what the experiment wrote"),
+    QT_TRANSLATE_NOOP("Lab", "what it held before comes back with: rotorscope-cli set %1"),
+    QT_TRANSLATE_NOOP("Lab",
+        "%1 has no stage with a speed, as an experiment leaves it that was ended early: write the "
+        "motor's own stages first"),
     QT_TRANSLATE_NOOP("Lab", "the motor is in torque control now, it was in speed control"),
     QT_TRANSLATE_NOOP("Lab", "the motor may be in torque control now, it was in speed control"),
     QT_TRANSLATE_NOOP("Lab", "the motor was started all the same"),

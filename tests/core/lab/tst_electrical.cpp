@@ -1,5 +1,6 @@
 // Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals; and that a motor is afterwards what it was.
+#include "base/text.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
@@ -50,6 +51,15 @@ std::vector<catalog::Value> held(LabBench &bench)
     for (const drive::RegisterId id : ids)
         values.push_back(bench.pair.values[id].value);
     return values;
+}
+
+/// While its currents flow, and what was borrowed for them is not given back.
+void startUpIsInterrupted(LabBench &bench)
+{
+    bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return !bench.asked<drive::Command>().empty(); }));
+    bench.runner->interrupt("somebody stopped the motor");
 }
 
 } // namespace
@@ -277,17 +287,34 @@ private Q_SLOTS:
         QVERIFY(bench.asked<drive::CurrentReference>().empty());
     }
 
-    /// Nothing is written behind a Stop: what is still borrowed then is said.
+    /// Nothing is written behind a Stop: what is still borrowed then is said, and how the old value is typed.
     void whatIsNotGivenBackIsSaid()
     {
         LabBench bench(boardOf(QStringLiteral("pm24"), 1));
-        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
-        bench.begin();
-        QVERIFY(bench.runUntil([&] { return !bench.asked<drive::Command>().empty(); }));
-        bench.runner->interrupt("somebody stopped the motor");
-        const std::string &reason = bench.runner->outcome().reason;
-        QVERIFY2(reason.find("REVUP_DATA may hold what the experiment wrote") != std::string::npos,
-            reason.c_str());
+        const auto old = std::get<Bytes>(held(bench).back());
+        startUpIsInterrupted(bench);
+        const Outcome &outcome = bench.runner->outcome();
+        QVERIFY(outcome.leaves);
+        for (const std::string &said :
+            {std::string("REVUP_DATA may hold what the experiment wrote"),
+                "rotorscope-cli set REVUP_DATA=\"" + hexOf(old, " ") + '"'})
+            QVERIFY2(outcome.reason.find(said) != std::string::npos, outcome.reason.c_str());
+    }
+
+    /// They would be given back as if they were the motor's, which then never starts again.
+    void whatAnExperimentLeftIsNotBorrowed()
+    {
+        LabBench bench(boardOf(QStringLiteral("pm24"), 1));
+        startUpIsInterrupted(bench);
+        bench.pair.drive->stop(bench.pair.now);
+        bench.pair.runFor(5s);
+        const std::size_t writes = bench.asked<drive::Write>().size();
+        const Outcome outcome = bench.run();
+        QCOMPARE(outcome.end, End::Refused);
+        QVERIFY2(outcome.reason.starts_with("REVUP_DATA has no stage with a speed"),
+            outcome.reason.c_str());
+        QVERIFY(!outcome.leaves);
+        QCOMPARE(bench.asked<drive::Write>().size(), writes);
     }
 
     /// While the speed itself is not recorded, it is the angle that breaks its bound.

@@ -116,6 +116,12 @@ void TestLabText::theyAreGerman_data()
            "motor has to turn"
         << QStringLiteral("der Start: es wurde abgelehnt (SPEED_RAMP ist jenseits Ihrer eigenen "
                           "Grenze von 1234,5 rpm); der Motor muss drehen");
+    QTest::newRow("a way back that can be typed")
+        << "SPEED_KP may hold what the experiment wrote; what it held before comes back with: "
+           "rotorscope-cli set SPEED_KP=500 SPEED_KI=30"
+        << QStringLiteral("SPEED_KP enthält vielleicht, was der Versuch geschrieben hat; was "
+                          "vorher darin stand, kommt zurück mit: rotorscope-cli set SPEED_KP=500 "
+                          "SPEED_KI=30");
     QTest::newRow("of a session") << "every motor was stopped"
                                   << "jeder Motor wurde gestoppt";
     QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"
