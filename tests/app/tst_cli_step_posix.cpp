@@ -297,6 +297,22 @@ private Q_SLOTS:
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
+    void aRecordingOfARefusedRunSaysWhyItWasRefused()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        const QString file = board.file("refused.pcapng");
+        COMPARE_STATUS(board.cli("torque 0.1 0"), 0); // the board is not in speed control then
+        const CliRun refused = board.cli("step speed --from 1000 --to 1500 -o", {file});
+        COMPARE_STATUS(refused, 1);
+        const QString why = QStringLiteral("the motor is not in speed control");
+        QVERIFY2(refused.err.contains(why), qPrintable(refused.err));
+        const CliRun kept = support::runCli({QStringLiteral("evaluate"), file});
+        COMPARE_STATUS(kept, 1);
+        QVERIFY2(kept.err.contains(QStringLiteral("The experiment ended early: ") + why),
+            qPrintable(kept.err));
+    }
+
     void aFileThatIsThereStays()
     {
         const Simulator board(kServo);

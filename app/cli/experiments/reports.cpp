@@ -148,6 +148,16 @@ void print(const lab::FrequencyResponse &found, Output &out)
     print(found, QStringLiteral("A/A"), out);
 }
 
+/// Why the experiment did not come to its end, in a sentence with a blank behind it; empty: it did, or nothing says so.
+QString endedEarlyText(const lab::Happenings &all)
+{
+    for (const auto &[at, what] : all)
+        if (what.name == lab::kEndEntry && what.field("outcome") != "complete")
+            return QStringLiteral("The experiment ended early: %1. ")
+                .arg(QString::fromStdString(what.field("reason")));
+    return {};
+}
+
 } // namespace
 
 Outcome<int> evaluate(const QString &path, Output &out)
@@ -158,8 +168,11 @@ Outcome<int> evaluate(const QString &path, Output &out)
     if (const QString lack = lackText(**recording); !lack.isEmpty())
         Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
     const auto found = lab::findingIn((*recording)->capture, (*recording)->report.happenings);
-    if (!found)
-        return failure(kRefused, QStringLiteral("%1: %2").arg(path, sentence(found.error())));
+    if (!found) // what could not be measured was mostly not begun
+        return failure(kRefused,
+            QStringLiteral("%1: %2%3")
+                .arg(path, endedEarlyText((*recording)->report.happenings),
+                    sentence(found.error())));
     if (out.json())
         out.json(session::findingJson(*found));
     else
