@@ -70,6 +70,8 @@ public:
     const drive::LinkCounters &lineCounters() const { return m_counters; } ///< the newest
     /// Carries out an experiment, which takes as long as its plan; armToMove() comes before it.
     Outcome<lab::Outcome> run(const lab::Experiment &experiment);
+    /// How the last one ended, also where run() failed and something else, such as stop(), ended it.
+    const std::optional<lab::Outcome> &experimentEnded() const { return m_experimentEnded; }
     /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.
     /// Works after an interrupt, too.
     /// @return  how far it was confirmed; a failure if the drive was not seen idle

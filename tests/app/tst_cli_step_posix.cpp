@@ -262,6 +262,26 @@ private Q_SLOTS:
         COMPARE_STATUS(board.cli("stop"), 0);
     }
 
+    /// Its Stop comes first, and nothing is written behind it.
+    void whatCtrlCLeavesIsSaid()
+    {
+        constexpr qint64 kDrivenByTorque = 800'000; ///< bytes of a recording with twice as many
+        ExperimentProgram program(kServo, "identify mechanical -o");
+        const auto untilItIsInterrupted = [&] {
+            program.begin();
+            if (program.recorded(kDrivenByTorque))
+                program.interrupt();
+        };
+        untilItIsInterrupted();
+        COMPARE_OUTCOME(program, 128 + SIGINT, "Interrupted.", untilItIsInterrupted);
+        const QString said =
+            QStringLiteral("the motor is in torque control now, it was in speed control");
+        QVERIFY2(program.run().err.contains(said), qPrintable(program.run().err));
+        QVERIFY(program.board().cli("info").out.contains(QStringLiteral("IDLE")));
+        const CliRun kept = support::runCli({QStringLiteral("evaluate"), program.file()});
+        QVERIFY2(kept.err.contains(said), qPrintable(kept.err));
+    }
+
     void whatCannotBeDoneMovesNothing_data()
     {
         QTest::addColumn<QString>("line");

@@ -92,10 +92,9 @@ Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
     if (const auto armed = talk.armToMove(); !armed)
         return tl::make_unexpected(armed.error());
     const auto outcome = runAll(parts, recording);
-    const auto finished = recording.finish();
-    if (!outcome) // Ctrl-C, or the connection broke: the motor is this run's to stop
-        return tl::make_unexpected(stopped(outcome.error()));
-    if (!finished)
+    if (!outcome)
+        return tl::make_unexpected(broken(outcome.error(), recording));
+    if (const auto finished = recording.finish(); !finished)
         return tl::make_unexpected(finished.error());
     return *outcome;
 }
@@ -113,11 +112,28 @@ Outcome<lab::Outcome> ExperimentRun::runAll(
             return outcome;
         recording.add(outcome->at, lab::entryOfEnd(*outcome));
         const std::string before = all.reason.empty() ? std::string() : all.reason + "; ";
+        const bool left = all.leaves;
         all = *outcome;
         all.reason = before + all.reason;
+        all.leaves = left || all.leaves;
         if (all.end != lab::End::Complete)
             break;
     }
+    return all;
+}
+
+/// Ctrl-C, or the connection broke: the motor is this run's to stop, before anything else. That ends the experiment, which
+/// knows what it leaves behind.
+Failure ExperimentRun::broken(const Failure &why, ConversationRecording &recording)
+{
+    Failure all = stopped(why);
+    if (const auto &ended = m_desk.talk.experimentEnded()) {
+        recording.add(ended->at, lab::entryOfEnd(*ended));
+        if (ended->leaves)
+            all.sentence +=
+                QStringLiteral(" The experiment was ended: %1.").arg(text(ended->reason));
+    }
+    (void)recording.finish();
     return all;
 }
 

@@ -31,6 +31,7 @@ private:
     };
     Outcome<lab::Outcome> carryOut(const std::vector<Part> &parts);
     Outcome<lab::Outcome> runAll(const std::vector<Part> &parts, ConversationRecording &recording);
+    Failure broken(const Failure &why, ConversationRecording &recording);
     Failure stopped(Failure why);
 
     Desk &m_desk;

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <csignal>
 #include <functional>
 #include <optional>
 
@@ -69,6 +70,8 @@ public:
                 return true;
         return false;
     }
+    /// As Ctrl-C does.
+    void interrupt() { ::kill(static_cast<pid_t>(m_process.processId()), SIGINT); }
     void kill()
     {
         m_process.kill();
