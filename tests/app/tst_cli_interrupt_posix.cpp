@@ -1,5 +1,5 @@
 // rotorscope-cli when somebody presses Ctrl-C or ends it: the motor that it started does not go on.
-#include "support/places.h"
+#include "support/programs/programs_posix.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -17,6 +17,7 @@ private Q_SLOTS:
     void everySignalStopsTheMotorAndLeavesNoFile_data();
     void everySignalStopsTheMotorAndLeavesNoFile();
     void whatWasRecordedUntilThenIsCalledAsLongAsItIs();
+    void gainsThatWereNotProvedAreSaidWithTheWayBack();
 };
 
 void TestCliInterrupt::everySignalStopsTheMotorAndLeavesNoFile_data()
@@ -81,6 +82,48 @@ void TestCliInterrupt::whatWasRecordedUntilThenIsCalledAsLongAsItIs()
     QVERIFY(length_s > 0.1);
     QVERIFY2(std::abs(told[QLatin1String("seconds")].toDouble() - length_s) < 0.1,
         QJsonDocument(told).toJson().constData());
+}
+
+void TestCliInterrupt::gainsThatWereNotProvedAreSaidWithTheWayBack()
+{
+    constexpr int kTries = 3; // a machine that stands still ends the response before
+    const support::Simulator board({QStringLiteral("--motor"), QStringLiteral("servo24")});
+    QVERIFY(board.ready());
+    const auto gains = [&] {
+        const QStringList lines =
+            board.cli("get SPEED_KP SPEED_KI --raw").out.split(QLatin1Char('\n'));
+        return QStringLiteral("SPEED_KP=%1 SPEED_KI=%2")
+            .arg(lines.value(0).section(QLatin1Char(' '), -1),
+                lines.value(1).section(QLatin1Char(' '), -1));
+    };
+    const QString old = gains();
+    auto environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(
+        QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("cli.progress.info=true"));
+    bool written = false;
+    QByteArray err;
+    for (int left = kTries; left > 0 && !written; --left) {
+        QProcess process;
+        process.setProcessEnvironment(environment);
+        support::startCli(process,
+            {QStringLiteral("--port"), board.port(), QStringLiteral("autotune"),
+                QStringLiteral("--apply"), QStringLiteral("--seconds"), QStringLiteral("6")});
+        err.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (written = (err += process.readAllStandardError()).contains("gains written"))
+                || process.state() == QProcess::NotRunning,
+            120'000);
+        if (!written)
+            continue;
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QTRY_COMPARE_WITH_TIMEOUT(process.state(), QProcess::NotRunning, 10'000);
+        QCOMPARE(process.exitCode(), 128 + SIGINT);
+        err += process.readAllStandardError();
+    }
+    QVERIFY2(written, err.constData());
+    const QString said =
+        QStringLiteral("The gains are now %1; the way back: rotorscope-cli set %2.");
+    QVERIFY2(QString::fromUtf8(err).contains(said.arg(gains(), old)), err.constData());
 }
 
 QTEST_GUILESS_MAIN(TestCliInterrupt)

@@ -8,7 +8,11 @@
 #include "lab/evaluation/step_series.h"
 #include "session/files/json_text.h"
 
+#include <QLoggingCategory>
+
 #include <algorithm>
+
+Q_LOGGING_CATEGORY(lcTuningProgress, "cli.progress", QtWarningMsg)
 
 namespace cli {
 
@@ -17,6 +21,7 @@ using session::JsonText;
 namespace {
 
 constexpr double kMsPerSecond = 1e3;
+constexpr int kWidth = 10; ///< of a column
 constexpr int kPasses = 2; ///< with --apply, where the first ones miss their promise
 
 Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
@@ -76,15 +81,73 @@ Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
     return evaluated(path, lab::stepSeries);
 }
 
-Outcome<bool> writeGains(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)
+/// The gains that the board had, and those that were written since.
+class Gains {
+public:
+    Gains(const lab::Subject &subject, const lab::SpeedLoop &before)
+        : m_subject(subject)
+        , m_before(typed(before.proportional, before.integral))
+    {
+    }
+    void written(const lab::GainCandidate &gains, const Conversation::Asked &asked)
+    {
+        using drive::Outcome;
+        const auto stays = [](const drive::WriteResult &one) {
+            return one.outcome == Outcome::Refused || one.outcome == Outcome::NotSent;
+        };
+        const bool told = asked.ended.has_value();
+        m_sure = told && asked.ended->outcome == Outcome::Ok;
+        const bool none = told && !m_sure && asked.ended->outcome != Outcome::Unknown
+            && std::all_of(asked.ended->writes.begin(), asked.ended->writes.end(), stays);
+        if (none)
+            m_sure = true; // the ones of before
+        else
+            m_now = typed(gains.proportional, gains.integral);
+    }
+    /// Behind the first of them, with a blank before it: which are in force, and the way back. Empty: those of before.
+    QString left() const
+    {
+        return m_now.isEmpty()
+            ? QString()
+            : QStringLiteral(" The gains %1 %2; the way back: rotorscope-cli set %3.")
+                  .arg(m_sure ? QStringLiteral("are now") : QStringLiteral("may now be"), m_now,
+                      m_before);
+    }
+    Failure with(Failure why) const
+    {
+        why.sentence += left();
+        return why;
+    }
+
+private:
+    QString typed(int proportional, int integral) const
+    {
+        const lab::Registers &registers = m_subject.registers;
+        return QStringLiteral("%1=%2 %3=%4")
+            .arg(QString::fromStdString(m_subject.nameOf(registers.gain)),
+                QString::number(proportional),
+                QString::fromStdString(m_subject.nameOf(registers.integral)),
+                QString::number(integral));
+    }
+
+    const lab::Subject &m_subject;
+    QString m_before, m_now;
+    bool m_sure = true;
+};
+
+Outcome<bool> writeGains(
+    Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains, Gains &held)
 {
     const drive::Write write{
         lab::gainWrites(subject, gains.proportional, gains.integral), drive::Reach::Parameters};
     const Conversation::Asked asked = desk.talk.askToTheEnd(write);
+    held.written(gains, asked);
     if (asked.broken)
         return tl::make_unexpected(*asked.broken);
-    if (asked.ended->outcome == drive::Outcome::Ok)
+    if (asked.ended->outcome == drive::Outcome::Ok) {
+        qCInfo(lcTuningProgress) << "gains written";
         return true;
+    }
     return failure(kRefused,
         QStringLiteral("The gains were not written: %1.")
             .arg(QString::fromStdString(asked.ended->reason)));
@@ -96,9 +159,10 @@ struct Proof {
 };
 
 /// The gains are written, and what became of them is measured.
-Outcome<Proof> prove(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)
+Outcome<Proof> prove(
+    Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains, Gains &held)
 {
-    if (const auto written = writeGains(desk, subject, gains); !written)
+    if (const auto written = writeGains(desk, subject, gains, held); !written)
         return tl::make_unexpected(written.error());
     auto response = respond(desk, subject, std::nullopt);
     if (!response)
@@ -164,7 +228,6 @@ QByteArray jsonOf(const Tuned &tuned)
 QString line(const char *name, int proportional, int integral, double crossover_hz,
     double margin_deg, double ms, double rise_s, double overshoot_pct)
 {
-    constexpr int kWidth = 10;
     QString text = QString::fromLatin1(name).leftJustified(kWidth);
     for (const QString &cell : {QString::number(proportional), QString::number(integral),
              QString::number(crossover_hz, 'f', 1), QString::number(margin_deg, 'f', 0),
@@ -184,6 +247,9 @@ void print(const Tuned &tuned, Output &out)
             one.phaseMargin_deg, one.ms, one.rise_s, one.overshoot_pct));
     if (!tuned.proof)
         return;
+    out.line(QStringLiteral("before").leftJustified(kWidth)
+        + QString::number(tuned.before.proportional).rightJustified(kWidth)
+        + QString::number(tuned.before.integral).rightJustified(kWidth));
     const lab::SpeedResponse &got = tuned.proof->response;
     const lab::StepSeries &step = tuned.proof->step;
     const auto value = [](const std::optional<lab::Estimate> &known) {
@@ -195,7 +261,7 @@ void print(const Tuned &tuned, Output &out)
 }
 
 /// Whether the loop keeps what was promised, and else the way back.
-Outcome<int> verdict(const Tuned &tuned)
+Outcome<int> verdict(const Tuned &tuned, const Gains &held)
 {
     if (!tuned.proof)
         return kDone;
@@ -219,10 +285,7 @@ Outcome<int> verdict(const Tuned &tuned)
                               "measured");
         break;
     }
-    return failure(kRefused,
-        QStringLiteral("The loop is %1. The way back: rotorscope-cli set SPEED_KP=%2 SPEED_KI=%3.")
-            .arg(what, QString::number(tuned.before.proportional),
-                QString::number(tuned.before.integral)));
+    return tl::make_unexpected(held.with({kRefused, QStringLiteral("The loop is %1.").arg(what)}));
 }
 
 /// Candidates from a response, and the one for the goal that was asked for.
@@ -256,10 +319,11 @@ Outcome<int> runAutotune(Desk &desk)
     auto tuned = propose(desk, *subject, *loop, *measured);
     if (!tuned)
         return tl::make_unexpected(tuned.error());
+    Gains held(*subject, *loop);
     for (int pass = 0; desk.arguments.autotune.apply && pass < kPasses; ++pass) {
-        auto proof = prove(desk, *subject, tuned->chosen);
+        auto proof = prove(desk, *subject, tuned->chosen, held);
         if (!proof)
-            return tl::make_unexpected(proof.error());
+            return tl::make_unexpected(held.with(proof.error()));
         tuned->proof = std::move(*proof);
         const lab::Promise promised = lab::promiseOf(tuned->chosen, tuned->chosen.goal);
         if (!lab::missed(lab::keptBy(tuned->proof->response, promised)) || pass + 1 == kPasses)
@@ -275,7 +339,7 @@ Outcome<int> runAutotune(Desk &desk)
         desk.out.json(jsonOf(*tuned));
     else
         print(*tuned, desk.out);
-    return verdict(*tuned);
+    return verdict(*tuned, held);
 }
 
 constexpr OptionText kAutotuneOptions[] = {
