@@ -5091,6 +5091,18 @@
         <translation>Laufen lassen</translation>
     </message>
     <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>The experiment leaves something on the board.</source>
+        <translation>Der Versuch hinterlässt etwas auf dem Board.</translation>
+    </message>
+    <message>
+        <source>Leave it so</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
         <source>Stopping the motors before the port is closed…</source>
         <translation>Die Motoren werden gestoppt, bevor der Anschluss geschlossen wird …</translation>
     </message>

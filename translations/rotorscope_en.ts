@@ -5090,6 +5090,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Experiment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The experiment leaves something on the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stopping the motors before the port is closed…</source>
         <translation type="unfinished"></translation>
     </message>

@@ -86,6 +86,7 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
     m_part = 0;
     m_before_rpm = before_rpm;
     m_said.clear();
+    m_leaves = false;
     const TimePoint now = m_clock();
     Q_EMIT began();
     if (const auto made = m_device.madeAt(); made && now - *made > drive::kWishExpiresAfter)
@@ -134,6 +135,7 @@ void Experiments::end(const lab::Outcome &outcome)
     lab::Outcome all = outcome;
     all.reason = m_said.empty() || outcome.reason.empty() ? m_said + outcome.reason
                                                           : m_said + "; " + outcome.reason;
+    m_leaves = all.leaves = m_leaves || outcome.leaves;
     if (all.end == lab::End::Complete && m_part + 1 < m_parts.size()) {
         m_said = all.reason;
         ++m_part;

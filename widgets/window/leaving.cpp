@@ -1,6 +1,8 @@
 #include "widgets/window/leaving.h"
 
 #include "widgets/base/messages.h"
+#include "widgets/lab/experiments.h"
+#include "widgets/lab/lab_text.h"
 
 #include <utility>
 
@@ -11,7 +13,7 @@ using Kind = Answer::Kind;
 namespace {
 
 constexpr auto kUnconfirmed = "leaveQuestion", kLeaveRunning = "leaveRunning",
-               kNotIdle = "notIdleQuestion";
+               kNotIdle = "notIdleQuestion", kLeft = "leftBehindQuestion";
 
 } // namespace
 
@@ -27,10 +29,28 @@ Leaving::Leaving(
     connect(&device, &Device::statusChanged, this, &Leaving::endQuestionsAtRest);
 }
 
+void Leaving::watch(const Experiments &experiments)
+{
+    m_experiments = &experiments;
+    connect(&experiments, &Experiments::ended, this, [this](const Experiments::RecordPtr &record) {
+        if (!std::exchange(m_ending, false))
+            return;
+        m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();
+        if (std::exchange(m_waits, false))
+            go();
+    });
+}
+
+bool Leaving::takesTime() const
+{
+    return m_shutdown.mayTurn() || (m_experiments != nullptr && m_experiments->running());
+}
+
 void Leaving::before(Act act)
 {
-    if (!m_shutdown.mayTurn())
+    if (!takesTime())
         return act.go();
+    m_ending = m_experiments != nullptr && m_experiments->running();
     m_act = std::move(act);
     Q_EMIT said(m_act.stopping);
     m_shutdown.begin();
@@ -67,8 +87,24 @@ void Leaving::confirm()
 /// What goes on may be followed by something else that leaves.
 void Leaving::go()
 {
+    if (m_ending) { // the Stop has ended it: its word is on its way
+        m_waits = true;
+        return;
+    }
+    if (!m_left.isEmpty())
+        return showLeft();
     const std::function<void()> goOn = m_act.go;
     goOn();
+}
+
+void Leaving::showLeft()
+{
+    m_prompt.ask({.name = kLeft,
+        .title = tr("Experiment"),
+        .text = tr("The experiment leaves something on the board."),
+        .more = std::exchange(m_left, {}),
+        .answers = {{Kind::Force, tr("Leave it so"), [this] { go(); }}, {Kind::Stay, tr("Stay")}},
+        .usual = 1});
 }
 
 /// What was to be left may be left now; a board that came back behind a pulled cable says so by itself.
@@ -89,7 +125,7 @@ void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
 {
     Act act{tr("Stopping the motors before the port is closed\u2026"),
         tr("Disconnect all the same\u2026"), disconnect};
-    if (!m_shutdown.mayTurn() || !m_device.answering() || m_device.allIdle())
+    if (!takesTime() || !m_device.answering() || m_device.allIdle())
         return before(std::move(act));
     m_act = std::move(act);
     m_prompt.ask({.name = kNotIdle,

@@ -1,12 +1,15 @@
 // Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
 // turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running. Where the
-// evidence comes while the question waits, the question is over.
+// evidence comes while the question waits, the question is over. An experiment that is running is ended by a Stop first, and what
+// it leaves on the board is shown, because nobody can write it back from here afterwards.
 #pragma once
 
 #include "widgets/base/question.h"
 #include "widgets/window/shutdown.h"
 
 namespace widgets {
+
+class Experiments;
 
 class Leaving : public QObject {
     Q_OBJECT
@@ -22,7 +25,10 @@ public:
     Leaving(Device &device, std::function<TimePoint()> clock, QuestionPrompt &prompt,
         QObject *parent = nullptr);
 
+    void watch(const Experiments &experiments); ///< which outlive it
+
     bool mayTurn() const { return m_shutdown.mayTurn(); } ///< a motor
+    bool takesTime() const; ///< a motor may turn, or an experiment is running
     bool wereAtRest() const { return m_shutdown.wereAtRest(); } ///< all motors, when last heard
     bool underWay() const { return m_shutdown.underWay(); }
     void before(Act act); ///< at once, or after the motors were stopped, or asked for
@@ -37,11 +43,16 @@ private:
     void confirm();
     void go();
     void endQuestionsAtRest();
+    void showLeft();
 
     Device &m_device;
     QuestionPrompt &m_prompt;
     Shutdown m_shutdown;
     Act m_act; ///< what it goes before
+    const Experiments *m_experiments = nullptr;
+    bool m_ending = false; ///< an experiment that was running, and whose end has not been told yet
+    bool m_waits = false; ///< for that end alone
+    QString m_left; ///< what that experiment left, in its words, until it was shown
 };
 
 } // namespace widgets

@@ -402,6 +402,7 @@ void MainWindow::connectFlows()
     connect(&m_workbench.signalPlan(), &SignalPlan::noticed, m_news, tell);
     connect(m_selection, &SignalSelection::noticed, m_news, tell);
     connect(m_leaving, &Leaving::said, m_news, tell);
+    m_leaving->watch(m_workbench.experiments());
     connect(&m_device, &Device::interrupted, m_news,
         [this](const session::Interruption &what) { warn(interruptionText(what)); });
     connect(m_trigger, &TriggerControl::leftForRoll, m_news, [this](scope::Mode mode) {
@@ -552,7 +553,7 @@ void MainWindow::askForRoom()
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     event->ignore();
-    if (m_leaving->mayTurn()) {
+    if (m_leaving->takesTime()) {
         m_leaving->before({tr("Stopping the motors before Rotorscope ends\u2026"),
             tr("End Rotorscope all the same\u2026"), [this] { close(); }});
         return;

@@ -2,6 +2,7 @@
 // the test's; tst_leaving has the same through the real window.
 #include "support/answered_questions.h"
 #include "support/window_facts.h"
+#include "widgets/lab/experiments.h"
 #include "widgets/window/leaving.h"
 
 #include <QSignalSpy>
@@ -63,6 +64,63 @@ private Q_SLOTS:
         QCOMPARE(m_left, 1);
         QVERIFY(!m_leaving->underWay());
         QVERIFY(m_questions.open.empty());
+    }
+
+    /// Also where the motor rests: it may be about to be started. Its word may be later than the motor's.
+    void anExperimentIsEndedFirstAndWhatItLeavesIsShown()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        m_now += 1s;
+        tell(MotorState::Idle);
+        leave();
+        QCOMPARE(m_stops->size(), 1);
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QCOMPARE(m_left, 0);
+        experiments.end({.end = lab::End::Interrupted,
+            .reason = "every motor was stopped; REVUP_DATA may hold what the experiment wrote",
+            .leaves = true});
+        QCOMPARE(m_left, 0);
+        QVERIFY(m_questions.asks("leftBehindQuestion"));
+        QVERIFY(m_questions.open.back().more.contains(QStringLiteral("REVUP_DATA")));
+        QCOMPARE(m_questions.usual(), QStringLiteral("Stay"));
+        QVERIFY(m_questions.answer(QStringLiteral("Leave it so")));
+        QCOMPARE(m_left, 1);
+    }
+
+    void anExperimentThatLeavesNothingIsNoQuestion()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        tell(MotorState::Running);
+        leave();
+        experiments.end({.end = lab::End::Interrupted, .reason = "every motor was stopped"});
+        QCOMPARE(m_left, 0);
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QCOMPARE(m_left, 1);
+        QVERIFY(m_questions.open.empty());
+    }
+
+    void whoClosesTwiceIsShownItAllTheSame()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        tell(MotorState::Running);
+        leave();
+        experiments.end({.end = lab::End::Interrupted, .reason = "left", .leaves = true});
+        leave();
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QCOMPARE(m_left, 0);
+        QVERIFY(m_questions.asks("leftBehindQuestion"));
     }
 
     void withoutEvidenceAPersonIsAskedTwice()
