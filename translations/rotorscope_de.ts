@@ -954,6 +954,10 @@
         <translation>es kam keine Antwort zur rechten Zeit</translation>
     </message>
     <message>
+        <source>the motor neither runs nor rests: it is in %1 (%2): acknowledge the fault first</source>
+        <translation>der Motor läuft nicht und ruht nicht: er ist in %1 (%2): zuerst den Fehler quittieren</translation>
+    </message>
+    <message>
         <source>the motor neither runs nor rests: it is in %1</source>
         <translation>der Motor läuft nicht und ruht nicht: er ist in %1</translation>
     </message>

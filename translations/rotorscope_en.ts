@@ -954,6 +954,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the motor neither runs nor rests: it is in %1 (%2): acknowledge the fault first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the motor neither runs nor rests: it is in %1</source>
         <translation type="unfinished"></translation>
     </message>

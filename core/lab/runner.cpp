@@ -365,7 +365,12 @@ void Runner::onRead(TimePoint now)
     };
     m_ran = m_status->state == MotorState::Running;
     if (!m_ran && m_status->state != MotorState::Idle)
-        return refuse("the motor neither runs nor rests: it is in " + m_status->stateName);
+        return refuse("the motor neither runs nor rests: it is in " + m_status->stateName
+            + (drive::hasFault(m_status->state) ? " ("
+                        + namesOf(m_status->faultsPast.empty() ? m_status->faultsNow
+                                                               : m_status->faultsPast)
+                        + "): acknowledge the fault first"
+                                                : ""));
     if (m_ran && m_conditions.beginning != Beginning::AtSpeed)
         return refuse("the motor turns, and this is measured while it rests: stop it first");
     if (m_ran && !m_conditions.lent.empty())

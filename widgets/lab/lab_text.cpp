@@ -61,6 +61,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the speed did not come back to %1 rpm"),
     QT_TRANSLATE_NOOP("Lab", "the motor was not seen to stop"),
     QT_TRANSLATE_NOOP("Lab", "no answer came in time"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "the motor neither runs nor rests: it is in %1 (%2): acknowledge the fault first"),
     QT_TRANSLATE_NOOP("Lab", "the motor neither runs nor rests: it is in %1"),
     QT_TRANSLATE_NOOP("Lab", "the motor turns, and this is measured while it rests: stop it first"),
     QT_TRANSLATE_NOOP("Lab", "the board does not give %1, which would be written"),
