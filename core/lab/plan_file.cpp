@@ -100,7 +100,7 @@ Result<Plan, std::string> withNumbers(
             continue;
         std::string known;
         for (const std::string &one : keys)
-            known += (known.empty() ? "" : ", ") + one;
+            known.append(known.empty() ? "" : ", ").append(one);
         return fail("the key \"" + key + "\" is not known, its plan may have " + known);
     }
     if (!take.wrong().empty())
