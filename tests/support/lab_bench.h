@@ -50,6 +50,8 @@ struct LabBench {
                                         : Result<lab::Subject, std::string>(fail(std::string()));
         if (subject)
             experiment.subject = *subject;
+        if (pair.ready)
+            (void)entries.take(drive::Event(*pair.identified)); // so that registers have names
         pair.onEvent = [this](const drive::Event &event) {
             if (const auto *status = std::get_if<drive::MotorStatus>(&event);
                 status != nullptr && !drive::isDriveIdle(*status))
