@@ -48,7 +48,7 @@ std::string namesOf(const std::vector<std::string> &faults)
 std::string typed(const catalog::Value &value)
 {
     const auto *bytes = std::get_if<Bytes>(&value);
-    return bytes != nullptr ? '"' + hexOf(*bytes, " ") + '"'
+    return bytes != nullptr ? "\"" + hexOf(*bytes, " ") + "\""
                             : drive::shortNumber(drive::asNumber(value).value_or(0.0));
 }
 
