@@ -6,6 +6,7 @@
 #include "drive/values.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace drive {
 

@@ -15,6 +15,7 @@
 
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace record {
 

@@ -17,6 +17,7 @@
 #include <atomic>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace session {
 

@@ -8,6 +8,8 @@
 #include "simulation/mcp/profile.h"
 #include "simulation/mcp/register_file.h"
 
+#include <utility>
+
 namespace simulation {
 
 struct BoardOptions;
