@@ -296,11 +296,12 @@ void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused()
 
 void TestMotionLimits::theLastRampSaysWhereAStartGoes_data()
 {
-    QTest::addColumn<int>("rpm"); // asked for while it rests; the reference is 1380 rpm still
+    QTest::addColumn<int>(
+        "rpm"); // asked for while it rests; the reference is 1380 rpm still, its start-up 1080
     QTest::addColumn<double>("limit");
     QTest::addColumn<bool>("starts");
-    QTest::newRow("the old reference is beyond the limit") << 498 << 1000.0 << true;
-    QTest::newRow("backwards") << -498 << 1000.0 << true;
+    QTest::newRow("the old reference is beyond the limit") << 498 << 1200.0 << true;
+    QTest::newRow("backwards") << -498 << 1200.0 << true;
     QTest::newRow("the ramp is beyond the limit") << 1998 << 1500.0 << false;
     QTest::newRow("the ramp is beyond it backwards") << -1998 << 1500.0 << false;
     QTest::newRow("both are") << 1998 << 1000.0 << false;
@@ -348,12 +349,12 @@ void TestMotionLimits::theLastTorqueSaysWhereAStartGoes()
     const auto starts = [&](double amps) {
         session.runUntilEnded(session.submit(UserLimits{}));
         session.runUntilEnded(session.submit(TorqueRamp{1, amps, 0ms}));
-        session.runUntilEnded(session.submit(UserLimits{0.0, 0.3}));
+        session.runUntilEnded(session.submit(UserLimits{0.0, 4.0}));
         return session.submit(Command{MotorAction::Start, 1});
     };
-    for (const double amps : {0.8, -0.8}) {
+    for (const double amps : {5.0, -5.0}) {
         const std::string why = reasonOf(session, starts(amps));
-        QVERIFY2(why.starts_with("TORQUE_RAMP is beyond your own limit of 0.3 A"), why.c_str());
+        QVERIFY2(why.starts_with("TORQUE_RAMP is beyond your own limit of 4 A"), why.c_str());
     }
     QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), 0U);
     const WishId within = starts(0.2);
