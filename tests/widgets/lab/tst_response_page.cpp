@@ -7,6 +7,7 @@
 #include "widgets/lab/loop/loop_tuning.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QUndoStack>
