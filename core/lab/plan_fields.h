@@ -1,4 +1,5 @@
-// The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it, and a plan file.
+// The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it. A file of a plan is read
+// more strictly (lab/plan_file.h).
 #pragma once
 
 #include "lab/happenings.h"
@@ -7,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace lab {
 
@@ -53,17 +53,15 @@ public:
     }
     void operator()(const char *name, double &value)
     {
-        if (const auto number = take(name))
+        if (const auto number = numberOf(m_from, name))
             value = *number;
     }
     void operator()(const char *name, int &value)
     {
         constexpr double kMost = 1e6;
-        const auto number = take(name);
+        const auto number = numberOf(m_from, name);
         if (number && *number == std::round(*number))
             value = static_cast<int>(std::clamp(*number, -kMost, kMost));
-        else if (number)
-            m_wrong = name;
     }
     void operator()(const char *name, std::uint32_t &value)
     {
@@ -78,23 +76,8 @@ public:
         value = std::chrono::milliseconds(whole);
     }
 
-    /// The names that were asked for.
-    const std::vector<std::string> &names() const { return m_names; }
-    /// A field that was asked for and is no number; empty: none.
-    const std::string &wrong() const { return m_wrong; }
-
 private:
-    std::optional<double> take(const char *name)
-    {
-        m_names.emplace_back(name);
-        const auto number = numberOf(m_from, name);
-        if (!number && !m_from.field(name).empty())
-            m_wrong = name;
-        return number;
-    }
     const record::Happening &m_from;
-    std::vector<std::string> m_names;
-    std::string m_wrong;
 };
 
 } // namespace lab

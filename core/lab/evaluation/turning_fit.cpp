@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace lab {
@@ -98,7 +97,7 @@ std::optional<Fit> fitOf(const Rows &rows, bool aside)
 
 struct BestFit {
     Fit fit;
-    Row changes{}; ///< by what the unknowns change with it that the coordinates stand aside, and else
+    Row changes{}; ///< to either side, beside what the rows leave open; see unknownOf()
     double swing_a = 0.0;
 };
 

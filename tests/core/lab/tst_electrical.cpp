@@ -1,6 +1,7 @@
 // Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals; and that a motor is afterwards what it was.
 #include "base/text.h"
+#include "core/lab/fast_motor.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
@@ -167,61 +168,41 @@ private Q_SLOTS:
     /// tests/data/invented.
     void lightAndFastMotorsAreToldHonestly_data()
     {
-        QTest::addColumn<QString>("preset");
-        QTest::addColumn<simulation::MotorParameters>("motor");
-        QTest::addColumn<double>("supply_v");
-        const auto row = [](const char *name, const char *preset, double supply_v, auto change) {
-            simulation::MotorParameters motor = simulation::findPreset(preset)->motor;
-            change(motor);
-            QTest::addRow("%s", name) << QString::fromLatin1(preset) << motor << supply_v;
-        };
-        // The rotor turns by 22 degrees within a control period, and all currents swing through zero.
-        row("fast", "pm24", 11.0, [](simulation::MotorParameters &motor) {
-            motor.polePairs = 7;
-            motor.rs_ohm = 0.11;
-            motor.ld_h = motor.lq_h = 18e-6;
-            motor.flux_wb = 0.46e-3;
-            motor.inertia_kgm2 = 3e-6;
-            motor.viscous_nms = 5e-7;
-            motor.coulomb_nm = 0.8e-3;
-            motor.nominal_a = 5.0;
-            motor.maxSpeed_rpm = 13000;
-        });
+        QTest::addColumn<PlantParameters>("plant");
+        QTest::newRow("fast") << support::fastMotor();
         // What the dead time takes was once taken for a resistance here: its swing was found by trying, and wrongly.
-        row("light", "pm24", 24.0, [](simulation::MotorParameters &motor) {
-            motor.polePairs = 2;
-            motor.rs_ohm = 0.35;
-            motor.ld_h = motor.lq_h = 0.6e-3;
-            motor.flux_wb = 11.7e-3;
-            motor.inertia_kgm2 = 9e-6;
-            motor.viscous_nms = 8e-6;
-            motor.coulomb_nm = 4e-3;
-            motor.nominal_a = 4.0;
-            motor.maxSpeed_rpm = 4000;
-        });
+        PlantParameters light = *simulation::findPreset("pm24");
+        light.motor.polePairs = 2;
+        light.motor.rs_ohm = 0.35;
+        light.motor.ld_h = light.motor.lq_h = 0.6e-3;
+        light.motor.flux_wb = 11.7e-3;
+        light.motor.inertia_kgm2 = 9e-6;
+        light.motor.viscous_nms = 8e-6;
+        light.motor.coulomb_nm = 4e-3;
+        light.motor.nominal_a = 4.0;
+        light.motor.maxSpeed_rpm = 4000;
+        QTest::newRow("light") << light;
         // Its board weakens the field, and takes no current that would strengthen it.
-        row("buried magnets", "servo24", 36.0, [](simulation::MotorParameters &motor) {
-            motor.polePairs = 14;
-            motor.rs_ohm = 0.45;
-            motor.ld_h = 0.28e-3;
-            motor.lq_h = 0.34e-3;
-            motor.flux_wb = 7.5e-3;
-            motor.inertia_kgm2 = 65e-6;
-            motor.viscous_nms = 120e-6;
-            motor.coulomb_nm = 20e-3;
-            motor.nominal_a = 6.0;
-            motor.maxSpeed_rpm = 1500;
-        });
+        PlantParameters buried = *simulation::findPreset("servo24");
+        buried.inverter.supply_v = 36.0;
+        buried.motor.polePairs = 14;
+        buried.motor.rs_ohm = 0.45;
+        buried.motor.ld_h = 0.28e-3;
+        buried.motor.lq_h = 0.34e-3;
+        buried.motor.flux_wb = 7.5e-3;
+        buried.motor.inertia_kgm2 = 65e-6;
+        buried.motor.viscous_nms = 120e-6;
+        buried.motor.coulomb_nm = 20e-3;
+        buried.motor.nominal_a = 6.0;
+        buried.motor.maxSpeed_rpm = 1500;
+        QTest::newRow("buried magnets") << buried;
     }
     void lightAndFastMotorsAreToldHonestly()
     {
-        QFETCH(const QString, preset);
-        QFETCH(const simulation::MotorParameters, motor);
-        QFETCH(const double, supply_v);
+        QFETCH(const PlantParameters, plant);
+        const simulation::MotorParameters &motor = plant.motor;
         simulation::BoardOptions options;
-        options.plant = *simulation::findPreset(preset.toStdString());
-        options.plant->motor = motor;
-        options.plant->inverter.supply_v = supply_v;
+        options.plant = plant;
         LabBench bench(options, 1);
         for (const auto &plan : {Plan(restPlanFor(bench.experiment.subject, {})),
                  Plan(fluxPlanFor(bench.experiment.subject, {}))}) {
@@ -232,8 +213,8 @@ private Q_SLOTS:
         const auto found = evaluateElectrics(bench.capture, bench.happenings);
         QVERIFY2(found, found ? "" : found.error().c_str());
         const double warm = 1.0 + kCopper * (kAmbient_c - kColdest_c);
-        verifyWithin("Rs", found->rs_ohm,
-            motor.rs_ohm * warm + options.plant->inverter.switchResistance_ohm, 60.0);
+        verifyWithin(
+            "Rs", found->rs_ohm, motor.rs_ohm * warm + plant.inverter.switchResistance_ohm, 60.0);
         verifyWithin("Ld", found->ld_h, motor.ld_h, 6.0);
         verifyWithin("Lq", found->lq_h, motor.lq_h, 40.0);
         verifyWithin("flux", found->flux_wb, motor.flux_wb, 1.5);

@@ -1,4 +1,5 @@
 // Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their intervals.
+#include "core/lab/fast_motor.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
@@ -103,18 +104,8 @@ private Q_SLOTS:
     void aRotorThatTurnsFarInAControlPeriodIsToldHonestly()
     {
         simulation::BoardOptions options;
-        options.plant = *simulation::findPreset("pm24");
-        simulation::MotorParameters &truth = options.plant->motor;
-        truth.polePairs = 7;
-        truth.rs_ohm = 0.11;
-        truth.ld_h = truth.lq_h = 18e-6;
-        truth.flux_wb = 0.46e-3;
-        truth.inertia_kgm2 = 3e-6;
-        truth.viscous_nms = 5e-7;
-        truth.coulomb_nm = 0.8e-3;
-        truth.nominal_a = 5.0;
-        truth.maxSpeed_rpm = 13000;
-        options.plant->inverter.supply_v = 11.0;
+        options.plant = support::fastMotor();
+        const simulation::MotorParameters &truth = options.plant->motor;
         const Measured measured = measure(options, 1);
         QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
         const Mechanics &found = *measured.found;
