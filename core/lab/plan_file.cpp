@@ -95,13 +95,14 @@ Result<Plan, std::string> withNumbers(
     TakeNumbers take(numbers);
     eachField(plan, take);
     const std::vector<std::string> &keys = take.keys();
-    for (const auto &[key, number] : numbers) {
-        if (std::find(keys.begin(), keys.end(), key) != keys.end())
-            continue;
+    const auto unknown = std::find_if(numbers.begin(), numbers.end(), [&](const auto &number) {
+        return std::find(keys.begin(), keys.end(), number.first) == keys.end();
+    });
+    if (unknown != numbers.end()) {
         std::string known;
         for (const std::string &one : keys)
             known.append(known.empty() ? "" : ", ").append(one);
-        return fail("the key \"" + key + "\" is not known, its plan may have " + known);
+        return fail("the key \"" + unknown->first + "\" is not known, its plan may have " + known);
     }
     if (!take.wrong().empty())
         return fail("its \"" + take.wrong() + "\" is no number that can be meant");
