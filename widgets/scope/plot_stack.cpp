@@ -477,6 +477,12 @@ void PlotStack::makeRoom(ScopePlot &plot) const
         plot.rect->setMinimumMargins(least);
 }
 
+void PlotStack::renew()
+{
+    for (const auto &plot : m_plots)
+        plot->waveform->renew();
+}
+
 void PlotStack::layOut()
 {
     // How many ticks have room is asked of the plots as they are laid out: of a new size they have to be first.

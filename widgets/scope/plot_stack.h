@@ -73,6 +73,7 @@ public:
     /// As many ticks as there is room for, what is between two of them in the axes' labels, and room above each plot for its
     /// legend; before each redraw.
     void layOut();
+    void renew(); ///< the traces, with the next picture
     double timeStep() const; ///< seconds between two ticks of the time axis
 
 private:

@@ -2,9 +2,9 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
-#include "widgets/base/plot_look.h"
 #include "widgets/base/value_text.h"
 #include "widgets/scope/cursor_actions.h"
+#include "widgets/scope/drawing/scope_canvas.h"
 #include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/events/event_lane.h"
 #include "widgets/scope/plot_stack.h"
@@ -43,7 +43,7 @@ bool isSeen(const QWidget &window)
 ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *parent)
     : QWidget(parent)
     , m_capture(capture)
-    , m_plot(new QCustomPlot(this))
+    , m_plot(new ScopeCanvas(this))
     , m_hint(wrappedLabel("scopeHint", this))
     , m_stale(new StaleMark(*this, this))
     , m_events(events)
@@ -67,7 +67,6 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
           },
           this))
 {
-    setUpPlot(*m_plot);
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
     setAccessibleName(tr("Scope"));
@@ -78,8 +77,6 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     layout->addWidget(m_lane);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_overview);
-    // It has nothing of ours, and with a buffer of its own it would be cleared and drawn over every picture.
-    m_plot->layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
     m_plot->setFocusProxy(this);
     m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
     m_hint->setAlignment(Qt::AlignCenter);
@@ -92,8 +89,11 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
         else
             m_owed = true; // hidden meanwhile
     });
-    connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->layOut(); });
-    connect(m_plot, &QCustomPlot::afterReplot, this, &ScopeView::placeHint);
+    connect(m_plot, &ScopeCanvas::beforeReplot, this, [this] {
+        m_stack->layOut();
+        m_stack->renew();
+    });
+    connect(m_plot, &ScopeCanvas::afterReplot, this, &ScopeView::placeHint);
     connectParts();
     m_stack->applyPalette(palette());
     m_stack->setLeastLeft(m_lane->nameWidth());
@@ -318,7 +318,7 @@ void ScopeView::drawFrame()
     m_stack->growAxes();
     m_ghosts->place();
     ++m_redraws;
-    m_plot->replot(QCustomPlot::rpQueuedRefresh);
+    m_plot->refresh();
     m_overlay->follow();
     Q_EMIT drawn();
 }

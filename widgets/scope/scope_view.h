@@ -16,7 +16,6 @@
 
 #include <memory>
 
-class QCustomPlot;
 class QLabel;
 class QMenu;
 class QWindow;
@@ -26,6 +25,7 @@ namespace widgets {
 class CursorActions;
 class EventLane;
 class PlotStack;
+class ScopeCanvas;
 class ScopeColors;
 class ScopeDrop;
 class ScopeGhosts;
@@ -150,7 +150,7 @@ private:
     void placeHint();
 
     capture::Capture &m_capture;
-    QCustomPlot *m_plot;
+    ScopeCanvas *m_plot;
     QLabel *m_hint;
     StaleMark *m_stale;
     Cursors m_cursors;

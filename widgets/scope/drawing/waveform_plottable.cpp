@@ -87,6 +87,28 @@ void WaveformPlottable::draw(QCPPainter *painter)
     }
     const double ratio = painter->device()->devicePixelRatioF();
     const QSize size(qRound(rect.width() * ratio), qRound(rect.height() * ratio));
+    if (const auto now = ranges(); m_image.size() != size || now != m_drawn) {
+        paintImage(size, ratio);
+        m_drawn = now;
+    }
+    painter->setAntialiasing(
+        false); // for which the library moves all by half a pixel, and an image by a whole one
+    painter->drawImage(rect.topLeft(), m_image);
+    painter->setAntialiasing(true);
+    drawMarks(painter);
+    drawLastValues(painter);
+}
+
+std::vector<QCPRange> WaveformPlottable::ranges() const
+{
+    std::vector<QCPRange> all{keyAxis()->range()};
+    for (const ValueAxis &axis : m_scopePlot.axes)
+        all.push_back(axis.axis->range());
+    return all;
+}
+
+void WaveformPlottable::paintImage(QSize size, double ratio)
+{
     if (m_image.size() != size)
         m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
     m_image.setDevicePixelRatio(ratio);
@@ -101,12 +123,6 @@ void WaveformPlottable::draw(QCPPainter *painter)
     ImageInk ink(m_image, ghosts.empty() ? Uncovered::Clear : Uncovered::Keep);
     drawGhosts(references, view, ink);
     drawTraces(view, ink);
-    painter->setAntialiasing(
-        false); // for which the library moves all by half a pixel, and an image by a whole one
-    painter->drawImage(rect.topLeft(), m_image);
-    painter->setAntialiasing(true);
-    drawMarks(painter);
-    drawLastValues(painter);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const

@@ -14,6 +14,9 @@ public:
     /// @param plot  outlives the plottable; its axis rect has a time axis and a value axis already
     WaveformPlottable(const ScopePlot &plot, const capture::Capture &capture);
 
+    /// The next picture shows what is there then; until it is told, an exposed window is painted as it was.
+    void renew() { m_drawn.clear(); }
+
     // What the library can ask a plottable for, and nobody here does: the stack fits the ranges.
     double selectTest(const QPointF &, bool, QVariant *) const override { return -1; }
     QCPRange getKeyRange(bool &found, QCP::SignDomain) const override
@@ -42,6 +45,8 @@ private:
     void drawMarks(QCPPainter *painter) const;
     void drawTraces(const View &view, TraceInk &ink) const;
     void drawShapes(QCPPainter *painter) const;
+    void paintImage(QSize size, double ratio);
+    std::vector<QCPRange> ranges() const; ///< of the axes, time first
     View viewOf(QSize size, int thickness) const;
     const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
     /// A trace as pixels; of an angle the pieces beyond its end beside them, so that no stroke joins the two.
@@ -59,6 +64,7 @@ private:
     const ScopePlot &m_scopePlot;
     const capture::Capture &m_capture;
     QImage m_image; ///< kept between redraws: allocating it anew costs more than clearing it
+    std::vector<QCPRange> m_drawn; ///< the ranges of the axes that m_image shows; empty: it is old
     RecordPicture m_records;
 };
 
