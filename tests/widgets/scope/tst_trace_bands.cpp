@@ -7,11 +7,11 @@
 
 using widgets::Band;
 using widgets::PixelColumns;
-using widgets::Uncovered;
 
 namespace {
 
 constexpr QRgb kBehind = 0xFF123456;
+constexpr QRgb kGround = 0xFFFEFDFC;
 
 struct Picture {
     int width, height, stripe;
@@ -74,13 +74,13 @@ private Q_SLOTS:
         std::mt19937 random(5);
         for (int round = 0; round < 400; ++round) {
             const Picture picture = randomPicture(random);
-            const bool clear = random() % 2 == 0;
+            const bool grounded = random() % 2 == 0;
             QImage image(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
             image.fill(kBehind);
             const auto bands = picture.bands();
-            widgets::paintBands(
-                image, bands, picture.stripe, clear ? Uncovered::Clear : Uncovered::Keep);
-            const QRgb behind = clear ? 0 : kBehind;
+            const QRgb behind = grounded ? kGround : kBehind;
+            widgets::paintBands(image, bands, picture.stripe,
+                grounded ? std::optional<QRgb>(kGround) : std::nullopt);
             for (int y = 0; y < picture.height; ++y) {
                 for (int x = 0; x < picture.width; ++x)
                     QCOMPARE(image.pixel(x, y), picture.expected(x, y, behind));
@@ -100,19 +100,19 @@ private Q_SLOTS:
         QImage image(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
         image.fill(kBehind);
         const auto bands = picture.bands();
-        widgets::paintBands(image, bands, picture.stripe, Uncovered::Clear);
+        widgets::paintBands(image, bands, picture.stripe, kGround);
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x)
-                QVERIFY(image.pixel(x, y) != 0 && image.pixel(x, y) != kBehind);
+                QVERIFY(image.pixel(x, y) != kGround && image.pixel(x, y) != kBehind);
         }
     }
 
-    void noBandLeavesNothingBehind()
+    void withoutABandAllIsGround()
     {
         QImage image(20, 10, QImage::Format_ARGB32_Premultiplied);
         image.fill(kBehind);
-        widgets::paintBands(image, {}, 3, Uncovered::Clear);
-        QCOMPARE(image.pixel(7, 7), QRgb(0));
+        widgets::paintBands(image, {}, 3, kGround);
+        QCOMPARE(image.pixel(7, 7), kGround);
     }
 };
 

@@ -45,14 +45,14 @@ void RecordPicture::update(const Look &look, std::vector<Record> records, const 
         m_first = 1;
         kept = 0;
     }
-    ImageInk ink(m_picture, Uncovered::Keep);
+    ImageInk ink(m_picture, std::nullopt);
     for (std::size_t i = kept; i < records.size(); ++i)
         paint(i, ink, m_first + static_cast<QRgb>(i) * perRecord);
     m_look = look;
     m_records = std::move(records);
 }
 
-void RecordPicture::drawOn(QImage &image, std::span<const QRgb> colors) const
+void RecordPicture::drawOn(QImage &image, std::span<const QRgb> colors, QRgb ground) const
 {
     const int width = m_picture.width(); // asked for each pixel it is a call, and a tenth of this
     for (int y = 0; y < m_picture.height(); ++y) {
@@ -60,7 +60,7 @@ void RecordPicture::drawOn(QImage &image, std::span<const QRgb> colors) const
         auto *to = reinterpret_cast<QRgb *>(image.scanLine(y));
         for (int x = 0; x < width; ++x) {
             const QRgb place = from[x] - m_first; // of what is no longer wanted: beyond all colours
-            to[x] = place < colors.size() ? colors[place] : 0U;
+            to[x] = place < colors.size() ? colors[place] : ground;
         }
     }
 }

@@ -38,9 +38,9 @@ public:
 
     /// @param records  oldest first
     void update(const Look &look, std::vector<Record> records, const Paint &paint);
-    /// Writes every pixel; clear ones where no record is.
-    /// @param colors  premultiplied: of each record that update() was given one a trace
-    void drawOn(QImage &image, std::span<const QRgb> colors) const;
+    /// Writes every pixel; the ground where no record is.
+    /// @param colors  of each record that update() was given one a trace
+    void drawOn(QImage &image, std::span<const QRgb> colors, QRgb ground) const;
 
 private:
     bool suits(const Look &look) const;

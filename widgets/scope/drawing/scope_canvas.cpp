@@ -21,7 +21,12 @@ void ScopeCanvas::paintEvent(QPaintEvent *)
     if (const double ratio = devicePixelRatioF(); !qFuzzyCompare(bufferDevicePixelRatio(), ratio))
         setBufferDevicePixelRatio(ratio);
     QCPPainter painter(this);
-    painter.fillRect(rect(), mBackgroundBrush);
+    QRegion ground(rect());
+    for (const QCPAxisRect *plot :
+        axisRects()) // which paint all of theirs; at their edges roundings may differ
+        ground -= plot->rect().adjusted(1, 1, -1, -1);
+    for (const QRect &part : ground)
+        painter.fillRect(part, mBackgroundBrush);
     m_laidOut = true;
     draw(&painter);
     m_laidOut = false;

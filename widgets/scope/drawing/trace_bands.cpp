@@ -126,13 +126,13 @@ struct Stretch {
 
 class Painter {
 public:
-    Painter(QImage &image, std::span<const Band> bands, int stripeWidth, bool clear)
+    Painter(QImage &image, std::span<const Band> bands, int stripeWidth, std::optional<QRgb> ground)
         : m_image(image)
         , m_width(std::size_t(image.width()))
         , m_height(image.height())
         , m_bands(bands)
         , m_looks(bands, stripeWidth, std::size_t(image.width()))
-        , m_clear(clear)
+        , m_ground(ground)
     {
         for (std::size_t b = 0; b < bands.size(); ++b)
             m_alone.push_back(m_looks.row(bitOf(b)));
@@ -160,11 +160,11 @@ public:
             // As far as the neighbours look the same, at once.
             while (group < m_at.size() && at(group, y).isAs(here))
                 ++group;
-            const std::size_t size = (std::min(group * kGroup, m_width) - x) * sizeof(QRgb);
+            const std::size_t count = std::min(group * kGroup, m_width) - x;
             if (here.look != nullptr)
-                std::memcpy(row + x, here.look->pixels.data() + x + phase, size);
-            else if (m_clear)
-                std::memset(row + x, 0, size);
+                std::memcpy(row + x, here.look->pixels.data() + x + phase, count * sizeof(QRgb));
+            else if (m_ground)
+                std::fill_n(row + x, count, *m_ground);
         }
     }
 
@@ -230,7 +230,7 @@ private:
                     use(row[x], m_tile[(x - from) * height + y]);
             }
         };
-        if (!m_clear)
+        if (!m_ground)
             forPixels([](QRgb pixel, QRgb &turned) { turned = pixel; });
         for (std::size_t x = from; x < to; ++x)
             paintColumn(x, &m_tile[(x - from) * height]);
@@ -264,8 +264,8 @@ private:
     void paintStripes(QRgb *pixels, std::size_t rows, Mask mask, std::size_t place)
     {
         if (mask == 0) {
-            if (m_clear)
-                std::memset(pixels, 0, rows * sizeof(QRgb));
+            if (m_ground)
+                std::fill_n(pixels, rows, *m_ground);
             return;
         }
         const std::size_t period = m_looks.period();
@@ -298,7 +298,9 @@ private:
         Row row{};
         if (here.look != nullptr)
             row.fill(m_bands[first].color);
-        else if (!m_clear)
+        else if (m_ground)
+            row.fill(*m_ground);
+        else
             std::memcpy(row.data(), pixels, count * sizeof(QRgb));
         // From the last to the first: each hides those behind it.
         for (Mask left = here.part; left != 0;) {
@@ -354,7 +356,7 @@ private:
     Looks m_looks;
     std::vector<const Look *> m_alone; ///< of each band
     std::array<std::array<std::uint32_t, kGroup>, kMostBands> m_covers{};
-    bool m_clear;
+    std::optional<QRgb> m_ground;
     std::vector<QRgb> m_tile;
     std::vector<Stretch> m_stretches; ///< of the first group from top to bottom, then of the next
     std::vector<std::size_t> m_at; ///< for each group: which of them the row is in
@@ -363,19 +365,19 @@ private:
 
 } // namespace
 
-void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered)
+void paintBands(
+    QImage &image, std::span<const Band> bands, int stripeWidth, std::optional<QRgb> ground)
 {
-    bool clear = uncovered == Uncovered::Clear;
     if (bands.empty() || bands.size() > kMostBands) {
-        if (clear)
-            image.fill(Qt::transparent);
-        clear = false;
+        if (ground)
+            image.fill(*ground);
+        ground.reset();
         for (; bands.size() > kMostBands; bands = bands.subspan(1))
             fillColumns(image, *bands.front().columns, bands.front().color);
         if (bands.empty())
             return;
     }
-    Painter painter(image, bands, stripeWidth, clear);
+    Painter painter(image, bands, stripeWidth, ground);
     const auto stride = image.bytesPerLine();
     uchar *bits = image.bits();
     for (int y = 0; y < image.height(); ++y)

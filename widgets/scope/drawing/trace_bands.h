@@ -4,6 +4,7 @@
 
 #include "widgets/scope/drawing/trace_image.h"
 
+#include <optional>
 #include <span>
 
 namespace widgets {
@@ -13,13 +14,12 @@ struct Band {
     const PixelColumns *columns;
 };
 
-/// What becomes of pixels that no band covers.
-enum class Uncovered : std::uint8_t { Clear, Keep };
-
 /// Paints bands so that none hides another: where several cover a pixel it has the colour of the one in whose slanting
 /// stripe it lies, or of the first of them if that one is not there. Beyond 16 bands the last ones hide the others.
-/// @param image  Format_ARGB32_Premultiplied, as wide as the columns
+/// @param image  of 32 bits a pixel, as wide as the columns
 /// @param stripeWidth  pixels, at least 1
-void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered);
+/// @param ground  what pixels get that no band covers; empty: they stay as they are
+void paintBands(
+    QImage &image, std::span<const Band> bands, int stripeWidth, std::optional<QRgb> ground);
 
 } // namespace widgets

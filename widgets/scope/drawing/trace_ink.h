@@ -27,10 +27,10 @@ public:
 
 class ImageInk : public TraceInk {
 public:
-    /// @param uncovered  whether the bands clear what they do not cover
-    ImageInk(QImage &image, Uncovered uncovered)
+    /// @param ground  what the bands leave where they are not; empty: what is there
+    ImageInk(QImage &image, std::optional<QRgb> ground)
         : m_image(image)
-        , m_uncovered(uncovered)
+        , m_ground(ground)
     {
     }
     void columns(const PixelColumns &columns, QRgb color) override
@@ -39,7 +39,7 @@ public:
     }
     void bands(std::span<const Band> bands, int stripeWidth) override
     {
-        paintBands(m_image, bands, stripeWidth, m_uncovered);
+        paintBands(m_image, bands, stripeWidth, m_ground);
     }
     void box(int left, int top, int width, int height, QRgb color) override
     {
@@ -48,7 +48,7 @@ public:
 
 private:
     QImage &m_image;
-    Uncovered m_uncovered;
+    std::optional<QRgb> m_ground;
 };
 
 /// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.

@@ -31,6 +31,17 @@ constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 constexpr int kShapeColumns = 4;
 constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
 
+QColor shadeOfGaps(bool dark) { return dark ? QColor(255, 255, 255, 22) : QColor(0, 0, 0, 18); }
+
+/// @param above  may be transparent
+QRgb mixed(QRgb below, const QColor &above)
+{
+    const auto mix = [share = double(above.alphaF())](
+                         int from, int to) { return qRound(from + share * (to - from)); };
+    return qRgb(mix(qRed(below), above.red()), mix(qGreen(below), above.green()),
+        mix(qBlue(below), above.blue()));
+}
+
 /// Those that were kept come before the earlier records.
 std::size_t referenceCount(std::span<const Ghost> ghosts)
 {
@@ -58,6 +69,7 @@ struct WaveformPlottable::View {
     int width; ///< device pixels
     int height;
     int thickness; ///< of a line, device pixels
+    std::optional<QRgb> ground; ///< empty: what is there, which is not known
     double perSecond() const { return width / (to - from); }
     Rows rows(const QCPAxis &axis) const
     {
@@ -76,10 +88,13 @@ WaveformPlottable::WaveformPlottable(const ScopePlot &plot, const capture::Captu
 void WaveformPlottable::draw(QCPPainter *painter)
 {
     const QRect rect = m_scopePlot.rect->rect();
-    if (rect.isEmpty() || m_scopePlot.traces.empty())
+    if (rect.isEmpty())
         return;
-    shadeGaps(painter);
     if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+        shadeGaps([&](double left, double width) {
+            painter->fillRect(
+                QRectF(left, rect.top(), width, rect.height()), shadeOfGaps(m_scopePlot.dark));
+        });
         drawShapes(painter);
         drawMarks(painter);
         drawLastValues(painter);
@@ -91,9 +106,14 @@ void WaveformPlottable::draw(QCPPainter *painter)
         paintImage(size, ratio);
         m_drawn = now;
     }
-    painter->setAntialiasing(
-        false); // for which the library moves all by half a pixel, and an image by a whole one
-    painter->drawImage(rect.topLeft(), m_image);
+    // Pixel on pixel: an image of another ratio than 1 is scaled. And not antialiased, for which the library moves all by
+    // half a pixel, and an image by a whole one.
+    painter->setAntialiasing(false);
+    painter->save();
+    painter->translate(rect.topLeft());
+    painter->scale(1.0 / ratio, 1.0 / ratio);
+    painter->drawImage(0, 0, m_image);
+    painter->restore();
     painter->setAntialiasing(true);
     drawMarks(painter);
     drawLastValues(painter);
@@ -110,25 +130,27 @@ std::vector<QCPRange> WaveformPlottable::ranges() const
 void WaveformPlottable::paintImage(QSize size, double ratio)
 {
     if (m_image.size() != size)
-        m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
-    m_image.setDevicePixelRatio(ratio);
+        m_image =
+            QImage(size, QImage::Format_RGB32); // nothing shows through: it is copied, not blended
     const std::span<const Ghost> ghosts = m_scopePlot.ghosts;
     const std::span<const Ghost> references = ghosts.first(referenceCount(ghosts));
     clearWideRegisters();
-    const View view = viewOf(size, std::max(1, qRound(ratio)));
+    View view = viewOf(size, std::max(1, qRound(ratio)));
+    view.ground = mParentPlot->palette().color(QPalette::Base).rgb();
     if (references.size() < ghosts.size())
         paintRecords(view);
     else if (!ghosts.empty())
-        m_image.fill(Qt::transparent);
-    ImageInk ink(m_image, ghosts.empty() ? Uncovered::Clear : Uncovered::Keep);
+        m_image.fill(*view.ground);
+    ImageInk ink(m_image, ghosts.empty() ? view.ground : std::nullopt);
     drawGhosts(references, view, ink);
     drawTraces(view, ink);
+    paintGround(ratio);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
 {
     const QCPRange range = keyAxis()->range();
-    return {range.lower, range.upper, size.width(), size.height(), thickness};
+    return {range.lower, range.upper, size.width(), size.height(), thickness, std::nullopt};
 }
 
 void WaveformPlottable::drawShapes(QCPPainter *painter) const
@@ -148,7 +170,42 @@ void WaveformPlottable::drawShapes(QCPPainter *painter) const
     painter->restore();
 }
 
-void WaveformPlottable::shadeGaps(QCPPainter *painter) const
+/// Grid and gaps, where no trace is.
+void WaveformPlottable::paintGround(double ratio)
+{
+    const QRect rect = m_scopePlot.rect->rect();
+    const QRgb ground = mParentPlot->palette().color(QPalette::Base).rgb();
+    const auto paint = [&](QRect box, QRgb from, QRgb to) {
+        box &= m_image.rect();
+        for (int y = box.top(); y <= box.bottom(); ++y) {
+            auto *row = reinterpret_cast<QRgb *>(m_image.scanLine(y));
+            std::replace(row + box.left(), row + box.right() + 1, from, to);
+        }
+    };
+    QRgb grid = ground;
+    for (const QCPAxis *axis : {keyAxis(), valueAxis()}) {
+        if (!axis->grid()->visible())
+            continue;
+        grid = mixed(ground, axis->grid()->pen().color());
+        for (const double tick : axis->tickVector()) {
+            const int at = qRound(axis->coordToPixel(tick));
+            paint(axis == keyAxis()
+                    ? QRect(qRound((at - rect.left()) * ratio), 0, 1, m_image.height())
+                    : QRect(0, qRound((at - rect.top()) * ratio), m_image.width(), 1),
+                ground, grid);
+        }
+    }
+    shadeGaps([&](double left, double width) {
+        const int from = qRound((left - rect.left()) * ratio);
+        const int to = qRound((left + width - rect.left()) * ratio);
+        const QRect box(from, 0, std::max(1, to - from), m_image.height());
+        paint(box, ground, mixed(ground, shadeOfGaps(m_scopePlot.dark)));
+        if (grid != ground)
+            paint(box, grid, mixed(grid, shadeOfGaps(m_scopePlot.dark)));
+    });
+}
+
+void WaveformPlottable::shadeGaps(const std::function<void(double left, double width)> &shade) const
 {
     const QCPRange range = keyAxis()->range();
     const double pixel = range.size() / std::max(1, m_scopePlot.rect->width());
@@ -170,8 +227,6 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
     }
     std::sort(
         gaps.begin(), gaps.end(), [](const auto &a, const auto &b) { return a.from < b.from; });
-    const QColor shade = m_scopePlot.dark ? QColor(255, 255, 255, 22) : QColor(0, 0, 0, 18);
-    const QRectF area = m_scopePlot.rect->rect();
     double shadedTo = range.lower;
     for (const capture::TimeSpan &gap : gaps) {
         // Signals of one stream share their gaps: each place is shaded once.
@@ -180,7 +235,7 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
         if (to > from) {
             const double left = keyAxis()->coordToPixel(from);
             const double width = std::max(1.0, keyAxis()->coordToPixel(to) - left);
-            painter->fillRect(QRectF(left, area.top(), width, area.height()), shade);
+            shade(left, width);
             shadedTo = to;
         }
     }
@@ -230,16 +285,17 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
 }
 
-WaveformPlottable::GhostColor WaveformPlottable::colorsOf(const Ghost &ghost) const
+WaveformPlottable::GhostColor WaveformPlottable::colorsOf(
+    const Ghost &ghost, const View &view) const
 {
-    return [this, alpha = ghost.alpha](std::size_t trace) {
+    return [this, ground = view.ground, alpha = ghost.alpha](std::size_t trace) {
         QColor color = traceColor(m_scopePlot.traces[trace].colorSlot, m_scopePlot.dark);
         color.setAlpha(alpha);
-        return qPremultiply(color.rgba());
+        return ground ? mixed(*ground, color) : qPremultiply(color.rgba());
     };
 }
 
-/// The earlier records, which are the last of the ghosts, on the image, which is clear elsewhere.
+/// The earlier records, which are the last of the ghosts, on the image, which is ground elsewhere.
 void WaveformPlottable::paintRecords(const View &view)
 {
     const auto &traces = m_scopePlot.traces;
@@ -254,7 +310,7 @@ void WaveformPlottable::paintRecords(const View &view)
     for (auto ghost = m_scopePlot.ghosts.rbegin();
          ghost != m_scopePlot.ghosts.rend() && ghost->mark == 0; ++ghost) {
         RecordPicture::Record record{view.from + ghost->shift, 0};
-        const GhostColor color = colorsOf(*ghost);
+        const GhostColor color = colorsOf(*ghost, view);
         for (std::size_t i = 0; i < traces.size(); ++i) {
             if (const capture::Channel *channel = channelOf(*ghost, traces[i]))
                 record.samples += channel->countIn(record.from, view.to + ghost->shift);
@@ -268,7 +324,7 @@ void WaveformPlottable::paintRecords(const View &view)
             [first](std::size_t trace) { return first + static_cast<QRgb>(trace); });
     };
     m_records.update(look, std::move(records), paint);
-    m_records.drawOn(m_image, colors);
+    m_records.drawOn(m_image, colors, *view.ground);
 }
 
 /// The same traces of another time, paler and behind, older ones first; references dashed, so that they are not told by
@@ -279,12 +335,12 @@ void WaveformPlottable::drawGhosts(
     for (std::size_t i = ghosts.size(); i-- > 0;) {
         const Ghost &ghost = ghosts[i];
         if (ghost.mark == 0) {
-            drawGhost(ghost, view, ink, colorsOf(ghost));
+            drawGhost(ghost, view, ink, colorsOf(ghost, view));
             continue;
         }
         const int on = (ghost.mark == 'A' ? kLongDash : kShortDash) * view.thickness;
         DashedInk dashed(ink, on, on / 2 + view.thickness);
-        drawGhost(ghost, view, dashed, colorsOf(ghost));
+        drawGhost(ghost, view, dashed, colorsOf(ghost, view));
     }
 }
 

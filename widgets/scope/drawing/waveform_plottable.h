@@ -35,9 +35,10 @@ protected:
 
 private:
     struct View; ///< the picture's size and time range, for one redraw
-    void shadeGaps(QCPPainter *painter) const;
+    void shadeGaps(const std::function<void(double left, double width)> &shade) const;
+    void paintGround(double ratio);
     using GhostColor = std::function<QRgb(std::size_t trace)>;
-    GhostColor colorsOf(const Ghost &ghost) const; ///< premultiplied
+    GhostColor colorsOf(const Ghost &ghost, const View &view) const; ///< premultiplied
     void paintRecords(const View &view);
     void drawGhosts(std::span<const Ghost> ghosts, const View &view, TraceInk &ink) const;
     void drawGhost(
