@@ -202,19 +202,4 @@ void fillColumns(QImage &image, const PixelColumns &columns, QRgb color)
     });
 }
 
-void fillBox(QImage &image, int left, int top, int width, int height, QRgb color)
-{
-    const int right = std::min(left + width, image.width());
-    const int bottom = std::min(top + height, image.height());
-    left = std::max(left, 0);
-    if (left >= right)
-        return;
-    uchar *bits = image.bits();
-    const auto stride = image.bytesPerLine();
-    for (int y = std::max(top, 0); y < bottom; ++y) {
-        auto *row = reinterpret_cast<QRgb *>(bits + y * stride);
-        std::fill(row + left, row + right, color);
-    }
-}
-
 } // namespace widgets

@@ -34,7 +34,4 @@ struct PixelColumns {
 /// @param image  Format_ARGB32_Premultiplied or Format_RGB32, at least columns.width() wide
 void fillColumns(QImage &image, const PixelColumns &columns, QRgb color);
 
-/// Fills a rectangle clipped to the image; for steps and dots.
-void fillBox(QImage &image, int left, int top, int width, int height, QRgb color);
-
 } // namespace widgets

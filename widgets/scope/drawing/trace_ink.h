@@ -7,6 +7,8 @@
 #include <QPainterPath>
 #include <QSize>
 
+#include <algorithm>
+
 class QPainter;
 
 namespace widgets {
@@ -31,6 +33,8 @@ public:
     ImageInk(QImage &image, std::optional<QRgb> ground)
         : m_image(image)
         , m_ground(ground)
+        , m_bits(image.bits())
+        , m_stride(image.bytesPerLine())
     {
     }
     void columns(const PixelColumns &columns, QRgb color) override
@@ -43,12 +47,20 @@ public:
     }
     void box(int left, int top, int width, int height, QRgb color) override
     {
-        fillBox(m_image, left, top, width, height, color);
+        const int right = std::min(left + width, m_image.width());
+        const int bottom = std::min(top + height, m_image.height());
+        left = std::max(left, 0);
+        for (int y = std::max(top, 0); y < bottom && left < right; ++y) {
+            auto *row = reinterpret_cast<QRgb *>(m_bits + y * m_stride);
+            std::fill(row + left, row + right, color);
+        }
     }
 
 private:
     QImage &m_image;
     std::optional<QRgb> m_ground;
+    uchar *m_bits; ///< asked for once: there are thousands of boxes of few pixels
+    qsizetype m_stride;
 };
 
 /// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.

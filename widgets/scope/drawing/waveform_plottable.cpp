@@ -485,9 +485,10 @@ void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
     const int line = view.thickness;
     const auto samples = channel.samples(
         view.from, view.to, std::size_t(kSamplesAColumn) * std::size_t(view.width) + 1);
+    const double perSecond = view.perSecond();
     const auto xOf = [&](double time) {
-        const double x = (time - view.from) * view.perSecond();
-        return static_cast<int>(std::floor(std::clamp(x, -10.0, view.width + 10.0)));
+        const double x = std::clamp((time - view.from) * perSecond, -10.0, view.width + 10.0);
+        return static_cast<int>(x + 10.0) - 10; // rounds down, see Rows
     };
     const double halfTurn = scope::turnOf(trace.info.unit) / 2;
     int lastRow = 0;
@@ -497,15 +498,17 @@ void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
         const int left = xOf(sample.time);
         const int right = xOf(sample.holdUntil);
         const int row = rows.of(sample.value);
-        ink.box(left, row - line / 2, std::max(line, right - left), line, color);
         const bool turned = halfTurn > 0.0 && std::abs(sample.value - lastValue) > halfTurn;
-        if (joined && !sample.first && !turned)
+        const bool joins = joined && !sample.first && !turned;
+        if (joins)
             ink.box(left, std::min(row, lastRow) - line / 2, line, std::abs(row - lastRow) + line,
                 color);
+        if (!joins || right - left > line) // else the stroke that joins them has covered it
+            ink.box(left, row - line / 2, std::max(line, right - left), line, color);
         lastRow = row;
         lastValue = sample.value;
         joined = true;
-        if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
+        if ((sample.holdUntil - sample.time) * perSecond >= kDotSpacing * line)
             ink.box(left - line, row - line - line / 2, 3 * line, 3 * line, color);
     }
 }
