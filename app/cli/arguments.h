@@ -105,6 +105,7 @@ struct Arguments {
     ResponseArguments response;
     AutotuneArguments autotune;
     QString runFile; ///< the recording of an experiment; empty: none is kept
+    int runNumber = 0; ///< of evaluate: the one that is meant, from 1; 0: all
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given

@@ -1,5 +1,8 @@
-// Recordings as scripts see them: capture --record, show and export. The real program, against its own simulated board.
+// Recordings as scripts see them: capture --record, show, export and evaluate. The real program, against its own simulated board.
+#include "session/files/finding_json.h"
 #include "session/files/snapshot_json.h"
+#include "session/recording/recording_file.h"
+#include "support/lab_bench.h"
 #include "support/places.h"
 
 #include <QJsonArray>
@@ -23,6 +26,7 @@ private Q_SLOTS:
     void aMatlabFileIsReadByOthers();
     void aDamagedRecordingIsExportedAndTold();
     void aFileThatIsThereIsNotRecordedOver();
+    void eachOfSeveralExperimentsIsTold();
     void otherFilesAreExitStatus5();
     void wrongUsageIsExitStatus2_data();
     void wrongUsageIsExitStatus2();
@@ -250,6 +254,62 @@ void TestCliRecording::aFileThatIsThereIsNotRecordedOver()
     QVERIFY(!result.err.contains(QLatin1String("motor was stopped"))); // it was never started
 }
 
+/// As the window keeps a long day: each says what it said by itself, byte for byte.
+void TestCliRecording::eachOfSeveralExperimentsIsTold()
+{
+    support::LabBench bench;
+    QString why;
+    session::RecordingFile file(
+        session::makeDiskSink(path("day.pcapng"), why), {1'700'000'000, "test", "sim"});
+    QVERIFY(file.open());
+    bench.eachEntry = [&file](record::Nanos at, const record::Entry &entry) {
+        QVERIFY(file.add(at, entry));
+    };
+    QStringList said;
+    for (const int rpm : {1500, 1300}) {
+        bench.happenings.clear(); // a recording of its own
+        bench.steps = {.fromRpm = 1000, .toRpm = rpm, .hold = 200ms};
+        const lab::Outcome outcome = bench.run();
+        QVERIFY2(outcome.end == lab::End::Complete, qPrintable(support::outcomeText(outcome)));
+        const auto series = bench.series();
+        QVERIFY2(series && series->rise_s, series ? "no rise" : series.error().c_str());
+        said.append(QString::fromUtf8(session::findingJson(lab::MeasuredSteps(*series))));
+    }
+    lab::SpinPlan tooFast = lab::spinPlanFor(bench.experiment.subject, {});
+    tooFast.highRpm = 9000;
+    bench.experiment.plan = tooFast;
+    QVERIFY(bench.run().end == lab::End::Refused);
+    QVERIFY(file.end());
+
+    const auto evaluated = [this](const QString &options) {
+        return run({QStringLiteral("evaluate"), path("day.pcapng")}
+            + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    };
+    const Run all = evaluated(QStringLiteral("--json"));
+    COMPARE_STATUS(all, 1);
+    QCOMPARE(all.out, said.join(QLatin1Char('\n')) + QStringLiteral("\nnull\n"));
+    for (const char *words :
+        {"Run 3: The experiment ended early: ", "day.pcapng: not conclusive: run 3 of 3."})
+        QVERIFY2(all.err.contains(QLatin1String(words)), qPrintable(all.err));
+    const Run text = evaluated({});
+    COMPARE_STATUS(text, 1);
+    for (const char *words :
+        {"Run 1 of 3: step speed, at ", "Run 2 of 3: step", "Run 3 of 3: identify mechanical, at "})
+        QVERIFY2(text.out.contains(QLatin1String(words)), qPrintable(text.out));
+
+    const Run second = evaluated(QStringLiteral("--json --run 2"));
+    COMPARE_STATUS(second, 0);
+    QCOMPARE(second.out, said[1] + QLatin1Char('\n'));
+    QVERIFY(!evaluated(QStringLiteral("--run 2")).out.contains(QLatin1String("Run 2")));
+    const Run third = evaluated(QStringLiteral("--run 3"));
+    COMPARE_STATUS(third, 1);
+    QVERIFY2(third.out.isEmpty() && third.err.count(QLatin1Char('\n')) == 1,
+        qPrintable(third.out + third.err));
+    const Run none = evaluated(QStringLiteral("--run 4"));
+    COMPARE_STATUS(none, 2);
+    QVERIFY2(none.err.contains(QLatin1String("has no run 4, only 3.")), qPrintable(none.err));
+}
+
 void TestCliRecording::otherFilesAreExitStatus5()
 {
     put(path("text.pcapng"), "hello\n");
@@ -272,7 +332,8 @@ void TestCliRecording::wrongUsageIsExitStatus2_data()
     for (const char *line :
         {"show", "export x.pcapng", "export x.pcapng -o x.xls", "export -o x.csv",
             "export x.pcapng -o x.csv --from 2 --to 1", "export x.pcapng -o x.csv --from 1,5",
-            "--port sim capture --hf I_A --seconds 1 -o x.csv --link"})
+            "--port sim capture --hf I_A --seconds 1 -o x.csv --link", "evaluate",
+            "evaluate x.pcapng --run 0", "evaluate x.pcapng --run last"})
         QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -3,9 +3,7 @@
 #include "fuzz/script.h"
 #include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/current_step_evaluation.h"
-#include "lab/evaluation/electrical_evaluation.h"
-#include "lab/evaluation/mechanical_evaluation.h"
-#include "lab/evaluation/step_series.h"
+#include "lab/evaluation/finding.h"
 #include "lab/evaluation/tuning.h"
 #include "record/restore.h"
 
@@ -109,6 +107,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     fill(capture, data[0]);
     const lab::Happenings happenings =
         happeningsOf({reinterpret_cast<const char *>(data + 1), size - 1});
+    std::size_t told = 0;
+    for (const lab::Happenings &run : lab::runsIn(happenings)) {
+        told += run.size();
+        fuzz::require(!lab::nameOfRun(run).empty());
+        (void)lab::findingIn(capture, run);
+    }
+    fuzz::require(told <= happenings.size());
     if (const auto steps = lab::stepSeries(capture, happenings)) {
         fuzz::require(steps->runs.size() <= happenings.size());
         for (const auto &mean :

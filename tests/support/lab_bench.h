@@ -41,6 +41,7 @@ struct LabBench {
     std::optional<TimePoint> ranAt; ///< as a session knows it
     Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
     std::function<void()> eachTurn; ///< as the world goes on
+    std::function<void(record::Nanos, const record::Entry &)> eachEntry; ///< for a file of it
 
     explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
         : pair(true, options, seed)
@@ -161,8 +162,11 @@ struct LabBench {
 private:
     void keep(const record::Entry &entry)
     {
+        const record::Nanos at = pair.now.time_since_epoch().count();
+        if (eachEntry)
+            eachEntry(at, entry);
         if (const auto *happening = std::get_if<record::Happening>(&entry))
-            happenings.emplace_back(pair.now.time_since_epoch().count(), *happening);
+            happenings.emplace_back(at, *happening);
         else
             restorer.take(entry);
     }

@@ -158,30 +158,76 @@ QString endedEarlyText(const lab::Happenings &all)
     return {};
 }
 
+/// Of one run. @param head  in front of what has to be known of it; empty: it is the only one that is meant
+/// @param failed  in front of why nothing follows from it
+Outcome<int> tell(const Result<lab::Finding, std::string> &found, const lab::Happenings &run,
+    const QString &head, const QString &failed, Output &out)
+{
+    if (!found) // what could not be measured was mostly not begun
+        return failure(kRefused, failed + endedEarlyText(run) + sentence(found.error()));
+    if (out.json())
+        out.json(session::findingJson(*found));
+    else
+        std::visit([&out](const auto &one) { print(one, out); }, *found);
+    for (const std::string &note : lab::notesOf(*found))
+        Output::error(head + sentence(note));
+    if (const std::string lack = lab::lackOf(*found); !lack.empty())
+        return failure(kRefused, head + sentence(lack));
+    return kDone;
+}
+
+/// Of several, by their numbers: one that says nothing keeps its place.
+Outcome<int> tellAll(const QString &path, const capture::Capture &capture,
+    const std::vector<lab::Happenings> &runs, Output &out)
+{
+    const QString count = QString::number(runs.size());
+    QStringList lacking;
+    for (const lab::Happenings &run : runs) {
+        const QString number = QString::number(&run - runs.data() + 1);
+        if (!out.json())
+            out.line(QStringLiteral("Run %1 of %2: %3, at %4 s")
+                         .arg(number, count, QString::fromStdString(lab::nameOfRun(run)),
+                             QString::number(capture::toSeconds(run.front().first), 'f', 1)));
+        const auto found = lab::findingIn(capture, run);
+        if (!found && out.json())
+            out.json("null");
+        const QString head = QStringLiteral("Run %1: ").arg(number);
+        const auto told = tell(found, run, head, head, out);
+        if (told)
+            continue;
+        Output::error(told.error().sentence);
+        lacking.append(number);
+    }
+    if (lacking.isEmpty())
+        return kDone;
+    return failure(kRefused,
+        QStringLiteral("%1: not conclusive: %2 %3 of %4.")
+            .arg(path, lacking.size() == 1 ? QStringLiteral("run") : QStringLiteral("runs"),
+                lacking.join(QStringLiteral(", ")), count));
+}
+
 } // namespace
 
-Outcome<int> evaluate(const QString &path, Output &out)
+Outcome<int> evaluate(const QString &path, Output &out, int number)
 {
     const auto recording = openRecording(path);
     if (!recording)
         return tl::make_unexpected(recording.error());
     if (const QString lack = lackText(**recording); !lack.isEmpty())
         Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
-    const auto found = lab::findingIn((*recording)->capture, (*recording)->report.happenings);
-    if (!found) // what could not be measured was mostly not begun
-        return failure(kRefused,
-            QStringLiteral("%1: %2%3")
-                .arg(path, endedEarlyText((*recording)->report.happenings),
-                    sentence(found.error())));
-    if (out.json())
-        out.json(session::findingJson(*found));
-    else
-        std::visit([&out](const auto &one) { print(one, out); }, *found);
-    for (const std::string &note : lab::notesOf(*found))
-        Output::error(sentence(note));
-    if (const std::string lack = lab::lackOf(*found); !lack.empty())
-        return failure(kRefused, sentence(lack));
-    return kDone;
+    const lab::Happenings &all = (*recording)->report.happenings;
+    const std::vector<lab::Happenings> runs = lab::runsIn(all);
+    const auto count = static_cast<int>(runs.size());
+    if (count > 0 && number > count)
+        return failure(kUsage,
+            QStringLiteral("%1 has no run %2, only %3.")
+                .arg(path, QString::number(number), QString::number(count)));
+    if (count > 1 && number == 0)
+        return tellAll(path, (*recording)->capture, runs, out);
+    const lab::Happenings &run =
+        count > 1 ? runs[static_cast<std::size_t>(number - 1)] : all; // without any, that is said
+    return tell(
+        lab::findingIn((*recording)->capture, run), run, {}, path + QStringLiteral(": "), out);
 }
 
 } // namespace cli

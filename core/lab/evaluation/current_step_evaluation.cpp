@@ -169,9 +169,11 @@ Result<MeasuredSteps, std::string> currentSteps(
         found.notes.emplace_back("the recording ends before the series does");
     noteNoise(found, *plan, *response);
     noteRuns(found, "current");
-    const Nanos sample = reference->empty()
-        ? 0
-        : reference->holdUntil(reference->begin()) - reference->timeOf(reference->begin());
+    // Of the series: what was recorded before it may have had another rate.
+    const capture::Index first =
+        finder.steps.empty() ? reference->end() : reference->atOrAfter(finder.steps.front().asked);
+    const Nanos sample =
+        first < reference->end() ? reference->holdUntil(first) - reference->timeOf(first) : 0;
     addMeans(found, reference->info().digit(), capture::toSeconds(sample));
     return found;
 }

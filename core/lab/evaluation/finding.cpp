@@ -16,25 +16,88 @@ Found found(Result<T, std::string> result)
     return Finding(std::in_place_type<T>, std::move(*result));
 }
 
+using Evaluation = Found (*)(const capture::Capture &, const Happenings &);
+template <auto evaluate>
+Found evaluated(const capture::Capture &capture, const Happenings &run)
+{
+    return found(evaluate(capture, run));
+}
+Found speedSteps(const capture::Capture &capture, const Happenings &run)
+{
+    return found(Result<MeasuredSteps, std::string>(stepSeries(capture, run)));
+}
+
+/// What a plan measures.
+struct PlanKind {
+    const char *name = "";
+    Evaluation evaluation = nullptr; ///< nullptr: it is no plan
+    int motor = 0;
+    bool rests = false, turns = false; ///< of an electrical identification
+};
+
+PlanKind kindOf(const record::Happening &what)
+{
+    if (const auto steps = recordedPlan<StepPlan>(what))
+        return {"step speed", speedSteps, steps->motor};
+    if (const auto steps = recordedPlan<CurrentStepPlan>(what))
+        return {steps->plan.flux != 0 ? "step flux" : "step torque", evaluated<currentSteps>,
+            steps->motor};
+    if (const auto response = recordedPlan<ResponsePlan>(what))
+        return response->plan.current != 0
+            ? PlanKind{"response current", evaluated<evaluateCurrentResponse>, response->motor}
+            : PlanKind{"response speed", evaluated<evaluateResponse>, response->motor};
+    const auto rest = recordedPlan<RestPlan>(what);
+    const auto spin = recordedPlan<SpinPlan>(what);
+    if (spin && !(spin->plan.fluxAmps > 0.0))
+        return {"identify mechanical", evaluated<evaluateMechanics>, spin->motor};
+    if (rest || spin)
+        return {.name = "identify electrical",
+            .evaluation = evaluated<evaluateElectrics>,
+            .motor = rest ? rest->motor : spin->motor,
+            .rests = rest.has_value(),
+            .turns = spin.has_value()};
+    return {};
+}
+
 } // namespace
+
+bool RunStarts::take(const record::Happening &what)
+{
+    if (what.name == kEndEntry && what.field("outcome") != "complete")
+        m_rested = 0; // what would have turned it was not begun
+    const PlanKind plan = kindOf(what);
+    if (plan.evaluation == nullptr)
+        return false;
+    const bool goesOn = plan.turns && plan.motor == m_rested;
+    m_rested = plan.rests ? plan.motor : 0;
+    return !goesOn;
+}
+
+std::vector<Happenings> runsIn(const Happenings &all)
+{
+    std::vector<Happenings> runs;
+    RunStarts starts;
+    for (const auto &one : all) {
+        if (starts.take(one.second))
+            runs.emplace_back();
+        if (!runs.empty())
+            runs.back().push_back(one);
+    }
+    return runs;
+}
+
+std::string nameOfRun(const Happenings &run)
+{
+    return run.empty() ? std::string() : kindOf(run.front().second).name;
+}
 
 Result<Finding, std::string> findingIn(const capture::Capture &capture, const Happenings &all)
 {
-    for (const auto &[at, what] : all) {
-        if (recordedPlan<StepPlan>(what))
-            return found(Result<MeasuredSteps, std::string>(stepSeries(capture, all)));
-        if (recordedPlan<CurrentStepPlan>(what))
-            return found(currentSteps(capture, all));
-        const auto spin = recordedPlan<SpinPlan>(what);
-        if (recordedPlan<RestPlan>(what) || (spin && spin->plan.fluxAmps > 0.0))
-            return found(evaluateElectrics(capture, all));
-        if (spin)
-            return found(evaluateMechanics(capture, all));
-        if (const auto response = recordedPlan<ResponsePlan>(what))
-            return response->plan.current != 0 ? found(evaluateCurrentResponse(capture, all))
-                                               : found(evaluateResponse(capture, all));
-    }
-    return fail(std::string("it is no recording of an experiment"));
+    const std::vector<Happenings> runs = runsIn(all);
+    if (runs.empty())
+        return fail(std::string("it is no recording of an experiment"));
+    const Happenings &run = runs.front();
+    return kindOf(run.front().second).evaluation(capture, run);
 }
 
 const std::vector<std::string> &notesOf(const Finding &finding)

@@ -1,4 +1,4 @@
-// What a recording says of the experiment in it, whichever that was. Pure.
+// What a recording says of the experiments in it, whichever those were. Pure.
 #pragma once
 
 #include "lab/evaluation/electrical_evaluation.h"
@@ -13,7 +13,24 @@ namespace lab {
 /// A response that is not of the speed is of a current.
 using Finding = std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse>;
 
-/// Of the first experiment; or why there is none, or nothing follows from it, in a sentence without a full stop.
+/// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment, or the two
+/// of an electrical identification, at rest and turning, which say one thing together.
+class RunStarts {
+public:
+    /// In the order of the recording. @return  it is the plan that begins a run
+    bool take(const record::Happening &what);
+
+private:
+    int m_rested =
+        0; ///< the motor of the plan before, which was one at rest and did not end early; 0: none
+};
+
+/// Of each run what happened from its plan to that of the next one, in their order.
+std::vector<Happenings> runsIn(const Happenings &all);
+/// The command that measures the same, such as "step torque" or "identify electrical".
+std::string nameOfRun(const Happenings &run);
+
+/// Of the first run; or why there is none, or nothing follows from it, in a sentence without a full stop.
 Result<Finding, std::string> findingIn(const capture::Capture &capture, const Happenings &all);
 
 /// What the user has to know of it, sentences without a full stop.

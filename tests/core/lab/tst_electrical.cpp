@@ -2,7 +2,7 @@
 // intervals; and that a motor is afterwards what it was.
 #include "base/text.h"
 #include "core/lab/fast_motor.h"
-#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/finding.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 
@@ -338,6 +338,41 @@ private Q_SLOTS:
         QVERIFY(!objectionTo(turning, subject).empty());
         const RestPlan bounded = restPlanFor(subject, {.maxCurrentAmps = 1.0});
         QVERIFY(bounded.highAmps <= 1.0);
+    }
+
+    /// Both are one finding; what follows a part that ended early is another run.
+    void atRestAndTurningAreOneRun()
+    {
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const auto rest = entryOf(restPlanFor(subject, {}), subject, {});
+        const auto turning = entryOf(fluxPlanFor(subject, {}), subject, {});
+        const auto steps = entryOf(StepPlan{.fromRpm = 1000, .toRpm = 1500}, subject, {});
+        const record::Happening other{"motor state", {{"state", "IDLE"}}};
+        const auto end = entryOfEnd({}),
+                   early = entryOfEnd({End::Interrupted, "every motor was stopped", {}});
+        const auto sizesOf = [](const std::vector<record::Happening> &all) {
+            Happenings happenings;
+            for (const record::Happening &one : all)
+                happenings.emplace_back(Nanos(happenings.size()), one);
+            std::vector<std::size_t> sizes;
+            for (const Happenings &run : runsIn(happenings))
+                sizes.push_back(run.size());
+            return sizes;
+        };
+        using Sizes = std::vector<std::size_t>;
+        QCOMPARE(sizesOf({other}), Sizes{});
+        QCOMPARE(sizesOf({other, rest, end, turning, end, other}), (Sizes{5}));
+        QCOMPARE(sizesOf({rest, end, turning, end, rest, other, end, turning, end}), (Sizes{4, 5}));
+        QCOMPARE(sizesOf({rest, early, turning, end}), (Sizes{2, 2}));
+        QCOMPARE(sizesOf({rest, end, steps, end, turning, end}), (Sizes{2, 2, 2}));
+        QCOMPARE(sizesOf({rest, end, turning, end, turning, end}), (Sizes{4, 2}));
+        Subject second = subject;
+        second.motor = 2;
+        QCOMPARE(sizesOf({rest, end, entryOf(fluxPlanFor(second, {}), second, {})}), (Sizes{2, 1}));
+        QCOMPARE(nameOfRun({{0, rest}}), std::string("identify electrical"));
+        QCOMPARE(nameOfRun({{0, turning}}), std::string("identify electrical"));
+        QCOMPARE(nameOfRun({{0, steps}}), std::string("step speed"));
     }
 
     void whatIsMissingIsSaid()
