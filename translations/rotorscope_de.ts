@@ -8131,8 +8131,8 @@ mN·m</translation>
         <translation>Aufzeichnung aufnehmen…</translation>
     </message>
     <message>
-        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
-        <translation>Bewahrt jeden Abschnitt einer Aufzeichnung zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
+        <source>Keeps each experiment of a recording, and each stretch between two changes of its gains, as a run</source>
+        <translation>Bewahrt jeden Versuch einer Aufzeichnung und jeden Abschnitt zwischen zwei Änderungen ihrer Verstärkungen als Lauf auf</translation>
     </message>
     <message>
         <source>As reference</source>

@@ -8124,7 +8124,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keeps each stretch of a recording between two changes of its gains as a run</source>
+        <source>Keeps each experiment of a recording, and each stretch between two changes of its gains, as a run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

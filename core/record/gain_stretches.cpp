@@ -43,6 +43,14 @@ void GainStretches::take(Nanos at, const Entry &entry)
     }
 }
 
+void GainStretches::part(Nanos at)
+{
+    if (m_all.empty() || at <= m_all.back().from)
+        return;
+    m_all.back().to = at - 1; // what is told at that time belongs to the next one
+    m_all.push_back({at, at, m_all.back().gains});
+}
+
 void GainStretches::change(Nanos at, const std::string &name, double before, double after)
 {
     for (GainStretch &stretch : m_all)

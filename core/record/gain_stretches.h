@@ -25,6 +25,8 @@ class GainStretches {
 public:
     /// In the order of the file.
     void take(Nanos at, const Entry &entry);
+    /// What comes from then on is a stretch of its own, with the same gains. Nothing where one begins there anyway.
+    void part(Nanos at);
     /// By their time. Of a gain that nothing was told of until it was written, what it was before counts.
     const std::vector<GainStretch> &all() const { return m_all; }
 

@@ -71,8 +71,8 @@ RunBookPanel::RunBookPanel(RunKeeper &keeper, FilePrompt &files, QWidget *parent
     };
     auto *folder = button(tr("Folder\u2026"), "runBookChoose");
     m_split = button(tr("Add a recording\u2026"), "runBookAdd");
-    m_split->setToolTip(plainToolTip(tr("Keeps each stretch of a recording between two changes of "
-                                        "its gains as a run")));
+    m_split->setToolTip(plainToolTip(tr("Keeps each experiment of a recording, and each stretch "
+                                        "between two changes of its gains, as a run")));
     m_registers = button({}, "runBookRegisters");
     m_reference = button(tr("As reference"), "runBookReference");
     m_open = button(tr("Open"), "runBookOpen");

@@ -28,7 +28,7 @@ struct Run {
     QString reason;
     QMap<QString, double> gains; ///< registers of the motor, digits
     bool registers = false; ///< they are in a file
-    QJsonObject result; ///< as `rotorscope-cli evaluate --json` has it; empty: none
+    QJsonObject result; ///< as `rotorscope-cli evaluate --json --run 1` has it; empty: none
     QStringList notes; ///< what has to be known of the result; the first says why there is none
     QString note; ///< the user's
     bool starred = false;

@@ -1,6 +1,7 @@
 #include "session/files/run_stretches.h"
 
 #include "drive/values.h"
+#include "lab/evaluation/finding.h"
 #include "record/gain_stretches.h"
 #include "session/files/run_writer.h"
 #include "session/files/snapshot_json.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace session {
 namespace {
@@ -69,12 +71,43 @@ snapshots::Snapshot withGains(
 /// What the first pass over a recording finds.
 struct Survey {
     record::GainStretches parts;
+    lab::RunStarts experiments;
+    std::size_t withOne = 0; ///< the stretch of the last of these, counted from 1; 0: none yet
+    bool measures = false; ///< it has not ended
+    std::vector<record::Happening> meanwhile; ///< gains that were written, such as those it lends
     std::optional<snapshots::Snapshot> registers; ///< the first that it has
 };
 
+bool writesGains(const record::Happening &what)
+{
+    return what.name == "ended" && std::ranges::any_of(what.fields, [](const auto &field) {
+        return record::isGain(field.first);
+    });
+}
+
+/// An experiment stays whole: what is written meanwhile counts from its end.
+void takeStretch(Survey &survey, const record::Item &item)
+{
+    const auto *happening = std::get_if<record::Happening>(&item.entry);
+    const bool begins = happening != nullptr && survey.experiments.take(*happening);
+    if (begins && survey.withOne == survey.parts.all().size())
+        survey.parts.part(item.at);
+    if (begins || (happening != nullptr && happening->name == lab::kEndEntry)) {
+        for (const record::Happening &written : std::exchange(survey.meanwhile, {}))
+            survey.parts.take(item.at, written);
+        survey.measures = begins;
+    }
+    if (survey.measures && happening != nullptr && writesGains(*happening))
+        survey.meanwhile.push_back(*happening);
+    else
+        survey.parts.take(item.at, item.entry);
+    if (begins)
+        survey.withOne = survey.parts.all().size();
+}
+
 void take(Survey &survey, const record::Item &item)
 {
-    survey.parts.take(item.at, item.entry);
+    takeStretch(survey, item);
     const auto *held = std::get_if<record::RegisterSnapshot>(&item.entry);
     if (held == nullptr || survey.registers)
         return;

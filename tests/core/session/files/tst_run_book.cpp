@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <map>
 #include <random>
 
 namespace {
@@ -158,6 +160,55 @@ private Q_SLOTS:
         QVERIFY(!session::keepStretches(folder.path(), folder.filePath(QStringLiteral("none"))));
         QVERIFY(!session::keepStretches(folder.path(), path, [](double) { return false; }));
         QCOMPARE(session::readRunBook(folder.path())->runs.size(), 2U);
+    }
+
+    /// Each run has one to tell, though its gains are the same; and has it whole, though it lends some.
+    void aRecordingIsPartedWhereAnotherExperimentBegins()
+    {
+        using record::Nanos;
+        constexpr Nanos kMilli = 1'000'000;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("long.pcapng"));
+        QString why;
+        session::RecordingFile file(
+            session::makeDiskSink(path, why), {1'700'000'000, "test", "sim"});
+        QVERIFY(file.open());
+        QVERIFY(file.add(0, record::PolledRegister{7, "BUS_VOLTAGE", "V"}));
+        const record::Happening plan{
+            "step plan", {{"motor", "1"}, {"from rpm", "1000"}, {"to rpm", "1500"}}};
+        const record::Happening end{"experiment ended", {{"outcome", "complete"}, {"reason", ""}}};
+        const auto written = [](const char *told) {
+            return record::Happening{
+                "ended", {{"wish", "1"}, {"outcome", "ok"}, {"reason", ""}, {"SPEED_KP", told}}};
+        };
+        const std::map<Nanos, record::Happening> what{{1000, plan}, {2000, end}, {3000, plan},
+            {4000, end}, {5000, written("ok, was 700, is 350")}, {5500, plan},
+            {5700, written("ok, was 350, is 90")}, {6300, written("ok, was 90, is 350")},
+            {6500, end}};
+        for (Nanos ms = 100; ms <= 7000; ms += 100) {
+            QVERIFY(file.add(ms * kMilli, record::PolledValues{{{7, ms * kMilli, 24.0}}}));
+            if (const auto at = what.find(ms); at != what.end())
+                QVERIFY(file.add(ms * kMilli, at->second));
+        }
+        QVERIFY(file.end());
+
+        const auto kept = session::keepStretches(folder.path(), path);
+        QVERIFY2(kept, kept ? "" : qPrintable(kept.error()));
+        QCOMPARE(kept->leftOut, 1); // half a second behind the last one
+        QStringList times;
+        for (const session::Run &run : kept->runs) {
+            times.append(run.plan.front().second + QLatin1Char(' ') + run.plan.back().second);
+            capture::Capture capture;
+            const auto report =
+                session::readRecording(session::recordingOf(folder.path(), run.number), capture);
+            QVERIFY(report && report->damage.empty() && !report->happenings.empty());
+            const auto plans = std::ranges::count_if(
+                report->happenings, [](const auto &one) { return one.second.name == "step plan"; });
+            QCOMPARE(int(plans), 1);
+        }
+        QCOMPARE(times,
+            (QStringList{QStringLiteral("0.000 3.000"), QStringLiteral("3.000 5.000"),
+                QStringLiteral("5.000 6.500")}));
     }
 
     void aNoteAndAStarStay()
