@@ -994,6 +994,10 @@
         <translation>der Sollwert ist jetzt vielleicht %1 rpm, er war %2 rpm</translation>
     </message>
     <message>
+        <source>%1 shows %2 rpm until the next start, it showed %3 rpm</source>
+        <translation>%1 zeigt bis zum nächsten Start %2 rpm, vorher waren es %3 rpm</translation>
+    </message>
+    <message>
         <source>%1 may hold what the experiment wrote</source>
         <translation>%1 enthält vielleicht, was der Versuch geschrieben hat</translation>
     </message>

@@ -994,6 +994,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 shows %2 rpm until the next start, it showed %3 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 may hold what the experiment wrote</source>
         <translation type="unfinished"></translation>
     </message>

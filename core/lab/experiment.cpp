@@ -76,6 +76,27 @@ record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &re
         experiment.plan);
 }
 
+Outcome joined(const Outcome &first, Outcome second)
+{
+    if (!first.reason.empty())
+        second.reason =
+            first.reason + (second.reason.empty() ? std::string() : "; " + second.reason);
+    second.leaves = first.leaves || second.leaves;
+    if (first.shows && second.shows)
+        second.shows->before_rpm = first.shows->before_rpm;
+    return second;
+}
+
+std::string shownText(const Outcome &outcome)
+{
+    const auto text = [](double rpm) { return std::to_string(std::lround(rpm)) + " rpm"; };
+    const auto &shows = outcome.shows;
+    if (!shows || text(shows->now_rpm) == text(shows->before_rpm))
+        return {};
+    return shows->name + " shows " + text(shows->now_rpm) + " until the next start, it showed "
+        + text(shows->before_rpm);
+}
+
 record::Happening entryOfEnd(const Outcome &outcome)
 {
     const char *how = outcome.end == End::Complete ? "complete" : "ended early";

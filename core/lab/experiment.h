@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -42,6 +43,14 @@ enum class End : std::uint8_t {
     Lost, ///< the link or the port went
 };
 
+/// The speed reference of a motor that rests as before: its board goes on showing the last one that was in force, until the
+/// next start. That goes where it went before.
+struct ShownReference {
+    std::string name; ///< of the register
+    double before_rpm = 0.0, now_rpm = 0.0;
+    bool operator==(const ShownReference &) const = default;
+};
+
 struct Outcome {
     End end = End::Complete;
     /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
@@ -49,8 +58,14 @@ struct Outcome {
     TimePoint at{}; ///< when it ended; the session says it
     bool swings = false; ///< it ended before it began: the speed did not come to rest
     bool leaves = false; ///< something is not as it was before, or may not be
+    std::optional<ShownReference> shows = {}; ///< empty: not known, or `reason` says more
     bool operator==(const Outcome &) const = default;
 };
+
+/// Of two in a row, the first of which was complete.
+Outcome joined(const Outcome &first, Outcome second);
+/// What shows another value than before, without a full stop; empty: nothing.
+std::string shownText(const Outcome &outcome);
 
 /// The same as an entry of its recording.
 record::Happening entryOfEnd(const Outcome &outcome);

@@ -391,6 +391,7 @@ void Runner::onRead(TimePoint now)
         return refuse("the motor is not in speed control: ask for a speed first");
     m_before_rpm = *target.rpm;
     m_beforeRamp = target.ramp.value_or(0ms);
+    m_beforeShown_rpm = shown(m_experiment.subject.registers.speedReference);
     m_before_v = shown(m_experiment.subject.registers.bus);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !near(m_status->speedRpm, m_before_rpm))
@@ -597,6 +598,17 @@ bool Runner::isAsBefore(const drive::RegisterWrite &old) const
     return at != m_values.end() && drive::sameValue(old.value, at->second);
 }
 
+/// The set-point of before, asked for at rest, is kept for the next start, and no reference until then. Only a motion would
+/// bring that back.
+std::optional<ShownReference> Runner::shownReference() const
+{
+    const drive::RegisterId id = m_experiment.subject.registers.speedReference;
+    const auto now_rpm = shown(id);
+    if (m_ran || !m_beforeShown_rpm || !now_rpm)
+        return std::nullopt;
+    return ShownReference{m_experiment.subject.nameOf(id), *m_beforeShown_rpm, *now_rpm};
+}
+
 void Runner::onCompared()
 {
     const drive::StartTarget target = startTarget();
@@ -608,6 +620,7 @@ void Runner::onCompared()
     m_lent = m_lent && !std::all_of(m_old.begin(), m_old.end(), [this](const auto &old) {
         return isAsBefore(old);
     });
+    m_soFar.shows = shownReference();
     finish();
 }
 
@@ -693,6 +706,8 @@ void Runner::finish()
     if (m_byTorque)
         say(m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
                            : "the motor is in torque control now, it was in speed control");
+    if (m_soFar.leaves)
+        m_soFar.shows.reset(); // a start goes elsewhere, too, or may
     m_outcome = m_soFar;
 }
 

@@ -97,6 +97,7 @@ private:
     bool near(std::optional<double> speed, double rpm) const;
     drive::StartTarget startTarget() const;
     bool isAsBefore(const drive::RegisterWrite &old) const;
+    std::optional<ShownReference> shownReference() const;
     bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
     Caps caps() const;
     Caps startCaps() const;
@@ -131,6 +132,7 @@ private:
     std::deque<Ask> m_restores; ///< still to be asked for
     double m_before_rpm = 0.0; ///< the set-point
     milliseconds m_beforeRamp{}; ///< in which it was to be reached
+    std::optional<double> m_beforeShown_rpm; ///< of the speed reference
     std::optional<double> m_before_v; ///< of the bus
     double m_braked =
         0.0; ///< most square of speed, rpm^2, that a step took away, and no bound was broken

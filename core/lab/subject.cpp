@@ -97,7 +97,8 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor),
         .integral = idOf(catalog, "SPEED_KI", motor),
         .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor),
-        .startUp = idOf(catalog, "REVUP_DATA", motor)};
+        .startUp = idOf(catalog, "REVUP_DATA", motor),
+        .speedReference = idOf(catalog, "SPEED_REF", motor)};
     if (board.streaming.maxSignals < 4 || found.registers.reference == 0
         || found.registers.current == 0 || found.registers.speed == 0)
         return fail(std::string("This board does not record the speed and the current of its motor "

@@ -23,6 +23,7 @@ struct Registers {
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
     drive::RegisterId startUp =
         0; ///< the stages of a start without a sensor; written, not recorded
+    drive::RegisterId speedReference = 0; ///< in force, rpm; read with the set-point
 };
 
 /// What the angle's register is called tells its sensor.

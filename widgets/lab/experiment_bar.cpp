@@ -95,12 +95,15 @@ void ExperimentBar::makeRow(const char *prefix)
 QString ExperimentBar::endText(const lab::Outcome &outcome)
 {
     const QString reason = labText(outcome.reason);
+    const std::string shown = lab::shownText(outcome);
+    const QString behind = shown.empty() ? QString() : QLatin1Char(' ') + labSentence(shown);
     switch (outcome.end) {
     case lab::End::Complete:
-        return reason.isEmpty() ? tr("Done; the motor is as it was.")
-                                : tr("Done; afterwards: %1.").arg(reason);
+        return (reason.isEmpty() ? tr("Done; the motor is as it was.")
+                                 : tr("Done; afterwards: %1.").arg(reason))
+            + behind;
     case lab::End::Refused:
-        return tr("Not carried out: %1.").arg(reason);
+        return tr("Not carried out: %1.").arg(reason) + behind;
     case lab::End::Aborted:
         return tr("Ended with a Stop: %1.").arg(reason);
     case lab::End::Interrupted:

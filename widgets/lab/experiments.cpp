@@ -85,8 +85,7 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
     m_parts = std::move(parts);
     m_part = 0;
     m_before_rpm = before_rpm;
-    m_said.clear();
-    m_leaves = false;
+    m_over = {};
     const TimePoint now = m_clock();
     Q_EMIT began();
     if (const auto made = m_device.madeAt(); made && now - *made > drive::kWishExpiresAfter)
@@ -132,12 +131,9 @@ void Experiments::end(const lab::Outcome &outcome)
     if (!running())
         return;
     note(outcome.at, lab::entryOfEnd(outcome));
-    lab::Outcome all = outcome;
-    all.reason = m_said.empty() || outcome.reason.empty() ? m_said + outcome.reason
-                                                          : m_said + "; " + outcome.reason;
-    m_leaves = all.leaves = m_leaves || outcome.leaves;
+    lab::Outcome all = lab::joined(m_over, outcome);
     if (all.end == lab::End::Complete && m_part + 1 < m_parts.size()) {
-        m_said = all.reason;
+        m_over = all;
         ++m_part;
         if (agreed(m_parts[m_part].experiment, m_before_rpm))
             return beginPart(m_clock());

@@ -81,8 +81,7 @@ private:
     std::vector<Part> m_parts;
     std::size_t m_part = 0;
     double m_before_rpm = 0.0;
-    std::string m_said; ///< of those that are over
-    bool m_leaves = false; ///< one of them does
+    lab::Outcome m_over; ///< of the parts that are
     std::shared_ptr<Record> m_record; ///< of what is running
     std::unique_ptr<record::Restorer> m_restorer;
     unsigned m_number = 0;

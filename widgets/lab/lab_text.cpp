@@ -73,6 +73,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "every motor is being stopped"),
     QT_TRANSLATE_NOOP("Lab", "the set-point is %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm now, it was %2 rpm"),
+    QT_TRANSLATE_NOOP("Lab", "%1 shows %2 rpm until the next start, it showed %3 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 may hold what the experiment wrote"),
     QT_TRANSLATE_NOOP("Lab", "what it held before comes back with: rotorscope-cli set %1"),
     QT_TRANSLATE_NOOP("Lab",

@@ -58,13 +58,16 @@ Outcome<QString> ExperimentRun::record(
         return tl::make_unexpected(outcome.error());
     m_swings = outcome->swings;
     const QString reason = text(outcome->reason);
+    QStringList all{reason, text(lab::shownText(*outcome))}; // where the motor came back
+    all.removeAll(QString());
+    const QString said = all.join(QStringLiteral("; "));
     switch (outcome->end) {
     case lab::End::Complete:
-        if (!reason.isEmpty())
-            Output::error(QStringLiteral("Afterwards: %1.").arg(reason));
+        if (!said.isEmpty())
+            Output::error(QStringLiteral("Afterwards: %1.").arg(said));
         return m_path;
     case lab::End::Refused:
-        return failure(kRefused, QStringLiteral("The experiment ended: %1.").arg(reason));
+        return failure(kRefused, QStringLiteral("The experiment ended: %1.").arg(said));
     case lab::End::Aborted:
         return tl::make_unexpected(
             stopped({kAborted, QStringLiteral("The experiment was ended: %1.").arg(reason)}));
@@ -111,11 +114,7 @@ Outcome<lab::Outcome> ExperimentRun::runAll(
         if (!outcome)
             return outcome;
         recording.add(outcome->at, lab::entryOfEnd(*outcome));
-        const std::string before = all.reason.empty() ? std::string() : all.reason + "; ";
-        const bool left = all.leaves;
-        all = *outcome;
-        all.reason = before + all.reason;
-        all.leaves = left || all.leaves;
+        all = lab::joined(all, *outcome);
         if (all.end != lab::End::Complete)
             break;
     }

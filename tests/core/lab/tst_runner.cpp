@@ -18,6 +18,8 @@ class TestRunner : public QObject {
 private Q_SLOTS:
     void aStandingMotorIsStartedSteppedAndStopped();
     void aRunningMotorGoesBackToItsSpeed();
+    void whatABoardAtRestGoesOnShowingIsSaid();
+    void severalInARowHaveOneOutcome();
     void aStepThatIsAskedForTwiceIsOneRun();
     void whatMovedNothingIsLeftOut();
     void theSetPointOfBeforeIsNoStep();
@@ -106,11 +108,62 @@ void TestRunner::aRunningMotorGoesBackToItsSpeed()
     const lab::Outcome outcome = bench.run();
     VERIFY_END(outcome, End::Complete);
     QCOMPARE(outcome.reason, std::string());
+    QVERIFY(!outcome.shows);
     QVERIFY(bench.pair.board->truth(1).driven);
     QVERIFY2(std::abs(bench.pair.board->truth(1).rpm - 1800.0) < 60.0,
         qPrintable(QString::number(bench.pair.board->truth(1).rpm)));
     for (const Command &command : bench.asked<Command>())
         QVERIFY(command.action != MotorAction::Start && command.action != MotorAction::StopMotor);
+}
+
+/// Its start goes where it went before, and nothing is moved for the sake of a register.
+void TestRunner::whatABoardAtRestGoesOnShowingIsSaid()
+{
+    LabBench bench;
+    const RegisterId reference = bench.experiment.subject.registers.speedReference;
+    const Bytes before = setPoint(bench);
+    const double showed = bench.number(reference);
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY(outcome.reason.empty() && !outcome.leaves);
+    QVERIFY(bench.pair.runUntilState(MotorState::Idle));
+    QCOMPARE(setPoint(bench), before);
+    const double shows = bench.number(reference);
+    QCOMPARE(shows, 996.0); // the last step, in digits of 6 rpm
+    QVERIFY(showed != shows);
+    QVERIFY((outcome.shows == lab::ShownReference{"SPEED_REF", showed, shows}));
+    QVERIFY2(lab::shownText(outcome).starts_with("SPEED_REF shows 996 rpm until the next start"),
+        lab::shownText(outcome).c_str());
+
+    const lab::Outcome again = bench.run(); // it shows the same before and afterwards
+    VERIFY_END(again, End::Complete);
+    QVERIFY(again.shows && lab::shownText(again).empty());
+}
+
+void TestRunner::severalInARowHaveOneOutcome()
+{
+    const auto shows = [](double before_rpm, double now_rpm) {
+        lab::Outcome outcome;
+        outcome.shows = lab::ShownReference{"SPEED_REF", before_rpm, now_rpm};
+        return outcome;
+    };
+    lab::Outcome left;
+    left.reason = "left";
+    left.leaves = true;
+    QVERIFY(lab::joined({}, left) == left);
+    QVERIFY(lab::joined(left, {}) == left);
+    lab::Outcome stopped;
+    stopped.end = End::Aborted;
+    stopped.reason = "stopped";
+    const lab::Outcome both = lab::joined(left, stopped);
+    QVERIFY(both.end == End::Aborted && both.leaves);
+    QCOMPARE(both.reason, std::string("left; stopped"));
+    QVERIFY(lab::joined(shows(0, 900), shows(900, 1200)) == shows(0, 1200));
+    QVERIFY(lab::joined({}, shows(0, 900)) == shows(0, 900));
+    QVERIFY(!lab::joined(shows(0, 900), left).shows); // nobody has read it since
+    QCOMPARE(lab::shownText(shows(900, 1200)),
+        std::string("SPEED_REF shows 1200 rpm until the next start, it showed 900 rpm"));
+    QCOMPARE(lab::shownText(lab::joined(shows(900, 0), shows(0, 900))), std::string());
 }
 
 /// What is read before it is sent got no answer: it is asked for again. That moved nothing, and is no run of the series.

@@ -122,6 +122,10 @@ void TestLabText::theyAreGerman_data()
         << QStringLiteral("SPEED_KP enthält vielleicht, was der Versuch geschrieben hat; was "
                           "vorher darin stand, kommt zurück mit: rotorscope-cli set SPEED_KP=500 "
                           "SPEED_KI=30");
+    QTest::newRow("what a board goes on showing")
+        << "SPEED_REF shows 996 rpm until the next start, it showed 1380 rpm"
+        << QStringLiteral(
+               "SPEED_REF zeigt bis zum nächsten Start 996 rpm, vorher waren es 1380 rpm");
     QTest::newRow("of a session") << "every motor was stopped"
                                   << "jeder Motor wurde gestoppt";
     QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"

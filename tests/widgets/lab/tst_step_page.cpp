@@ -157,6 +157,22 @@ private Q_SLOTS:
         QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
     }
 
+    /// A register that goes on showing another value is named, and takes nothing from what was restored.
+    void whatABoardGoesOnShowingIsSaid()
+    {
+        lab::Outcome outcome;
+        outcome.shows = lab::ShownReference{"SPEED_REF", 1380.0, 996.0};
+        const QString shows =
+            QStringLiteral(" SPEED_REF shows 996 rpm until the next start, it showed 1380 rpm.");
+        using widgets::ExperimentBar;
+        QCOMPARE(ExperimentBar::endText(outcome),
+            QStringLiteral("Done; the motor is as it was.") + shows);
+        outcome.end = lab::End::Refused;
+        outcome.reason = "the start: it was refused";
+        QCOMPARE(ExperimentBar::endText(outcome),
+            QStringLiteral("Not carried out: the start: it was refused.") + shows);
+    }
+
     void whatIsOfferedRuns_data()
     {
         QTest::addColumn<QString>("motor");
