@@ -219,11 +219,13 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
         return "it does not tell the nominal current of the motor";
     constexpr double kLeastRange = 0.2; // of the nominal current
     constexpr double kSlice_s = 0.5e-3;
+    const std::vector<Segment> driven = segmentsFor(spin, capture, span->from, span->to, false);
+    if (driven.empty())
+        return "it holds no samples of the signals that it needs";
     constexpr double kFullScale = 32767.0; // of a phase: bus / sqrt(3)
     parts.bus_v =
         fastChannel(capture, spin.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
-    const std::vector<Segment> segments = whileTurning(
-        segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin));
+    const std::vector<Segment> segments = whileTurning(driven, leastTurning_degPerS(spin));
     const Turning fine = turningFrom(segments, kSlice_s);
     if (!(rangeAlongD(fine.slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";

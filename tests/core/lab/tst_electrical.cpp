@@ -390,6 +390,23 @@ private Q_SLOTS:
             evaluateElectrics(nothing, {{1, entryOf(fluxPlanFor(subject, {}), subject, {})}});
         QVERIFY(!turning && turning.error().find("never driven") != std::string::npos);
     }
+
+    /// As a file with a damaged layout: what it was to be driven by is there, and the samples of it are not.
+    void aRecordingWithoutItsVoltageIsToldSo()
+    {
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const record::Happening whole = entryOf(fluxPlanFor(subject, {}), subject, {});
+        record::Happening nameless = whole;
+        std::erase_if(nameless.fields, [](const auto &field) { return field.first == "voltage"; });
+        const record::Happening driven{"current reference", {{"motor", "1"}}};
+        for (const record::Happening &plan : {whole, nameless}) {
+            const auto found = evaluateElectrics(capture::Capture(), {{1, plan}, {2, driven}});
+            QVERIFY(!found);
+            QCOMPARE(
+                found.error(), std::string("it holds no samples of the signals that it needs"));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(TestElectrical)
