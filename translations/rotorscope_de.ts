@@ -1270,12 +1270,20 @@
         <translation>sie nennt den Nennstrom des Motors nicht</translation>
     </message>
     <message>
+        <source>it holds too few samples of the turning motor without a gap, or they are too far apart</source>
+        <translation>sie enthält zu wenige Messwerte des drehenden Motors ohne Lücke, oder sie liegen zu weit auseinander</translation>
+    </message>
+    <message>
         <source>while it turned the current along the magnets hardly changed</source>
         <translation>während er drehte, änderte sich der Strom längs der Magnete kaum</translation>
     </message>
     <message>
         <source>while it turned no inductance follows from the voltages</source>
         <translation>während er drehte, folgt aus den Spannungen keine Induktivität</translation>
+    </message>
+    <message>
+        <source>its samples are too far apart to tell the inductance across the magnets, which only jumps of the current tell</source>
+        <translation>ihre Messwerte liegen zu weit auseinander, um die Induktivität quer zu den Magneten zu zeigen, die nur Sprünge des Stroms verraten</translation>
     </message>
     <message>
         <source>it turned too slowly to tell the inductance along the magnets</source>

@@ -1266,11 +1266,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>it holds too few samples of the turning motor without a gap, or they are too far apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>while it turned the current along the magnets hardly changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>while it turned no inductance follows from the voltages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its samples are too far apart to tell the inductance across the magnets, which only jumps of the current tell</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -6,7 +6,7 @@
 namespace widgets {
 namespace {
 
-bool whole(const lab::Electrics &found) { return found.rs_ohm && found.ld_h; }
+bool whole(const lab::Electrics &found) { return lab::lackOf(found).empty(); }
 bool whole(const lab::Mechanics &) { return true; }
 
 QString notConclusive(const QString &why)

@@ -181,8 +181,13 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "at rest no two different currents were held for long enough"),
     QT_TRANSLATE_NOOP("Lab", "at rest no resistance follows from the voltages"),
     QT_TRANSLATE_NOOP("Lab", "it does not tell the nominal current of the motor"),
+    QT_TRANSLATE_NOOP("Lab",
+        "it holds too few samples of the turning motor without a gap, or they are too far apart"),
     QT_TRANSLATE_NOOP("Lab", "while it turned the current along the magnets hardly changed"),
     QT_TRANSLATE_NOOP("Lab", "while it turned no inductance follows from the voltages"),
+    QT_TRANSLATE_NOOP("Lab",
+        "its samples are too far apart to tell the inductance across the magnets, which only jumps "
+        "of the current tell"),
     QT_TRANSLATE_NOOP("Lab", "it turned too slowly to tell the inductance along the magnets"),
     QT_TRANSLATE_NOOP("Lab",
         "what the dead time takes cannot be told from the resistance: currents swung through zero "

@@ -135,14 +135,28 @@ double rangeAlongD(const std::vector<TurningSlices> &slices)
 struct Turning {
     std::vector<TurningSlices> slices;
     double aside_rad = 0.0;
+    bool seesJumps = true; ///< of the current: samples are near enough to each other
 };
 
-Turning turningFrom(const std::vector<Segment> &segments, double slice_s)
+/// In slices of half a millisecond, or of two samples where these are further apart, as those of slow links.
+/// @param times  of that
+Turning turningFrom(const std::vector<Segment> &segments, double times)
 {
+    constexpr double kSlice_s = 0.5e-3, kLeastSamples = 2.0;
+    // A voltage that makes a current jump is over within a millisecond: of samples further apart hardly one is in it.
+    constexpr double kNear_s = 0.34e-3;
+    constexpr double kFarthest_s = 1.1e-3; // those of a link of 115200 baud
     Turning turning;
-    for (const Segment &segment : segments)
-        if (TurningSlices one = slicesOf(segment, slice_s); !one.all.empty())
-            turning.slices.push_back(std::move(one));
+    for (const Segment &segment : segments) {
+        if (segment.step_s > kFarthest_s)
+            continue;
+        TurningSlices one =
+            slicesOf(segment, times * std::max(kSlice_s, kLeastSamples * segment.step_s));
+        if (one.all.empty())
+            continue;
+        turning.seesJumps = turning.seesJumps && segment.step_s <= kNear_s;
+        turning.slices.push_back(std::move(one));
+    }
     turning.aside_rad = rotorSpeeds(turning.slices);
     return turning;
 }
@@ -160,10 +174,13 @@ void takeAside(Electrics &found, double aside_rad)
     const double angle_deg = std::abs(aside_rad) * 180.0 / std::numbers::pi;
     for (double *value : {&found.flux_wb->value, &*found.flux_wb->low, &*found.flux_wb->high})
         *value /= std::cos(aside_rad);
-    const double mixed =
-        std::sin(std::abs(aside_rad)) * std::abs(found.lq_h->value / found.ld_h->value - 1.0);
+    constexpr double kAnyDiffer = 1.0; // where Lq is not told: twice Ld is much
+    const double differ =
+        found.lq_h ? std::abs(found.lq_h->value / found.ld_h->value - 1.0) : kAnyDiffer;
+    const double mixed = std::sin(std::abs(aside_rad)) * differ;
     found.ld_h = withScale(*found.ld_h, mixed);
-    found.lq_h = withScale(*found.lq_h, mixed);
+    if (found.lq_h)
+        found.lq_h = withScale(*found.lq_h, mixed);
     if (angle_deg > kNoticed_deg)
         found.notes.push_back("the board takes its rotor for " + decimalText(angle_deg, 2)
             + " electrical degrees beside where it is, as after an alignment against friction: its "
@@ -218,7 +235,6 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     if (!(spin.nominalAmps > 0.0))
         return "it does not tell the nominal current of the motor";
     constexpr double kLeastRange = 0.2; // of the nominal current
-    constexpr double kSlice_s = 0.5e-3;
     const std::vector<Segment> driven = segmentsFor(spin, capture, span->from, span->to, false);
     if (driven.empty())
         return "it holds no samples of the signals that it needs";
@@ -226,21 +242,29 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     parts.bus_v =
         fastChannel(capture, spin.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
     const std::vector<Segment> segments = whileTurning(driven, leastTurning_degPerS(spin));
-    const Turning fine = turningFrom(segments, kSlice_s);
+    const Turning fine = turningFrom(segments, 1.0), longer = turningFrom(segments, 2.0);
+    if (fine.slices.empty() || longer.slices.empty())
+        return "it holds too few samples of the turning motor without a gap, or they are too far "
+               "apart";
     if (!(rangeAlongD(fine.slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";
     Electrics &found = parts.found;
     const bool hall = byHall(spin.angle);
     const auto fitTo = [&](const std::vector<TurningSlices> &rows) {
         return turningFit(rows, {parts.bus_v, spin.nominalAmps},
-            found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt, hall);
+            found.rs_ohm ? std::optional(found.rs_ohm->value) : std::nullopt,
+            hall || !fine.seesJumps);
     };
-    const auto fit = fitTo(fine.slices),
-               coarse = fitTo(turningFrom(segments, 2.0 * kSlice_s).slices);
-    if (!fit || !coarse)
+    const auto fit = fitTo(fine.slices), coarse = fitTo(longer.slices);
+    if (!fit || !coarse || (fine.seesJumps && !(fit->lq_h && coarse->lq_h)))
         return "while it turned no inductance follows from the voltages";
     found.ld_h = withLength(withScale(fit->ld_h, hall ? kAlongByHall : kAlong), coarse->ld_h);
-    found.lq_h = withLength(withScale(fit->lq_h, hall ? kJumpByHall : kJump), coarse->lq_h);
+    if (fine.seesJumps)
+        found.lq_h = withLength(withScale(*fit->lq_h, hall ? kJumpByHall : kJump), *coarse->lq_h);
+    else
+        found.notes.emplace_back(
+            "its samples are too far apart to tell the inductance across the magnets, which only "
+            "jumps of the current tell");
     found.flux_wb = withLength(withScale(fit->flux_wb, kVoltageScale), coarse->flux_wb);
     double fastest = 0.0;
     for (const TurningSlices &one : fine.slices)
@@ -248,7 +272,8 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
             fastest = std::max(fastest, std::abs(slice.rotorSpeed));
     const double turn_rad = fastest * fine.slices.front().period_s;
     if (const double unsure = seldomSeen(turn_rad); unsure > 0.0) {
-        found.lq_h = withScale(*found.lq_h, unsure);
+        if (found.lq_h)
+            found.lq_h = withScale(*found.lq_h, unsure);
         found.notes.push_back(seldomSeenNote(turn_rad));
     }
     if (byEncoder(spin.angle))

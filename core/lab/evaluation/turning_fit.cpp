@@ -105,7 +105,7 @@ struct BestFit {
 /// the dead time takes: swings are tried, shares of the nominal current, and those that fit the inductance count. The loops may
 /// run once in several PWM periods.
 std::optional<BestFit> bestFit(const std::vector<TurningSlices> &slices, const Bridge &bridge,
-    std::optional<double> rs_ohm, bool angleJumps)
+    std::optional<double> rs_ohm, bool allTellLq)
 {
     constexpr double kFirstShare = 0.005, kLastShare = 1.5, kNext = 1.25;
     constexpr double kMostPeriods = 4.0, kFits = 1.3;
@@ -132,7 +132,7 @@ std::optional<BestFit> bestFit(const std::vector<TurningSlices> &slices, const B
         best = fit;
         periods = std::clamp(std::round(many), 1.0, kMostPeriods);
     }
-    rows = rowsOf(slices, angleJumps ? 0.0 : leastJump(slices), 1);
+    rows = rowsOf(slices, allTellLq ? 0.0 : leastJump(slices), 1);
     double swing_a = 0.0;
     for (int round = 0; round < 2 && best && best->values[kAlongD] > 0.0; ++round) {
         swing_a = swingOf(*best) / periods;
@@ -164,20 +164,25 @@ Estimate unknownOf(const BestFit &found, std::size_t unknown)
 } // namespace
 
 std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, const Bridge &bridge,
-    std::optional<double> rs_ohm, bool angleJumps)
+    std::optional<double> rs_ohm, bool allTellLq)
 {
     if (slices.empty())
         return std::nullopt;
-    const auto best = bestFit(slices, bridge, rs_ohm, angleJumps);
+    const auto best = bestFit(slices, bridge, rs_ohm, allTellLq);
     if (!best)
         return std::nullopt;
     const Row &values = best->fit.values;
-    if (!(values[kAlongD] > 0.0) || !(values[kAlongQ] > 0.0) || !(values[kMagnets] > 0.0))
+    if (!(values[kAlongD] > 0.0) || !(values[kMagnets] > 0.0))
         return std::nullopt;
     const double ohm = rs_ohm.value_or(values[kRs]), period_s = slices.front().period_s;
-    return TurningFit{bent(unknownOf(*best, kAlongD), ohm, period_s),
-        bent(unknownOf(*best, kAlongQ), ohm, period_s), unknownOf(*best, kMagnets), best->swing_a,
-        best->fit.estimate(kLoss)};
+    TurningFit found{.ld_h = bent(unknownOf(*best, kAlongD), ohm, period_s),
+        .flux_wb = unknownOf(*best, kMagnets),
+        .lq_h = {},
+        .swing_a = best->swing_a,
+        .lost_v = best->fit.estimate(kLoss)};
+    if (values[kAlongQ] > 0.0)
+        found.lq_h = bent(unknownOf(*best, kAlongQ), ohm, period_s);
+    return found;
 }
 
 } // namespace lab

@@ -1,10 +1,14 @@
 // Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals; and that a motor is afterwards what it was.
+#include "base/random.h"
 #include "base/text.h"
 #include "core/lab/fast_motor.h"
 #include "lab/evaluation/finding.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
+
+#include <array>
+#include <numbers>
 
 using namespace lab;
 using simulation::PlantParameters;
@@ -62,6 +66,77 @@ void startUpIsInterrupted(LabBench &bench)
     QVERIFY(bench.runUntil([&] { return !bench.asked<drive::Command>().empty(); }));
     bench.runner->interrupt("somebody stopped the motor");
 }
+
+/// A motor whose currents jump while it goes between two speeds, without noise or dead time: its voltages are those of its
+/// equation, so what is told of it is what the samples leave.
+struct DrawnSpin {
+    static constexpr double kRs_ohm = 0.2, kInductance_h = 0.4e-3, kFlux_wb = 6e-3;
+    static constexpr double kTick_hz = 16000.0;
+    int every = 1; ///< control periods a sample
+
+    Result<Electrics, std::string> evaluated(const Subject &subject) const
+    {
+        const record::Happening plan = entryOf(fluxPlanFor(subject, {}), subject, {});
+        const auto motor = recordedPlan<SpinPlan>(plan);
+        if (!motor)
+            return fail(std::string("it is no plan"));
+        constexpr double kAmps = 1e-3, kDegrees = 180.0 / 32768.0;
+        const double volts = 24.0 / (32767.0 * std::numbers::sqrt3);
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = kTick_hz;
+        layout.fastStep = static_cast<std::uint32_t>(every);
+        layout.fast = {{1, motor->angle, "deg", kDegrees}, {2, motor->current, "A", kAmps},
+            {3, motor->currentD, "A", kAmps}, {4, motor->voltage, "V", volts}};
+        capture::Capture capture;
+        capture.begin(layout);
+        std::array<std::vector<std::int16_t>, 4> columns;
+        const auto put = [&columns](std::size_t column, double digits) {
+            columns[column].push_back(static_cast<std::int16_t>(std::lround(digits)));
+        };
+        constexpr int kTicks = 8 * 16000;
+        constexpr int kJump = 811; // 50 ms, each time at another place between two samples
+        constexpr double kPeriod_s = 1.0 / kTick_hz, kRise_s = 0.5e-3; // as a current loop
+        constexpr double kLow = 900.0, kHigh = 1200.0; // rad/s electrical
+        constexpr double kPush = 500.0, kHold_a = 1.0; // rad/s^2 for each ampere above it
+        Draw draw(1);
+        double q = kHold_a, d = 0.0, wantedQ = 0.0, wantedD = 0.0, speed = kLow, angle = 0.0;
+        bool pushes = true, above = false;
+        for (int tick = 0; tick < kTicks; ++tick) {
+            pushes = pushes ? speed <= kHigh : speed < kLow;
+            if (tick % kJump == 0) {
+                above = !above;
+                wantedD = (above ? 1.0 : -1.0) * draw.between(0.2, 0.4) * motor->nominalAmps;
+                wantedQ = (pushes ? 2.0 : 0.4) + draw.between(-0.4, 0.4);
+            }
+            const double nextQ = q + (wantedQ - q) * kPeriod_s / kRise_s;
+            const double nextD = d + (wantedD - d) * kPeriod_s / kRise_s;
+            if (tick % every == 0) {
+                put(0, std::remainder(std::floor(angle / std::numbers::pi * 32768.0), 65536.0));
+                put(1, q / kAmps);
+                put(2, d / kAmps);
+                const double turns = kInductance_h * (d + nextD) / 2.0 + kFlux_wb;
+                put(3,
+                    (kRs_ohm * (q + nextQ) / 2.0 + kInductance_h * (nextQ - q) / kPeriod_s
+                        + speed * turns)
+                        / volts);
+            }
+            speed += kPush * (q - kHold_a) * kPeriod_s;
+            angle += speed * kPeriod_s;
+            q = nextQ;
+            d = nextD;
+        }
+        capture::SampleBlock block;
+        block.stream = layout.id;
+        block.count = static_cast<std::uint32_t>(columns[0].size());
+        for (const auto &column : columns)
+            block.fast.insert(block.fast.end(), column.begin(), column.end());
+        capture.append(block);
+        const record::Happening driven{
+            "current reference", {{"motor", std::to_string(subject.motor)}}};
+        return evaluateElectrics(capture, {{-2, plan}, {-1, driven}});
+    }
+};
 
 } // namespace
 
@@ -218,6 +293,48 @@ private Q_SLOTS:
         verifyWithin("Ld", found->ld_h, motor.ld_h, 6.0);
         verifyWithin("Lq", found->lq_h, motor.lq_h, 40.0);
         verifyWithin("flux", found->flux_wb, motor.flux_wb, 1.5);
+    }
+
+    /// Of 16 kHz a link of 1.8 Mbaud carries each sample, one of 230400 and 115200 baud every eighth and fifteenth. What makes
+    /// the current jump is over between two of those, and Lq would read anything below its value.
+    void slowLinksTellWhatTheyCan_data()
+    {
+        QTest::addColumn<int>("every");
+        QTest::addColumn<bool>("told"); ///< Lq is
+        QTest::newRow("every sample") << 1 << true;
+        QTest::newRow("a sample in half a millisecond") << 8 << false;
+        QTest::newRow("a sample in a millisecond") << 15 << false;
+    }
+    void slowLinksTellWhatTheyCan()
+    {
+        QFETCH(const int, every);
+        QFETCH(const bool, told);
+        const LabBench bench;
+        const auto found = DrawnSpin{every}.evaluated(bench.experiment.subject);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        verifyWithin("Ld", found->ld_h, DrawnSpin::kInductance_h, 1.0);
+        verifyWithin("flux", found->flux_wb, DrawnSpin::kFlux_wb, 1.0);
+        if (told)
+            verifyWithin("Lq", found->lq_h, DrawnSpin::kInductance_h, 1.0);
+        QCOMPARE(found->lq_h.has_value(), told);
+        QCOMPARE(found->notes.empty(), told);
+        if (!told)
+            QVERIFY2(found->notes.front().find("samples are too far apart") != std::string::npos,
+                found->notes.front().c_str());
+        Electrics alsoAtRest = *found;
+        alsoAtRest.rs_ohm = {DrawnSpin::kRs_ohm, {}, {}};
+        QCOMPARE(lackOf(alsoAtRest).empty(), told);
+    }
+
+    void samplesTooFarApartAreToldSo()
+    {
+        const LabBench bench;
+        for (const int every : {30, 3000}) {
+            const auto found = DrawnSpin{every}.evaluated(bench.experiment.subject);
+            QVERIFY(!found);
+            QVERIFY2(
+                found.error().find("too far apart") != std::string::npos, found.error().c_str());
+        }
     }
 
     /// Heavy as it is, it swings on when its encoder has been aligned.
