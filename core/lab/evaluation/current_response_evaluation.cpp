@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace lab {
@@ -27,12 +28,19 @@ constexpr double kGainError = 0.015;
 struct Span {
     Nanos from = 0, to = 0;
     bool any = false, left = false, over = false;
+    bool commanded = false; ///< by anything since the plan
+    Nanos changed = std::numeric_limits<Nanos>::max(); ///< when the gains were, first
     std::string reason; ///< why it ended early
 
-    void take(Nanos at, const record::Happening &what, int motor)
+    void take(Nanos at, const record::Happening &what, const Recorded<ResponsePlan> &plan)
     {
         const bool ramp = what.name == "speed ramp";
-        const bool step = ramp && numberOf(what, "motor") == motor && numberOf(what, "ms") == 0.0;
+        const bool step =
+            ramp && numberOf(what, "motor") == plan.motor && numberOf(what, "ms") == 0.0;
+        // What the plan lends is written before the first command, and given back behind the last set-point.
+        const bool lends = plan.plan.kp > 0 && !commanded;
+        if (!lends && changesGains(plan.motor, what))
+            changed = std::min(changed, at);
         over = what.name == kEndEntry;
         const bool leaves =
             over || ramp || what.name == "command" || what.name == "stop" || endsLink(what);
@@ -42,6 +50,7 @@ struct Span {
         if (any && !left && leaves)
             to = at;
         left = left || (any && !step && leaves);
+        commanded = commanded || leaves;
         if (over && what.field("outcome") != "complete")
             reason = what.field("reason");
     }
@@ -118,12 +127,10 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         return fail(std::string("it holds no samples of the signals that it needs"));
     Span span;
     for (auto at = after.begin(); at != after.end() && !span.over; ++at)
-        span.take(at->first, at->second, plan->motor);
+        span.take(at->first, at->second, *plan);
     if (!span.any)
         return fail(std::string("the set-point was never moved in it"));
-    if (std::ranges::any_of(after, [&, motor = plan->motor](const auto &one) {
-            return one.first <= span.to && changesGains(motor, one.second);
-        }))
+    if (span.changed <= span.to)
         return fail(std::string(kGainsChanged));
     const std::vector<Segment> segments = segmentsOf(*angle, others, span.from, span.to);
     if (segments.empty())

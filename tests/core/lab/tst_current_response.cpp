@@ -191,6 +191,44 @@ private Q_SLOTS:
         QVERIFY(early.found && early.found->notes.size() == 2);
     }
 
+    /// As of the speed: what the plan itself lends and gives back are the gains that it is measured with.
+    void changedGainsAreNoLoop_data()
+    {
+        QTest::addColumn<bool>("lent"); // three quarters of the gains
+        QTest::addColumn<bool>("changes"); // while the set-point moves
+        QTest::newRow("changed") << false << true;
+        QTest::newRow("lent ones, given back") << true << false;
+        QTest::newRow("lent ones, changed") << true << true;
+    }
+    void changedGainsAreNoLoop()
+    {
+        QFETCH(const bool, lent);
+        QFETCH(const bool, changes);
+        LabBench bench;
+        const Registers &registers = bench.experiment.subject.registers;
+        ResponsePlan plan = currentResponsePlanFor(bench.experiment.subject, {});
+        const int kp = int(bench.number(registers.gain)),
+                  ki = int(bench.number(registers.integral));
+        if (lent) {
+            plan.kp = 3 * kp / 4;
+            plan.ki = 3 * ki / 4;
+        }
+        bench.experiment.plan = plan;
+        constexpr std::size_t kInTheMiddle = 40; // ramps and set-points
+        bool written = !changes;
+        bench.eachTurn = [&] {
+            if (!written && bench.asked<drive::SpeedRamp>().size() > kInTheMiddle) {
+                written = true;
+                bench.pair.submit(drive::Write{
+                    {{registers.gain, std::int64_t{kp / 2}}}, drive::Reach::Parameters});
+            }
+        };
+        const Outcome outcome = bench.run();
+        QVERIFY2(outcome.end == End::Complete, qPrintable(support::outcomeText(outcome)));
+        const auto found = evaluateCurrentResponse(bench.capture, bench.happenings);
+        QCOMPARE(found ? std::string() : found.error(), changes ? kGainsChanged : std::string());
+    }
+
     /// One plan, two questions: each recording answers its own.
     void aSpeedsResponseIsNoCurrents()
     {
