@@ -1246,6 +1246,10 @@
         <translation>die Spannungen sprechen für Magnete von %1 mWb, das Board nennt %2 mWb (%3 %): den Spannungen wurde geglaubt; vielleicht stimmt der Winkel des Rotors nicht, wie nach einem Ausrichten gegen Reibung</translation>
     </message>
     <message>
+        <source>by what its currents do to its speed, the board takes its rotor for more than 60 electrical degrees beside where it is: its flux is not told</source>
+        <translation>gemessen an dem, was seine Ströme mit der Drehzahl machen, hält das Board seinen Rotor für mehr als 60 elektrische Grad neben dem, wo er ist: sein Fluss wird nicht genannt</translation>
+    </message>
+    <message>
         <source>the rotor all but stood for %1 s of it, which count for nothing</source>
         <translation>der Rotor stand %1 s davon fast still, die nicht zählen</translation>
     </message>

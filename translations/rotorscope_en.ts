@@ -1242,6 +1242,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>by what its currents do to its speed, the board takes its rotor for more than 60 electrical degrees beside where it is: its flux is not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the rotor all but stood for %1 s of it, which count for nothing</source>
         <translation type="unfinished"></translation>
     </message>

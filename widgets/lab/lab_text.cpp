@@ -166,6 +166,9 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "the board takes its rotor for %1 electrical degrees beside where it is, as after an "
         "alignment against friction: its magnets were counted by that"),
+    QT_TRANSLATE_NOOP("Lab",
+        "by what its currents do to its speed, the board takes its rotor for more than 60 "
+        "electrical degrees beside where it is: its flux is not told"),
     QT_TRANSLATE_NOOP("Lab", "the rotor all but stood for %1 s of it, which count for nothing"),
     QT_TRANSLATE_NOOP("Lab", "%1 % of the samples do not fit the others and count for nothing"),
     QT_TRANSLATE_NOOP("Lab",

@@ -281,7 +281,7 @@ void TourPage::showStation(Step step)
         return texts.join(QStringLiteral(", "));
     };
     if (step == TourSteps::Windings) {
-        const bool all = measured.rs_ohm && measured.ld_h && measured.lq_h;
+        const bool all = measured.rs_ohm && measured.ld_h && measured.lq_h && measured.flux_wb;
         const QString figures = list(
             {MotorFindings::Resistance, MotorFindings::Ld, MotorFindings::Lq, MotorFindings::Flux});
         m_steps.set(step, all ? State::Done : State::Unclear,

@@ -171,17 +171,27 @@ Estimate withLength(const Estimate &found, const Estimate &coarse)
 void takeAside(Electrics &found, double aside_rad)
 {
     constexpr double kNoticed_deg = 8.0; // 1 % of the flux
+    constexpr double kMost_deg = 60.0; // there a degree changes the flux by 3 %, and beyond by more
     const double angle_deg = std::abs(aside_rad) * 180.0 / std::numbers::pi;
-    for (double *value : {&found.flux_wb->value, &*found.flux_wb->low, &*found.flux_wb->high})
-        *value /= std::cos(aside_rad);
+    const bool told = angle_deg <= kMost_deg;
+    if (told)
+        for (double *value : {&found.flux_wb->value, &*found.flux_wb->low, &*found.flux_wb->high})
+            *value /= std::cos(aside_rad);
+    else
+        found.flux_wb.reset();
     constexpr double kAnyDiffer = 1.0; // where Lq is not told: twice Ld is much
     const double differ =
         found.lq_h ? std::abs(found.lq_h->value / found.ld_h->value - 1.0) : kAnyDiffer;
-    const double mixed = std::sin(std::abs(aside_rad)) * differ;
+    const double mixed = (told ? std::sin(std::abs(aside_rad)) : 1.0) * differ;
     found.ld_h = withScale(*found.ld_h, mixed);
     if (found.lq_h)
         found.lq_h = withScale(*found.lq_h, mixed);
-    if (angle_deg > kNoticed_deg)
+    if (!told)
+        found.notes.emplace_back(
+            "by what its currents do to its speed, the board takes its rotor for "
+            "more than 60 electrical degrees beside where it is: its flux is "
+            "not told");
+    else if (angle_deg > kNoticed_deg)
         found.notes.push_back("the board takes its rotor for " + decimalText(angle_deg, 2)
             + " electrical degrees beside where it is, as after an alignment against friction: its "
               "magnets were counted by that");

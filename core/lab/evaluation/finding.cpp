@@ -110,8 +110,8 @@ std::string lackOf(const Finding &finding)
 {
     if (const auto *steps = std::get_if<MeasuredSteps>(&finding); steps && !steps->rise_s)
         return "not conclusive: no step of this series could be measured";
-    if (const auto *electrics = std::get_if<Electrics>(&finding);
-        electrics && !(electrics->rs_ohm && electrics->ld_h && electrics->lq_h))
+    if (const auto *electrics = std::get_if<Electrics>(&finding); electrics
+        && !(electrics->rs_ohm && electrics->ld_h && electrics->lq_h && electrics->flux_wb))
         return "not conclusive: not all of it could be measured";
     return {};
 }

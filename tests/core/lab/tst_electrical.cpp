@@ -73,6 +73,7 @@ struct DrawnSpin {
     static constexpr double kRs_ohm = 0.2, kInductance_h = 0.4e-3, kFlux_wb = 6e-3;
     static constexpr double kTick_hz = 16000.0;
     int every = 1; ///< control periods a sample
+    double aside_deg = 0.0; ///< of the board's angle: so much of what flows along d makes torque
 
     Result<Electrics, std::string> evaluated(const Subject &subject) const
     {
@@ -121,7 +122,8 @@ struct DrawnSpin {
                         + speed * turns)
                         / volts);
             }
-            speed += kPush * (q - kHold_a) * kPeriod_s;
+            const double torque_a = q + d * std::tan(aside_deg * std::numbers::pi / 180.0);
+            speed += kPush * (torque_a - kHold_a) * kPeriod_s;
             angle += speed * kPeriod_s;
             q = nextQ;
             d = nextD;
@@ -335,6 +337,29 @@ private Q_SLOTS:
             QVERIFY2(
                 found.error().find("too far apart") != std::string::npos, found.error().c_str());
         }
+    }
+
+    /// Dividing by the cosine of any angle would make magnets of nothing, or turn them round.
+    void aFluxFarAsideIsNotTold()
+    {
+        const LabBench bench;
+        const auto at = [&](double aside_deg) {
+            return DrawnSpin{.aside_deg = aside_deg}.evaluated(bench.experiment.subject);
+        };
+        const auto near = at(30.0);
+        QVERIFY2(near, near ? "" : near.error().c_str());
+        verifyWithin(
+            "flux", near->flux_wb, DrawnSpin::kFlux_wb / std::cos(std::numbers::pi / 6.0), 1.0);
+        QVERIFY(
+            near->notes.size() == 1 && near->notes[0].ends_with("magnets were counted by that"));
+        const auto far = at(75.0);
+        QVERIFY2(far, far ? "" : far.error().c_str());
+        QVERIFY(!far->flux_wb);
+        verifyWithin("Ld", far->ld_h, DrawnSpin::kInductance_h, 1.0);
+        QVERIFY(far->notes.size() == 1 && far->notes[0].ends_with("its flux is not told"));
+        Electrics alsoAtRest = *far;
+        alsoAtRest.rs_ohm = {DrawnSpin::kRs_ohm, {}, {}};
+        QVERIFY(!lackOf(alsoAtRest).empty());
     }
 
     /// Heavy as it is, it swings on when its encoder has been aligned.
