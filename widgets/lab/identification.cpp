@@ -24,16 +24,20 @@ Identification::Identification(
 {
     // What was measured is of one motor.
     connect(&device, &Device::identityChanged, &m_findings, &MotorFindings::clear);
+    connect(&device, &Device::identityChanged, this, [this] { ++m_boards; });
     connect(&device, &Device::motorChanged, &m_findings, &MotorFindings::clear);
 }
 
 template <class Found>
-ExperimentBar::Evaluate Identification::evaluation(
+ExperimentBar::Evaluate Identification::evaluation(int motor,
     Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &))
 {
-    return [this, evaluate](const Experiments::Record &record) -> ExperimentBar::Show {
+    return [this, motor, board = m_boards, evaluate](
+               const Experiments::Record &record) -> ExperimentBar::Show {
         const auto found = evaluate(record.capture, record.happenings);
-        return [this, found, end = record.outcome.end]() -> QStringList {
+        return [this, motor, board, found, end = record.outcome.end]() -> QStringList {
+            if (board != m_boards || motor != m_device.motor())
+                return {}; // the table is of another motor by now
             const bool complete = end == lab::End::Complete;
             if (!found) {
                 if (end == lab::End::Refused)
@@ -61,7 +65,7 @@ Result<ExperimentBar::Run, QString> Identification::electricalRun()
     const drive::UserLimits &caps = m_device.userLimits();
     return ExperimentBar::Run{{{lab::restPlanFor(*subject, caps), *subject},
                                   {lab::fluxPlanFor(*subject, caps), *subject}},
-        evaluation<lab::Electrics>(&lab::evaluateElectrics)};
+        evaluation<lab::Electrics>(subject->motor, &lab::evaluateElectrics)};
 }
 
 Result<ExperimentBar::Run, QString> Identification::mechanicalRun()
@@ -70,7 +74,7 @@ Result<ExperimentBar::Run, QString> Identification::mechanicalRun()
     if (!subject)
         return fail(subject.error());
     return ExperimentBar::Run{{{lab::spinPlanFor(*subject, m_device.userLimits()), *subject}},
-        evaluation<lab::Mechanics>(&lab::evaluateMechanics)};
+        evaluation<lab::Mechanics>(subject->motor, &lab::evaluateMechanics)};
 }
 
 } // namespace widgets

@@ -19,13 +19,15 @@ public:
     MotorFindings &findings() { return m_findings; }
 
 private:
+    /// @param motor  that is measured: what is found of it is of no other one
     template <class Found>
-    ExperimentBar::Evaluate evaluation(
+    ExperimentBar::Evaluate evaluation(int motor,
         Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &));
 
     const Device &m_device;
     const Experiments &m_experiments;
     MotorFindings m_findings;
+    int m_boards = 0; ///< how many have come and gone
 };
 
 } // namespace widgets

@@ -22,8 +22,8 @@ struct LabWindow {
     facts::WindowRig rig;
     WindowActs acts;
 
-    explicit LabWindow(const std::string &motor, const QSize &size = {1280, 720})
-        : world(boardOf(motor), drive::Protocol::Mcp)
+    explicit LabWindow(const std::string &motor, const QSize &size = {1280, 720}, int motors = 1)
+        : world(boardOf(motor, motors), drive::Protocol::Mcp)
         , rig(settings(), session::makeDiskSink, world.parts())
         , acts(world, rig.window, rig.workbench.device())
     {
@@ -32,10 +32,11 @@ struct LabWindow {
     }
     ~LabWindow() { world.act(judge::Act::Kind::Leave); }
 
-    static simulation::BoardOptions boardOf(const std::string &motor)
+    static simulation::BoardOptions boardOf(const std::string &motor, int motors)
     {
         simulation::BoardOptions options;
         options.motor = motor;
+        options.motors = motors;
         options.load = simulation::findPreset(motor)->load;
         return options;
     }

@@ -163,6 +163,36 @@ private Q_SLOTS:
         QVERIFY(!findings.measured().rs_ohm && !findings.measured().ld_h);
     }
 
+    /// The figures of one motor beside the values of another could be taken into its motor file.
+    void whatIsOfAnotherMotorIsNotShown()
+    {
+        LabWindow bench("servo24", {1280, 720}, 2);
+        QVERIFY(bench.connectBoard());
+        widgets::Identification identification(bench.device(), bench.rig.workbench.experiments());
+        Findings &findings = identification.findings();
+        const auto run = identification.electricalRun();
+        QVERIFY(run);
+        const auto shown = [&] { // of a run that tells nothing, which empties the rows
+            widgets::Experiments::Record record;
+            record.outcome.end = lab::End::Complete;
+            lab::Electrics windings;
+            windings.rs_ohm = {0.35, 0.34, 0.36};
+            const auto show = run->evaluate(record);
+            findings.take(windings);
+            return !show().isEmpty();
+        };
+        bench.device().setMotor(2);
+        QVERIFY(!shown());
+        QCOMPARE(findings.measured().rs_ohm, std::optional(0.35));
+        bench.device().setMotor(1);
+        QVERIFY(shown());
+        QVERIFY(!findings.measured().rs_ohm);
+        bench.press("connect");
+        QTRY_VERIFY(!bench.device().identified());
+        QVERIFY(!shown());
+        QCOMPARE(findings.measured().rs_ohm, std::optional(0.35));
+    }
+
     void cancelStopsTheMotorAndTheOtherPartIsNotBegun()
     {
         LabWindow bench("servo24", {960, 540});
