@@ -214,16 +214,22 @@ Result<ExperimentBar::Run, QString> TourPage::wholeTour()
 
 Result<ExperimentBar::Run, QString> TourPage::proof()
 {
+    if (withoutResponse())
+        return fail(noGainsText());
     const auto gains = chosen();
     const auto &measured = m_parts.tuning.measured();
     if (!gains && !measured)
-        return fail(m_steps.state(TourSteps::Response) == State::Unclear
-                ? noGainsText()
-                : tr("Make the tour first: it proposes the gains."));
+        return fail(tr("Make the tour first: it proposes the gains."));
     if (!gains)
         return fail(measured->whyNone.empty() ? tr("No gains keep the distance of this goal.")
                                               : labSentence(measured->whyNone));
     return m_parts.tuning.proofRun(length(), *gains);
+}
+
+bool TourPage::withoutResponse() const
+{
+    return m_steps.state(TourSteps::Response) == State::Unclear
+        && m_parts.tuning.measurements() == m_measurements;
 }
 
 QString TourPage::noGainsText()
@@ -233,9 +239,9 @@ QString TourPage::noGainsText()
 
 void TourPage::began(int which)
 {
-    m_measurements = m_parts.tuning.measurements();
     if (which == m_prove)
         return m_steps.set(TourSteps::Proof, State::Runs);
+    m_measurements = m_parts.tuning.measurements();
     if (m_next == TourSteps::Windings)
         for (const Step step : {TourSteps::Windings, TourSteps::Mechanics, TourSteps::Response,
                  TourSteps::Gains, TourSteps::Proof})
@@ -317,7 +323,7 @@ void TourPage::showGains()
         why.isEmpty() ? tr("Writes the gains from before the first Apply, as one step") : why));
     const auto &measured = tuning.measured();
     const auto one = tuning.candidate(goal());
-    const bool none = !measured && m_steps.state(TourSteps::Response) == State::Unclear;
+    const bool none = withoutResponse();
     const State proof = m_steps.state(TourSteps::Proof);
     if (proof == State::Waits && (none || (measured && !one)))
         m_steps.set(TourSteps::Proof, State::PassedOver, tr("There are no gains to prove."));

@@ -50,6 +50,8 @@ private:
     void ended(int which, bool complete);
     void showStation(Step step);
     void showGains();
+    /// The tour's was not conclusive, and none was measured since: one from before does not stand in for it.
+    bool withoutResponse() const;
     static QString noGainsText();
     std::optional<LoopTuning::Gains> chosen() const;
     std::chrono::milliseconds length() const;
@@ -57,7 +59,7 @@ private:
 
     Parts m_parts;
     Step m_next = TourSteps::Windings; ///< what the tour runs next
-    int m_measurements = 0; ///< of the tuning, when the last run began
+    int m_measurements = 0; ///< of the tuning, when the tour's last station began
     TourSteps m_steps;
     QTreeView *m_table;
     QComboBox *m_goal = nullptr;

@@ -131,16 +131,36 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
     }
 
-    /// Gains that are changed meanwhile make the response that of no loop: what follows from it is not waited for.
+    void withoutAResponseTheRestIsPassedOver_data()
+    {
+        QTest::addColumn<bool>("before"); // the page of the response has measured a good one
+        QTest::newRow("the first one") << false;
+        QTest::newRow("one from before") << true;
+    }
+    /// Gains that are changed meanwhile make the response that of no loop: what follows from it is not waited for, and nothing
+    /// follows from another one.
     void withoutAResponseTheRestIsPassedOver()
     {
+        QFETCH(const bool, before);
         LabWindow bench("servo24");
-        bench.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        const auto page = [&bench](Qt::Key key) {
+            bench.open(key, Qt::ControlModifier | Qt::ShiftModifier);
+        };
+        page(before ? Qt::Key_F : Qt::Key_G);
         QVERIFY(bench.connectBoard());
+        if (before) {
+            QVERIFY(bench.arm("speedResponseRun"));
+            bench.find<QSpinBox>("responseLength")->setValue(6);
+            QVERIFY(bench.runToItsEnd("speedResponseRun"));
+            QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+            page(Qt::Key_G);
+        }
         QVERIFY(bench.arm("tourRun"));
+        QTRY_COMPARE(bench.find<QPushButton>("tourProveRun")->isEnabled(), before);
         bench.find<QSpinBox>("tourLength")->setValue(4);
         const auto kp = bench.held("SPEED_KP");
         bench.press("tourRun");
+        QVERIFY(bench.asks());
         bench.agree();
         QTRY_COMPARE_WITH_TIMEOUT(
             stepsOf(bench).state(Steps::Response), State::Runs, 2 * LabWindow::kRunMs);
@@ -154,6 +174,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.find<QPushButton>("tourProveRun")
                         ->toolTip()
                         .contains(QLatin1String("was not conclusive")));
+        QVERIFY(!bench.find<QPushButton>("tourProveRun")->isEnabled());
     }
 
     void escEndsTheWholeTour()
