@@ -96,9 +96,11 @@ private:
         if (moment.now < m_due)
             return std::nullopt;
         m_due = moment.now + kLook;
-        m_hold += std::max(0.0, moment.amps.value_or(0.0) * m_sign) / kLooks;
+        m_hold += moment.amps.value_or(0.0) * m_sign / kLooks;
         if (++m_looks < kLooks)
             return std::nullopt;
+        // Of the mean, not of each look: where little holds the speed that would be half of its loop's noise.
+        m_hold = std::max(0.0, m_hold);
         m_began = moment.now;
         return turn(true, moment.now);
     }

@@ -157,6 +157,43 @@ private Q_SLOTS:
             qPrintable(QString::number(measured.slowest_rpm)));
     }
 
+    void whatHoldsASpeedIsAMean_data()
+    {
+        QTest::addColumn<double>(
+            "holds_a"); // a third of the looks tells 2 A more, the others 1 A less
+        QTest::addColumn<int>("sign");
+        QTest::newRow("a current") << 0.3 << 1;
+        QTest::newRow("backwards") << 0.3 << -1;
+        QTest::newRow("none") << 0.0 << 1;
+        QTest::newRow("a load that drives") << -0.5 << 1;
+    }
+
+    /// A noise that counts on one side only is left while it coasts, and may be enough to go on accelerating.
+    void whatHoldsASpeedIsAMean()
+    {
+        QFETCH(const double, holds_a);
+        QFETCH(const int, sign);
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        SpinPlan plan = spinPlanFor(subject, {});
+        plan.lowRpm *= sign;
+        plan.highRpm *= sign;
+        const auto course = courseOf(plan, subject);
+        TimePoint now{std::chrono::seconds(1)};
+        std::optional<Ask> ask;
+        for (int look = 0; look < 100 && !ask; ++look) {
+            now = std::max(now, course->due());
+            const double amps = holds_a + (look % 3 == 0 ? 2.0 : -1.0);
+            ask = course->next({now, double(plan.lowRpm), amps * sign, true});
+        }
+        const auto *first = ask ? std::get_if<drive::TorqueRamp>(&*ask) : nullptr;
+        QVERIFY(first);
+        // The first push is 3.5 to 5 % of the nominal current above it.
+        const double above =
+            (first->amps * sign - std::max(0.0, holds_a)) / subject.limits.nominalCurrentAmps;
+        QVERIFY2(above > 0.034 && above < 0.051, qPrintable(QString::number(above)));
+    }
+
     void slowHallMotorsAreTrueOrNotTold_data()
     {
         QTest::addColumn<double>("rpm");
