@@ -34,6 +34,10 @@ public:
 
 /// What has to be true for a wish to be carried out.
 enum class Permission : std::uint8_t { Always, Armed };
+constexpr Permission permissionOf(const Command &command)
+{
+    return command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed;
+}
 
 /// What becomes of one wish, whatever is asked for it. It ends once: finished() stays true and ended() says how.
 class OpenWish {

@@ -39,8 +39,7 @@ std::string refuseTorqueStart(const FcpFacts &board)
 } // namespace
 
 FcpCommandTask::FcpCommandTask(WishId id, const Command &command, const FcpFacts &board)
-    : WishTask(
-        id, command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed)
+    : WishTask(id, permissionOf(command))
     , m_board(board)
     , m_command(command)
 {

@@ -30,6 +30,19 @@ constexpr double kFarthest_rad = 1e4;
 /// Added to the set-points of velocity, Iq and Id.
 constexpr std::array<std::uint16_t, 3> kOffsets{0x07B, 0x07C, 0x07D};
 
+// What has to be known before an act is judged.
+using Addresses = std::vector<std::uint16_t>;
+Addresses readsOf(const Command &command)
+{
+    if (command.action == MotorAction::Start)
+        return {kStatus, kMode, kVelocity, kIq, kId, kProfileVelocity, kOffsets[0], kOffsets[1],
+            kOffsets[2]};
+    return command.action == MotorAction::StopRamp ? Addresses{kVelocityNow, kMode} : Addresses{};
+}
+Addresses readsOf(const SpeedRamp &) { return {kMode, kVelocityNow, kVelocity, kStatus}; }
+Addresses readsOf(const CurrentReference &) { return {kMode}; }
+Addresses readsOf(const PositionRamp &) { return {kMode, kPositionNow}; }
+
 } // namespace
 
 std::uint16_t mcbSetPointOf(std::uint16_t mode)
@@ -54,14 +67,16 @@ ControlMode mcbControlOf(std::uint16_t mode)
                                  : ControlMode::Other;
 }
 
-McbActTask::McbActTask(WishId id, Permission permission, int motor, const McbFacts &board,
-    const std::vector<std::uint16_t> &reads)
-    : WishTask(id, permission)
+McbActTask::McbActTask(WishId id, const McbAct &act, const McbFacts &board)
+    : WishTask(id,
+        std::holds_alternative<Command>(act) ? permissionOf(std::get<Command>(act))
+                                             : Permission::Armed)
     , m_board(board)
-    , m_motor(motor)
+    , m_act(act)
+    , m_motor(std::visit([](const auto &one) { return one.motor; }, act))
 {
     std::vector<RegisterId> ids;
-    for (const std::uint16_t address : reads)
+    for (const std::uint16_t address : std::visit([](auto &one) { return readsOf(one); }, act))
         if (board.readable(address))
             ids.push_back(mcbIdOf(address));
     m_reader.start(ids);
@@ -103,7 +118,8 @@ std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
     if (!m_reader.finished())
         return m_reader.nextRequest();
     if (!std::exchange(m_planned, true)) {
-        std::string why = m_unread ? std::string() : plan();
+        const auto planned = [this](const auto &act) { return plan(act); };
+        std::string why = m_unread ? std::string() : std::visit(planned, m_act);
         if (why.empty())
             why = m_problem;
         if (m_unread)
@@ -167,22 +183,9 @@ void McbActTask::onNoResponse(std::optional<bool> executed, TimePoint)
     endLost(executed);
 }
 
-McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbFacts &board)
-    : McbActTask(id,
-        command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed,
-        command.motor, board,
-        command.action == MotorAction::Start ? std::vector<std::uint16_t>{kStatus, kMode, kVelocity,
-            kIq, kId, kProfileVelocity, kOffsets[0], kOffsets[1], kOffsets[2]}
-            : command.action == MotorAction::StopRamp
-            ? std::vector<std::uint16_t>{kVelocityNow, kMode}
-            : std::vector<std::uint16_t>{})
-    , m_action(command.action)
+std::string McbActTask::plan(const Command &command)
 {
-}
-
-std::string McbCommandTask::plan()
-{
-    switch (m_action) {
+    switch (command.action) {
     case MotorAction::Start:
         return planStart();
     case MotorAction::StopMotor:
@@ -203,11 +206,11 @@ std::string McbCommandTask::plan()
     return {};
 }
 
-std::string McbCommandTask::planStart()
+std::string McbActTask::planStart()
 {
-    if (auto why = board().reasonAgainst(Feature::Start); !why.empty())
+    if (auto why = m_board.reasonAgainst(Feature::Start); !why.empty())
         return why;
-    if (auto why = refuseStart(board(), motor()); !why.empty())
+    if (auto why = refuseStart(m_board, m_motor); !why.empty())
         return why;
     const auto status = valueOf(kStatus);
     const auto mode = valueOf(kMode);
@@ -223,25 +226,25 @@ std::string McbCommandTask::planStart()
             + " is not one that is started here";
     std::string why;
     if (followed == kVelocity)
-        why = refuseSpeed(board(), motor(), valueOf(kVelocity).value_or(NAN) * kSecondsPerMinute);
+        why = refuseSpeed(m_board, m_motor, valueOf(kVelocity).value_or(NAN) * kSecondsPerMinute);
     else if (followed == kIq)
         why = refuseCurrent(
-            board(), motor(), std::hypot(valueOf(kIq).value_or(NAN), valueOf(kId).value_or(0.0)));
+            m_board, m_motor, std::hypot(valueOf(kIq).value_or(NAN), valueOf(kId).value_or(0.0)));
     if (!why.empty())
         return "its set-point is " + why;
     constexpr int kJumps = 4; // to a position, by no profile
-    if (followed == kPosition && board().user.maxSpeedRpm > 0.0)
+    if (followed == kPosition && m_board.user.maxSpeedRpm > 0.0)
         why = *mode == kJumps ? "nothing keeps the way to a position within your own limit of speed"
-                              : refuseSpeed(board(), motor(),
+                              : refuseSpeed(m_board, m_motor,
                                   valueOf(kProfileVelocity).value_or(NAN) * kSecondsPerMinute);
     if (!why.empty())
         return "its profile is refused: " + why;
     if (followed == kIq)
-        if (auto torque = refuseTorqueControl(board()); !torque.empty())
+        if (auto torque = refuseTorqueControl(m_board); !torque.empty())
             return torque;
     for (const std::uint16_t offset : kOffsets)
-        if (board().user != UserLimits{} && valueOf(offset).value_or(0.0) != 0.0)
-            return board().catalog->nameOf(mcbIdOf(offset))
+        if (m_board.user != UserLimits{} && valueOf(offset).value_or(0.0) != 0.0)
+            return m_board.catalog->nameOf(mcbIdOf(offset))
                 + " is not 0, and no limit of your own holds for it";
     control(kShutdown);
     await(0x6F, 0x21);
@@ -251,77 +254,57 @@ std::string McbCommandTask::planStart()
     return {};
 }
 
-McbSpeedTask::McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbFacts &board)
-    : McbActTask(
-        id, Permission::Armed, ramp.motor, board, {kMode, kVelocityNow, kVelocity, kStatus})
-    , m_ramp(ramp)
+std::string McbActTask::plan(const SpeedRamp &ramp)
 {
-}
-
-std::string McbSpeedTask::plan()
-{
-    if (auto why = board().reasonAgainst(Feature::SpeedRamp); !why.empty())
+    if (auto why = m_board.reasonAgainst(Feature::SpeedRamp); !why.empty())
         return why;
-    if (auto why = refuseRampTime(m_ramp.duration); !why.empty())
+    if (auto why = refuseRampTime(ramp.duration); !why.empty())
         return why;
-    if (auto why = refuseSpeed(board(), motor(), m_ramp.rpm); !why.empty())
+    if (auto why = refuseSpeed(m_board, m_motor, ramp.rpm); !why.empty())
         return why;
-    const double target = m_ramp.rpm / kSecondsPerMinute;
-    const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
+    const double target = ramp.rpm / kSecondsPerMinute;
+    const double seconds = std::chrono::duration<double>(ramp.duration).count();
     const double way = std::abs(target - valueOf(kVelocityNow).value_or(0.0));
-    const bool profiled = m_ramp.duration.count() > 0 && way > 0.0;
-    if (profiled && !board().writable(kProfileAcceleration))
+    const bool profiled = ramp.duration.count() > 0 && way > 0.0;
+    if (profiled && !m_board.writable(kProfileAcceleration))
         return "this drive has no ramp for speeds; give it 0 ms";
     if (profiled) {
         write(kProfileAcceleration, way / seconds);
-        if (board().writable(kProfileDeceleration))
+        if (m_board.writable(kProfileDeceleration))
             write(kProfileDeceleration, way / seconds);
     }
     setMode(profiled ? kModeProfileVelocity : kModeVelocity, kVelocity, target);
     return {};
 }
 
-McbCurrentTask::McbCurrentTask(WishId id, const CurrentReference &reference, const McbFacts &board)
-    : McbActTask(id, Permission::Armed, reference.motor, board, {kMode})
-    , m_reference(reference)
+std::string McbActTask::plan(const CurrentReference &reference)
 {
-}
-
-std::string McbCurrentTask::plan()
-{
-    if (auto why = board().reasonAgainst(Feature::CurrentReference); !why.empty())
+    if (auto why = m_board.reasonAgainst(Feature::CurrentReference); !why.empty())
         return why;
-    if (auto why =
-            refuseCurrent(board(), motor(), std::hypot(m_reference.iqAmps, m_reference.idAmps));
+    if (auto why = refuseCurrent(m_board, m_motor, std::hypot(reference.iqAmps, reference.idAmps));
         !why.empty())
         return why;
-    write(kId, m_reference.idAmps);
-    setMode(kModeCurrent, kIq, m_reference.iqAmps);
+    write(kId, reference.idAmps);
+    setMode(kModeCurrent, kIq, reference.iqAmps);
     return {};
 }
 
-McbPositionTask::McbPositionTask(WishId id, const PositionRamp &ramp, const McbFacts &board)
-    : McbActTask(id, Permission::Armed, ramp.motor, board, {kMode, kPositionNow})
-    , m_ramp(ramp)
+std::string McbActTask::plan(const PositionRamp &ramp)
 {
-}
-
-std::string McbPositionTask::plan()
-{
-    if (auto why = board().reasonAgainst(Feature::PositionRamp); !why.empty())
+    if (auto why = m_board.reasonAgainst(Feature::PositionRamp); !why.empty())
         return why;
-    if (!(std::abs(m_ramp.radians) <= kFarthest_rad))
+    if (!(std::abs(ramp.radians) <= kFarthest_rad))
         return "an angle is at most 10000 rad";
-    if (m_ramp.duration.count() < 1 || m_ramp.duration > kLongestRamp)
+    if (ramp.duration.count() < 1 || ramp.duration > kLongestRamp)
         return "a move lasts 1 to 65535 ms";
     const auto now = valueOf(kPositionNow);
     if (!now)
         return "the drive does not tell where the shaft is";
-    const double counts = m_ramp.radians / kTurn_rad * board().countsPerTurn;
-    const double way_rad = m_ramp.radians - *now / board().countsPerTurn * kTurn_rad;
-    const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
+    const double counts = ramp.radians / kTurn_rad * m_board.countsPerTurn;
+    const double way_rad = ramp.radians - *now / m_board.countsPerTurn * kTurn_rad;
+    const double seconds = std::chrono::duration<double>(ramp.duration).count();
     const double rpm = std::abs(motor::positionPeakSpeed_rpm(way_rad, seconds));
-    if (auto why = refuseSpeed(board(), motor(), rpm); !why.empty())
+    if (auto why = refuseSpeed(m_board, m_motor, rpm); !why.empty())
         return "the speed on the way is " + why;
     constexpr double kLeast = 1e-3; // turns a second: no drive takes 0 for a profile
     write(kProfileVelocity, std::max(rpm / kSecondsPerMinute, kLeast));

@@ -19,34 +19,38 @@ std::uint16_t mcbSetPointOf(std::uint16_t mode);
 /// What a mode controls, of those that are started here: positions go by a move, which knows the way.
 ControlMode mcbControlOf(std::uint16_t mode);
 
+using McbAct = std::variant<Command, SpeedRamp, CurrentReference, PositionRamp>;
+
 class McbActTask : public WishTask<McbProtocol> {
 public:
+    McbActTask(WishId id, const McbAct &act, const McbFacts &board);
+
     std::optional<McbRequest> nextRequest(TimePoint now) override;
     void onResponse(const McbAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
-protected:
+private:
     struct Step {
         std::uint16_t address = 0;
         mcb::Words words; ///< to be written; none: wait for the status word
         std::uint16_t mask = 0, bits = 0;
     };
-    McbActTask(WishId id, Permission permission, int motor, const McbFacts &board,
-        const std::vector<std::uint16_t> &reads);
 
-    /// With all values read: fills the steps, or says why not.
-    virtual std::string plan() = 0;
+    // With all values read: each fills the steps, or says why not.
+    std::string plan(const Command &command);
+    std::string plan(const SpeedRamp &ramp);
+    std::string plan(const CurrentReference &reference);
+    std::string plan(const PositionRamp &ramp);
+    std::string planStart();
 
-    const McbFacts &board() const { return m_board; }
-    int motor() const { return m_motor; }
     std::optional<double> valueOf(std::uint16_t address) const;
     void write(std::uint16_t address, const Value &value);
     void control(std::uint16_t word) { m_steps.push_back({0x010, {word}, 0, 0}); }
     void await(std::uint16_t mask, std::uint16_t bits) { m_steps.push_back({0, {}, mask, bits}); }
     void setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value);
 
-private:
     const McbFacts &m_board;
+    McbAct m_act;
     int m_motor;
     Reader<McbProtocol> m_reader{m_board};
     std::map<std::uint16_t, double> m_values;
@@ -54,47 +58,6 @@ private:
     std::string m_problem; ///< of a step that was to be planned
     std::optional<TimePoint> m_waitingSince;
     bool m_planned = false, m_unread = false;
-};
-
-class McbCommandTask : public McbActTask {
-public:
-    McbCommandTask(WishId id, const Command &command, const McbFacts &board);
-
-private:
-    std::string plan() override;
-    std::string planStart();
-
-    MotorAction m_action;
-};
-
-class McbSpeedTask : public McbActTask {
-public:
-    McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbFacts &board);
-
-private:
-    std::string plan() override;
-
-    SpeedRamp m_ramp;
-};
-
-class McbCurrentTask : public McbActTask {
-public:
-    McbCurrentTask(WishId id, const CurrentReference &reference, const McbFacts &board);
-
-private:
-    std::string plan() override;
-
-    CurrentReference m_reference;
-};
-
-class McbPositionTask : public McbActTask {
-public:
-    McbPositionTask(WishId id, const PositionRamp &ramp, const McbFacts &board);
-
-private:
-    std::string plan() override;
-
-    PositionRamp m_ramp;
 };
 
 std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);

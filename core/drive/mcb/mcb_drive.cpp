@@ -128,25 +128,20 @@ McbDrive::McbDrive(const LineOptions &line)
 
 McbDrive::Made McbDrive::taskFor(const Wish &wish)
 {
+    const auto act = [&](const McbAct &wanted) -> Made {
+        return std::make_unique<McbActTask>(wish.id, wanted, m_board);
+    };
     const auto stream = [&](const auto &wanted) -> Made {
         return std::make_unique<McbStreamTask>(wish.id, wanted, m_stream, m_setPoints);
     };
     return std::visit(Overloaded{
-                          [&](const Command &command) -> Made {
-                              return std::make_unique<McbCommandTask>(wish.id, command, m_board);
-                          },
-                          [&](const SpeedRamp &ramp) -> Made {
-                              return std::make_unique<McbSpeedTask>(wish.id, ramp, m_board);
-                          },
-                          [&](const CurrentReference &reference) -> Made {
-                              return std::make_unique<McbCurrentTask>(wish.id, reference, m_board);
-                          },
-                          [&](const PositionRamp &ramp) -> Made {
-                              return std::make_unique<McbPositionTask>(wish.id, ramp, m_board);
-                          },
-                          [&](const Stream &wanted) -> Made { return stream(wanted); },
-                          [&](const CyclicSetPoints &wanted) -> Made { return stream(wanted); },
-                          [](const auto &) -> Made { return nullptr; },
+                          [&](const Command &wanted) { return act(wanted); },
+                          [&](const SpeedRamp &wanted) { return act(wanted); },
+                          [&](const CurrentReference &wanted) { return act(wanted); },
+                          [&](const PositionRamp &wanted) { return act(wanted); },
+                          [&](const Stream &wanted) { return stream(wanted); },
+                          [&](const CyclicSetPoints &wanted) { return stream(wanted); },
+                          [](const auto &) { return Made(); },
                       },
         wish.what);
 }

@@ -28,8 +28,7 @@ mcp::CommandId commandOf(MotorAction action)
 } // namespace
 
 CommandTask::CommandTask(WishId id, const Command &command, const McpFacts &board)
-    : WishTask(
-        id, command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed)
+    : WishTask(id, permissionOf(command))
     , m_board(board)
     , m_command(command)
     , m_check(board, command.motor)
