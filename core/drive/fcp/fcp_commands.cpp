@@ -38,21 +38,14 @@ std::string refuseTorqueStart(const FcpFacts &board)
 
 } // namespace
 
-FcpCommandTask::FcpCommandTask(WishId id, const Command &command, const FcpFacts &board)
-    : WishTask(id, permissionOf(command))
-    , m_board(board)
-    , m_command(command)
-{
-}
-
-bool FcpCommandTask::looking()
+bool FcpActTask::looking()
 {
     if (!std::exchange(m_looked, true)) {
         std::vector<RegisterId> ids;
-        const RegisterId stages = kFcpRevUp | static_cast<RegisterId>(m_command.motor);
+        const RegisterId stages = kFcpRevUp | static_cast<RegisterId>(m_motor);
         if (m_board.user != UserLimits{}) {
-            ids.push_back(fcpId(kControlMode, m_command.motor));
-            ids.push_back(fcpId(kFinalSpeed, m_command.motor));
+            ids.push_back(fcpId(kControlMode, m_motor));
+            ids.push_back(fcpId(kFinalSpeed, m_motor));
             if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
                 ids.push_back(stages);
         }
@@ -62,21 +55,21 @@ bool FcpCommandTask::looking()
 }
 
 /// What the board was set to before, against the user's own limits.
-std::string FcpCommandTask::refuseStart() const
+std::string FcpActTask::refuseStart() const
 {
     for (const Reading &reading : m_found) {
         std::string why;
         const auto number = asNumber(reading.value);
         if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
             if (const auto stages = motor::revUpOfBytes(*raw))
-                why = refuseStages(m_board, m_command.motor, *stages);
+                why = refuseStages(m_board, m_motor, *stages);
         } else if (number && fcpNumber(reading.id) == kControlMode) {
             if (*number != static_cast<double>(kTorqueModeNumber))
                 continue;
             if (why = refuseTorqueStart(m_board); !why.empty())
                 return why;
         } else if (number) {
-            why = refuseSpeed(m_board, m_command.motor, *number);
+            why = refuseSpeed(m_board, m_motor, *number);
         }
         if (!why.empty())
             return m_board.catalog->nameOf(reading.id) + " is " + why;
@@ -84,14 +77,18 @@ std::string FcpCommandTask::refuseStart() const
     return {};
 }
 
-std::optional<fcp::Request> FcpCommandTask::nextRequest(TimePoint)
+std::optional<fcp::Request> FcpActTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
-    if (auto why = refuseMotor(m_board, m_command.motor); !why.empty())
+    const auto *wanted = std::get_if<SetPoint>(&m_act);
+    const auto *command = std::get_if<Command>(&m_act);
+    if (auto why =
+            wanted != nullptr ? refuseSetPoint(m_board, *wanted) : refuseMotor(m_board, m_motor);
+        !why.empty())
         return noRequest(Outcome::Refused, std::move(why));
-    if (m_command.action == MotorAction::Start) {
-        if (auto why = drive::refuseStart(m_board, m_command.motor); !why.empty())
+    if (command != nullptr && command->action == MotorAction::Start) {
+        if (auto why = drive::refuseStart(m_board, m_motor); !why.empty())
             return noRequest(Outcome::Refused, std::move(why));
         if (looking())
             return m_reader.nextRequest();
@@ -101,11 +98,10 @@ std::optional<fcp::Request> FcpCommandTask::nextRequest(TimePoint)
             return noRequest(Outcome::Refused, std::move(why));
     }
     markSent();
-    return fcpRequest(
-        m_command.motor, fcp::Execute{static_cast<std::uint8_t>(commandOf(m_command.action))});
+    return fcpRequest(m_motor, std::visit([this](const auto &act) { return encode(act); }, m_act));
 }
 
-void FcpCommandTask::onResponse(const fcp::Reply &response, TimePoint now)
+void FcpActTask::onResponse(const fcp::Reply &response, TimePoint now)
 {
     if (!sent()) {
         for (Reading &reading : m_reader.onResponse(response, now))
@@ -117,7 +113,7 @@ void FcpCommandTask::onResponse(const fcp::Reply &response, TimePoint now)
     }
 }
 
-void FcpCommandTask::onNoResponse(std::optional<bool> executed, TimePoint)
+void FcpActTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (sent())
         endLost(executed);
@@ -125,45 +121,23 @@ void FcpCommandTask::onNoResponse(std::optional<bool> executed, TimePoint)
         m_reader.onNoResponse();
 }
 
-FcpSetPointTask::FcpSetPointTask(WishId id, const SetPoint &wanted, const FcpFacts &board)
-    : WishTask(id, Permission::Armed)
-    , m_board(board)
-    , m_wanted(wanted)
+fcp::Command FcpActTask::encode(const Command &command) const
 {
+    return fcp::Execute{static_cast<std::uint8_t>(commandOf(command.action))};
 }
 
-fcp::Command FcpSetPointTask::encode() const
+fcp::Command FcpActTask::encode(const SetPoint &wanted) const
 {
-    const auto time = static_cast<std::uint16_t>(m_wanted.duration.count());
-    const auto digits = [this](double amps) { return digitsOf(m_board, m_wanted.motor, amps); };
-    switch (m_wanted.feature) {
+    const auto time = static_cast<std::uint16_t>(wanted.duration.count());
+    const auto digits = [this](double amps) { return digitsOf(m_board, m_motor, amps); };
+    switch (wanted.feature) {
     case Feature::SpeedRamp:
-        return fcp::SetRamp{static_cast<std::int32_t>(m_wanted.first), time};
+        return fcp::SetRamp{static_cast<std::int32_t>(wanted.first), time};
     case Feature::TorqueRamp:
-        return fcp::SetTorqueRamp{digits(m_wanted.first), time};
+        return fcp::SetTorqueRamp{digits(wanted.first), time};
     default:
-        return fcp::SetCurrentReference{digits(m_wanted.first), digits(m_wanted.second)};
+        return fcp::SetCurrentReference{digits(wanted.first), digits(wanted.second)};
     }
 }
-
-std::optional<fcp::Request> FcpSetPointTask::nextRequest(TimePoint)
-{
-    if (finished() || sent())
-        return std::nullopt;
-    if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty())
-        return noRequest(Outcome::Refused, std::move(why));
-    markSent();
-    return fcpRequest(m_wanted.motor, encode());
-}
-
-void FcpSetPointTask::onResponse(const fcp::Reply &response, TimePoint)
-{
-    if (std::holds_alternative<fcp::Ack>(response))
-        end(Outcome::Ok);
-    else
-        end(Outcome::Refused, nackWord(response));
-}
-
-void FcpSetPointTask::onNoResponse(std::optional<bool> executed, TimePoint) { endLost(executed); }
 
 } // namespace drive

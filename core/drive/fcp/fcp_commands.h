@@ -10,9 +10,22 @@
 
 namespace drive {
 
-class FcpCommandTask : public WishTask<FcpProtocol> {
+class FcpActTask : public WishTask<FcpProtocol> {
 public:
-    FcpCommandTask(WishId id, const Command &command, const FcpFacts &board);
+    FcpActTask(WishId id, const Command &command, const FcpFacts &board)
+        : WishTask(id, permissionOf(command))
+        , m_board(board)
+        , m_act(command)
+        , m_motor(command.motor)
+    {
+    }
+    FcpActTask(WishId id, const SetPoint &wanted, const FcpFacts &board)
+        : WishTask(id, Permission::Armed)
+        , m_board(board)
+        , m_act(wanted)
+        , m_motor(wanted.motor)
+    {
+    }
 
     std::optional<fcp::Request> nextRequest(TimePoint now) override;
     void onResponse(const fcp::Reply &response, TimePoint now) override;
@@ -21,28 +34,15 @@ public:
 private:
     bool looking(); ///< at what a start would go to, because of the user's own limits
     std::string refuseStart() const;
+    fcp::Command encode(const Command &command) const;
+    fcp::Command encode(const SetPoint &wanted) const;
 
     const FcpFacts &m_board;
-    Command m_command;
+    std::variant<Command, SetPoint> m_act;
+    int m_motor;
     Reader<FcpProtocol> m_reader{m_board};
     std::vector<Reading> m_found;
     bool m_looked = false;
-};
-
-/// Speed ramp, torque ramp or current reference.
-class FcpSetPointTask : public WishTask<FcpProtocol> {
-public:
-    FcpSetPointTask(WishId id, const SetPoint &wanted, const FcpFacts &board);
-
-    std::optional<fcp::Request> nextRequest(TimePoint now) override;
-    void onResponse(const fcp::Reply &response, TimePoint now) override;
-    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
-
-private:
-    fcp::Command encode() const;
-
-    const FcpFacts &m_board;
-    SetPoint m_wanted;
 };
 
 } // namespace drive

@@ -81,9 +81,9 @@ private:
 FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
 {
     if (const auto setPoint = setPointOf(wish))
-        return std::make_unique<FcpSetPointTask>(wish.id, *setPoint, m_board);
+        return std::make_unique<FcpActTask>(wish.id, *setPoint, m_board);
     if (const auto *command = std::get_if<Command>(&wish.what))
-        return std::make_unique<FcpCommandTask>(wish.id, *command, m_board);
+        return std::make_unique<FcpActTask>(wish.id, *command, m_board);
     return nullptr;
 }
 
