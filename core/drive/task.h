@@ -39,6 +39,23 @@ constexpr Permission permissionOf(const Command &command)
     return command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed;
 }
 
+/// The command that it is where ST has named it so. @tparam Id  the commands of the protocol
+template <class Id>
+constexpr Id commandOf(MotorAction action)
+{
+    switch (action) {
+    case MotorAction::Start:
+        return Id::StartMotor;
+    case MotorAction::StopMotor:
+        return Id::StopMotor;
+    case MotorAction::StopRamp:
+        return Id::StopRamp;
+    case MotorAction::AcknowledgeFaults:
+        break;
+    }
+    return Id::FaultAck;
+}
+
 /// What becomes of one wish, whatever is asked for it. It ends once: finished() stays true and ended() says how.
 class OpenWish {
 public:

@@ -10,21 +10,6 @@ namespace {
 
 using namespace fcp::number;
 
-fcp::CommandId commandOf(MotorAction action)
-{
-    switch (action) {
-    case MotorAction::Start:
-        return fcp::CommandId::StartMotor;
-    case MotorAction::StopMotor:
-        return fcp::CommandId::StopMotor;
-    case MotorAction::StopRamp:
-        return fcp::CommandId::StopRamp;
-    case MotorAction::AcknowledgeFaults:
-        break;
-    }
-    return fcp::CommandId::FaultAck;
-}
-
 /// At rest the references of torque and flux read as 0, whatever a start goes to.
 std::string refuseTorqueStart(const FcpFacts &board)
 {
@@ -123,7 +108,7 @@ void FcpActTask::onNoResponse(std::optional<bool> executed, TimePoint)
 
 fcp::Command FcpActTask::encode(const Command &command) const
 {
-    return fcp::Execute{static_cast<std::uint8_t>(commandOf(command.action))};
+    return fcp::Execute{static_cast<std::uint8_t>(commandOf<fcp::CommandId>(command.action))};
 }
 
 fcp::Command FcpActTask::encode(const SetPoint &wanted) const

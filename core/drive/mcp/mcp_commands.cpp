@@ -8,25 +8,6 @@
 
 namespace drive {
 
-namespace {
-
-mcp::CommandId commandOf(MotorAction action)
-{
-    switch (action) {
-    case MotorAction::Start:
-        return mcp::CommandId::StartMotor;
-    case MotorAction::StopMotor:
-        return mcp::CommandId::StopMotor;
-    case MotorAction::StopRamp:
-        return mcp::CommandId::StopRamp;
-    case MotorAction::AcknowledgeFaults:
-        break;
-    }
-    return mcp::CommandId::FaultAck;
-}
-
-} // namespace
-
 CommandTask::CommandTask(WishId id, const Command &command, const McpFacts &board)
     : WishTask(id, permissionOf(command))
     , m_board(board)
@@ -64,7 +45,7 @@ std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
         m_command.action == MotorAction::Start && (checking(question) || finished()))
         return question;
     markSent();
-    return McpAct{commandOf(m_command.action), m_command.motor};
+    return McpAct{commandOf<mcp::CommandId>(m_command.action), m_command.motor};
 }
 
 void CommandTask::onResponse(const ByteView &response, TimePoint now)
