@@ -57,11 +57,7 @@ struct BoardFacts {
 
     bool hasMotor(int motor) const { return motor >= 1 && motor <= motors; }
 
-    MotorLimits limitsOf(int motor) const
-    {
-        const auto at = static_cast<std::size_t>(motor - 1);
-        return hasMotor(motor) && at < limits.size() ? limits[at] : MotorLimits{};
-    }
+    MotorLimits limitsOf(int motor) const { return of(motor, limits); }
 
     MotionBounds boundsOf(int motor) const
     {
@@ -71,17 +67,10 @@ struct BoardFacts {
     /// As in MotorStatus.
     std::optional<bool> measuresSpeed(int motor) const
     {
-        const auto at = static_cast<std::size_t>(motor - 1);
-        if (!identified)
-            return std::nullopt;
-        return hasMotor(motor) && at < speedMeasured.size() && speedMeasured[at];
+        return identified ? std::optional(of(motor, speedMeasured)) : std::nullopt;
     }
 
-    double ampsPerDigit(int motor) const
-    {
-        const auto at = static_cast<std::size_t>(motor - 1);
-        return hasMotor(motor) && at < scales.size() ? scales[at].ampsPerDigit : 0.0;
-    }
+    double ampsPerDigit(int motor) const { return of(motor, scales).ampsPerDigit; }
 
     /// Why no current in A can be asked of the motor; empty if its scale is known.
     std::string reasonAgainstAmps(int motor) const
@@ -97,6 +86,14 @@ struct BoardFacts {
     {
         const auto at = std::ranges::find(capabilities, feature, &Capability::feature);
         return at == capabilities.end() || at->available ? std::string() : at->reason;
+    }
+
+private:
+    template <class T>
+    T of(int motor, const std::vector<T> &all) const
+    {
+        const auto at = static_cast<std::size_t>(motor - 1);
+        return hasMotor(motor) && at < all.size() ? all[at] : T();
     }
 };
 
