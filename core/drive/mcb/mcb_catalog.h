@@ -22,19 +22,15 @@ struct McbFacts : BoardFacts {
         const auto at = infos.find(address);
         return at == infos.end() ? nullptr : &at->second;
     }
-    bool readable(std::uint16_t address) const
+    bool readable(std::uint16_t address) const { return allows(address, catalog::Access::Read); }
+    bool writable(std::uint16_t address) const { return allows(address, catalog::Access::Write); }
+
+private:
+    bool allows(std::uint16_t address, catalog::Access access) const
     {
         const mcb::Info *info = infoOf(address);
         return info != nullptr
-            && (info->access == catalog::Access::Read
-                || info->access == catalog::Access::ReadWrite);
-    }
-    bool writable(std::uint16_t address) const
-    {
-        const mcb::Info *info = infoOf(address);
-        return info != nullptr
-            && (info->access == catalog::Access::Write
-                || info->access == catalog::Access::ReadWrite);
+            && (info->access == access || info->access == catalog::Access::ReadWrite);
     }
 };
 

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_reads.h"
 #include "drive/motion_limits.h"
 #include "mcb/dictionary.h"
 
@@ -139,30 +140,24 @@ void McbIdentification::findTextOrder()
         m_board.order = mcb::TextOrder::HighByteFirst;
 }
 
-double McbIdentification::numberAt(std::uint16_t address) const
+std::optional<Value> McbIdentification::valueAt(std::uint16_t address) const
 {
     const auto at = m_words.find(address);
-    const mcb::Info *info = m_board.infoOf(address);
-    if (at == m_words.end() || info == nullptr)
-        return 0.0;
-    const auto value = mcb::decodeValue(*info, at->second);
-    if (!value)
-        return 0.0;
-    if (const auto *whole = std::get_if<std::int64_t>(&*value))
-        return static_cast<double>(*whole);
-    const auto *real = std::get_if<double>(&*value);
-    return real != nullptr && std::isfinite(*real) ? *real : 0.0;
+    return at == m_words.end() ? std::nullopt : mcbValueOf(m_board, address, at->second);
+}
+
+double McbIdentification::numberAt(std::uint16_t address) const
+{
+    const auto value = valueAt(address);
+    const auto number = value ? catalog::asNumber(*value) : std::nullopt;
+    return number && std::isfinite(*number) ? *number : 0.0;
 }
 
 std::string McbIdentification::textAt(std::uint16_t address) const
 {
-    const auto at = m_words.find(address);
-    const mcb::Info *info = m_board.infoOf(address);
-    if (at == m_words.end() || info == nullptr || info->type != mcb::Type::Text)
-        return {};
-    const auto value = mcb::decodeValue(*info, at->second, m_board.order);
-    const auto *text = value ? std::get_if<std::string>(&*value) : nullptr;
-    return text != nullptr ? *text : std::string();
+    auto value = valueAt(address);
+    auto *text = value ? std::get_if<std::string>(&*value) : nullptr;
+    return text != nullptr ? std::move(*text) : std::string();
 }
 
 void McbIdentification::finish()

@@ -31,6 +31,7 @@ private:
     void next();
     void finish();
     void findTextOrder();
+    std::optional<Value> valueAt(std::uint16_t address) const; ///< of those that were read
     double numberAt(std::uint16_t address) const; ///< 0: not told, or no sane number
     std::string textAt(std::uint16_t address) const;
 
