@@ -19,8 +19,8 @@ public:
 
     /// @return false if too many wait already; the task is gone then
     bool add(std::unique_ptr<WishTask<P>> task);
-    void addFirst(
-        std::unique_ptr<WishTask<P>> task); ///< before all others; the drive's own, not counted
+    /// Before all others; the drive's own, not counted.
+    void addFirst(std::unique_ptr<WishTask<P>> task) { m_acting.push_front(std::move(task)); }
     /// A newer write: older ones of the same registers that have not left are not sent.
     void supersede(const Write &newer);
 
@@ -40,7 +40,6 @@ public:
 
 private:
     using Queue = std::deque<std::unique_ptr<WishTask<P>>>;
-    void collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now);
 
     Queue m_acting, m_reading;
 };
@@ -53,12 +52,6 @@ bool WishQueue<P>::add(std::unique_ptr<WishTask<P>> task)
         return false;
     queue.push_back(std::move(task));
     return true;
-}
-
-template <class P>
-void WishQueue<P>::addFirst(std::unique_ptr<WishTask<P>> task)
-{
-    m_acting.push_front(std::move(task));
 }
 
 template <class P>
@@ -105,26 +98,21 @@ void WishQueue<P>::cutActing(const std::string &reason, const WishTask<P> *excep
 template <class P>
 void WishQueue<P>::collect(std::vector<Event> &events, TimePoint now)
 {
-    collectFrom(m_acting, events, now);
-    collectFrom(m_reading, events, now);
-}
-
-template <class P>
-void WishQueue<P>::collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now)
-{
-    for (const auto &task : queue) {
-        if (auto readings = task->takeReadings(); !readings.empty())
-            events.emplace_back(RegistersRead{std::move(readings)});
-        if (auto &motion = task->motion(); task->finished() && motion) {
-            motion->ended = std::max(motion->asked, now);
-            motion->outcome = task->ended().outcome;
-            motion->reason = task->ended().reason;
-            events.emplace_back(std::move(*motion));
+    for (Queue *queue : {&m_acting, &m_reading}) {
+        for (const auto &task : *queue) {
+            if (auto readings = task->takeReadings(); !readings.empty())
+                events.emplace_back(RegistersRead{std::move(readings)});
+            if (auto &motion = task->motion(); task->finished() && motion) {
+                motion->ended = std::max(motion->asked, now);
+                motion->outcome = task->ended().outcome;
+                motion->reason = task->ended().reason;
+                events.emplace_back(std::move(*motion));
+            }
+            if (task->finished() && task->ended().id != 0)
+                events.emplace_back(task->ended());
         }
-        if (task->finished() && task->ended().id != 0)
-            events.emplace_back(task->ended());
+        std::erase_if(*queue, [](const auto &task) { return task->finished(); });
     }
-    std::erase_if(queue, [](const auto &task) { return task->finished(); });
 }
 
 } // namespace drive
