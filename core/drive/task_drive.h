@@ -144,13 +144,6 @@ private:
     /// The last request of a wish only read. The watched take turns with such ones: a snapshot reads for seconds.
     bool m_readLast = false;
 
-    /// Takes the answer that belongs to a wish which has ended meanwhile.
-    class EndedWish : public Task<P> {
-        std::optional<Request> nextRequest(TimePoint) override { return std::nullopt; }
-        void onResponse(const Answer &, TimePoint) override { }
-        void onNoResponse(std::optional<bool>, TimePoint) override { }
-    };
-
     void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
     void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
     /// What waits was asked for, and checked, under limits that hold no more.
@@ -176,7 +169,8 @@ private:
 
     TimePoint m_closeBy;
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
-    EndedWish m_ended;
+    /// Takes the answer that belongs to a wish which has ended meanwhile.
+    EndedTask<P> m_ended{0, Permission::Always, Outcome::Ok, {}};
     std::string m_cutAfterAnswer; ///< why m_wish ends when its answer has come; empty: it goes on
 };
 
