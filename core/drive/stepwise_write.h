@@ -176,7 +176,7 @@ void StepwiseWrite<P>::onNoResponse(std::optional<bool> executed, TimePoint)
             advance();
         return;
     }
-    if (executed.has_value() && !*executed) {
+    if (executed == false) {
         if (!repeats())
             return close(Outcome::NotSent, "no answer");
         if (!std::exchange(current().repeated, true))

@@ -345,10 +345,9 @@ void McbStreamTask::fail(Outcome outcome, std::string reason)
 
 void McbStreamTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
-    const bool notExecuted = executed.has_value() && !*executed;
     const bool asks = !m_steps.empty() && m_steps.front().step != Step::Unmap
         && m_steps.front().step != Step::Map;
-    fail(notExecuted || asks ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    fail(executed == false || asks ? Outcome::NotSent : Outcome::Unknown, "no answer");
 }
 
 void McbStreamTask::cut(const std::string &reason)

@@ -297,11 +297,10 @@ void McpWriteTask::onNoResponse(std::optional<bool> executed, TimePoint)
             finish();
         return;
     }
-    const bool notExecuted = executed.has_value() && !*executed;
     for (Item *item : open()) {
         const bool raw =
             wireWidth(item->write.id) == 0; // raw registers may be ramps, which are never repeated
-        if (!notExecuted)
+        if (executed != false)
             item->state = State::Doubtful;
         else if (!raw && !std::exchange(item->repeated, true))
             item->state = State::Waiting;
