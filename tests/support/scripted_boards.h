@@ -6,7 +6,7 @@
 #include "catalog/catalog.h"
 #include "drive/fcp/fcp_drive.h"
 #include "drive/mcp/mcp_drive.h"
-#include "drive/mcp/mcp_values.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "fcp/framer.h"
 #include "fcp/reply.h"
 #include "mcp/protocol.h"

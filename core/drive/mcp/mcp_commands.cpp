@@ -2,7 +2,6 @@
 
 #include "catalog/names.h"
 #include "drive/control_mode.h"
-#include "drive/mcp/mcp_values.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
 

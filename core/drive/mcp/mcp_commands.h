@@ -2,7 +2,7 @@
 // Unknown (or NotSent, if the board's count of requests proves it), and the state is read instead.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/mcp/mcp_start_check.h"
 #include "drive/set_point_check.h"
 #include "drive/task.h"

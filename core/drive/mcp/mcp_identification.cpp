@@ -4,7 +4,6 @@
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/mcp/mcp_stream.h"
-#include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // board "unknown firmware": shown read-only and raw, never refused.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/task.h"
 #include "mcp/structures.h"
 

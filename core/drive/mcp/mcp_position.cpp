@@ -1,6 +1,5 @@
 #include "drive/mcp/mcp_position.h"
 
-#include "drive/mcp/mcp_values.h"
 #include "drive/set_point_check.h"
 #include "mcp/protocol.h"
 

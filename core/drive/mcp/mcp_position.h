@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/mcp/mcp_limits.h"
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/task.h"
 
 namespace drive {

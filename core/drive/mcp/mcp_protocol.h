@@ -1,10 +1,18 @@
 // What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a status.
+// Register values between the wire's bytes and the neutral Value, with the range checks that keep nonsense from being
+// encoded, and how registers are read. Reasons are short words for the Ended event.
 #pragma once
 
+#include "base/result.h"
 #include "drive/board_facts.h"
+#include "drive/reader.h"
+#include "drive/values.h"
 #include "mcp/request.h"
 
 #include <map>
+#include <optional>
+#include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -68,6 +76,52 @@ struct McpProtocol {
     using Reads = McpReads;
     static constexpr int kAttempts = 4;
     static std::optional<ReadStatus> refuseRead(const McpFacts &board, RegisterId id);
+};
+
+/// The register of one motor.
+inline RegisterId idOf(mcp::RegisterId id, int motor)
+{
+    return id.withMotor(static_cast<unsigned>(motor)).bits;
+}
+
+/// Bytes a scalar takes in an answer; 0 for texts and raw values, whose length only the answer tells.
+std::size_t wireWidth(RegisterId id);
+
+/// As a SET has it. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
+Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, const Value &value);
+
+/// How the answer to a command or a set-point ends its wish.
+struct McpEnd {
+    Outcome outcome = Outcome::Unknown;
+    std::string reason;
+};
+McpEnd endIn(ByteView response);
+
+/// The firmware's word for a status byte, or the byte in hex.
+std::string statusWord(std::uint8_t status);
+
+/// Reading with as few GET requests as the negotiated sizes allow.
+///
+/// Ids go out ordered 32-, 16-, 8-bit (an unaligned value is a fault on small controllers); texts and raw values each
+/// in a request of their own. The room for answers is computed here, because the board does not check it for every
+/// register. A failing id ends an answer early: the values before it tell which one it was, the rest is asked again.
+/// A refusal is believed when it comes twice: the id may have been damaged on its way, and payloads are not protected.
+/// An answer whose length fits nothing counts as lost.
+class McpReads : public PlainReads {
+public:
+    explicit McpReads(const McpFacts &board)
+        : m_board(board)
+    {
+    }
+
+    void begin(std::vector<RegisterId> &ids);
+    McpRequest request(std::span<const RegisterId> ids, std::size_t &count) const;
+    std::optional<std::vector<Reading>> readings(
+        std::span<const RegisterId> ids, ByteView answer, TimePoint now);
+
+private:
+    const McpFacts &m_board;
+    std::optional<RegisterId> m_doubted; ///< refused once
 };
 
 } // namespace drive

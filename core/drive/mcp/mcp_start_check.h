@@ -4,7 +4,7 @@
 // Without such limits nothing is read; the board's own limits are the business of its firmware then.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 
 #include <optional>
 #include <string>

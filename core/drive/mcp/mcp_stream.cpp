@@ -1,7 +1,5 @@
 #include "drive/mcp/mcp_stream.h"
 
-#include "drive/mcp/mcp_reads.h"
-#include "drive/mcp/mcp_values.h"
 #include "mcp/datalog.h"
 #include "mcp/protocol.h"
 

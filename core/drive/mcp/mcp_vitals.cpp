@@ -1,7 +1,6 @@
 #include "drive/mcp/mcp_vitals.h"
 
 #include "catalog/names.h"
-#include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
 
 namespace drive {

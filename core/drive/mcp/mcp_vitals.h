@@ -1,7 +1,7 @@
 // State, faults and speed of every motor; which register holds the speed depends on the firmware's family.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/vitals.h"
 
 namespace drive {

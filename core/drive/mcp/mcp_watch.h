@@ -1,7 +1,7 @@
 // Watched registers beside a stream: a round leaves the line the time that stream and commands need.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/register_watch.h"
 
 namespace drive {

@@ -1,7 +1,6 @@
 #include "drive/mcp/mcp_writes.h"
 
 #include "drive/mcp/mcp_limits.h"
-#include "drive/mcp/mcp_values.h"
 #include "mcp/datalog.h"
 #include "motor/ramp.h"
 #include "motor/rev_up.h"

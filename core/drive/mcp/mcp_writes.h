@@ -5,7 +5,7 @@
 // an 8-bit one last. Structures and whatever can move something go alone, so that a lost answer is about them only.
 #pragma once
 
-#include "drive/mcp/mcp_reads.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/write_task.h"
 
 #include <map>

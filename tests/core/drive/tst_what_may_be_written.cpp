@@ -3,7 +3,7 @@
 #include "catalog/catalog.h"
 #include "catalog/csv.h"
 #include "drive/control_mode.h"
-#include "drive/mcp/mcp_values.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/motion_limits.h"
 #include "fcp/register_table.h"
 #include "mcb/dictionary.h"
