@@ -2,6 +2,7 @@
 // Unknown (or NotSent, if the board's count of requests proves it), and the state is read instead.
 #pragma once
 
+#include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_protocol.h"
 #include "drive/mcp/mcp_start_check.h"
 #include "drive/set_point_check.h"
@@ -48,6 +49,28 @@ private:
     Step m_step = Step::Begin;
     bool m_modeRepeated = false;
     Reader<McpProtocol> m_reader{m_board};
+};
+
+/// A move of the shaft to an angle. Where the shaft is now is read first, because the speed on the way follows from it; then
+/// the raw register is set, which also makes the firmware control the position. Sent once.
+class PositionTask : public WishTask<McpProtocol> {
+public:
+    PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board);
+
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    std::string refuse() const;
+    RawPosition wanted() const;
+    void judge();
+
+    const McpFacts &m_board;
+    PositionRamp m_ramp;
+    Reader<McpProtocol> m_reader{m_board};
+    std::optional<double> m_position_rad;
+    bool m_asked = false, m_judged = false;
 };
 
 } // namespace drive

@@ -5,7 +5,6 @@
 #include "drive/mcp/mcp_commands.h"
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_identification.h"
-#include "drive/mcp/mcp_position.h"
 #include "drive/mcp/mcp_stream.h"
 #include "drive/mcp/mcp_vitals.h"
 #include "drive/mcp/mcp_watch.h"
