@@ -183,17 +183,9 @@ RawPosition PositionTask::wanted() const
     return {m_ramp.radians, std::chrono::duration<double>(m_ramp.duration).count()};
 }
 
-std::string PositionTask::refuse() const
-{
-    if (auto why = refuseMotor(m_board, m_ramp.motor); !why.empty())
-        return why;
-    return refusePosition(m_board, m_ramp.motor, wanted());
-}
-
 /// Once it is known where the shaft is.
 void PositionTask::judge()
 {
-    m_judged = true;
     if (!m_position_rad)
         return end(Outcome::NotSent, "the board does not tell where the shaft is");
     if (auto why = refuseWay(m_board, m_ramp.motor, wanted(), *m_position_rad); !why.empty())
@@ -204,19 +196,17 @@ std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
-    if (!m_asked) {
-        if (auto why = refuse(); !why.empty())
+    if (!std::exchange(m_asked, true)) {
+        auto why = refuseMotor(m_board, m_ramp.motor);
+        if (why.empty())
+            why = refusePosition(m_board, m_ramp.motor, wanted());
+        if (!why.empty())
             return noRequest(Outcome::Refused, std::move(why));
-        m_asked = true;
         m_reader.start(
             {m_board.catalog->withMotor(*m_board.catalog->find(kPosition), m_ramp.motor)});
     }
     if (!m_reader.finished())
         return m_reader.nextRequest();
-    if (!m_judged)
-        judge();
-    if (finished())
-        return std::nullopt;
     markSent();
     const auto seconds = std::chrono::duration<float>(m_ramp.duration).count();
     return mcpSet(mcp::reg::kPositionRamp, m_ramp.motor,

@@ -62,7 +62,6 @@ public:
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    std::string refuse() const;
     RawPosition wanted() const;
     void judge();
 
@@ -70,7 +69,7 @@ private:
     PositionRamp m_ramp;
     Reader<McpProtocol> m_reader{m_board};
     std::optional<double> m_position_rad;
-    bool m_asked = false, m_judged = false;
+    bool m_asked = false;
 };
 
 } // namespace drive
