@@ -7,7 +7,6 @@
 #include "drive/mcp/mcp_identification.h"
 #include "drive/mcp/mcp_stream.h"
 #include "drive/mcp/mcp_vitals.h"
-#include "drive/mcp/mcp_watch.h"
 #include "drive/mcp/mcp_writes.h"
 #include "drive/task_drive.h"
 
