@@ -1,7 +1,7 @@
 #include "drive/mcb/mcb_catalog.h"
 
 #include "base/text.h"
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "mcb/dictionary.h"
 #include "mcb/mapping.h"
 

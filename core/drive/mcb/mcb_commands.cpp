@@ -1,8 +1,6 @@
 #include "drive/mcb/mcb_commands.h"
 
-#include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
-#include "drive/mcb/mcb_messages.h"
 #include "drive/mcb/mcb_set_points.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "drive/control_mode.h"
-#include "drive/mcb/mcb_reads.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "drive/task.h"
 
 #include <deque>

@@ -1,7 +1,6 @@
 #include "drive/mcb/mcb_drive.h"
 
 #include "base/overloaded.h"
-#include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_commands.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"

@@ -1,9 +1,6 @@
 #include "drive/mcb/mcb_identification.h"
 
 #include "base/text.h"
-#include "drive/mcb/mcb_catalog.h"
-#include "drive/mcb/mcb_messages.h"
-#include "drive/mcb/mcb_reads.h"
 #include "drive/motion_limits.h"
 #include "mcb/dictionary.h"
 

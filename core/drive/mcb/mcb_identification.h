@@ -2,7 +2,7 @@
 // every one that the dictionary knows), and what bounds its motion. It only reads.
 #pragma once
 
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "drive/task.h"
 
 #include <deque>

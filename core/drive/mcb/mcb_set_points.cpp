@@ -1,6 +1,6 @@
 #include "drive/mcb/mcb_set_points.h"
 
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_protocol.h"
 
 namespace drive {
 

@@ -1,9 +1,6 @@
 #include "drive/mcb/mcb_stream.h"
 
-#include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
-#include "drive/mcb/mcb_messages.h"
-#include "drive/mcb/mcb_reads.h"
 #include "drive/stop_sequence.h"
 #include "drive/values.h"
 

@@ -4,7 +4,7 @@
 // frame that was late is late in the plot, too. A frame that was damaged is a gap.
 #pragma once
 
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "drive/mcb/mcb_set_points.h"
 #include "drive/task.h"
 

@@ -1,9 +1,7 @@
 #include "drive/mcb/mcb_vitals.h"
 
 #include "base/text.h"
-#include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
-#include "drive/mcb/mcb_messages.h"
 #include "drive/values.h"
 
 namespace drive {

@@ -1,7 +1,7 @@
 // The status word, the measured velocity, and the latest error where there is a fault.
 #pragma once
 
-#include "drive/mcb/mcb_reads.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "drive/vitals.h"
 
 namespace drive {

@@ -1,8 +1,6 @@
 #include "drive/mcb/mcb_writes.h"
 
-#include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_commands.h"
-#include "drive/mcb/mcb_messages.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"

@@ -2,7 +2,7 @@
 // set-point that comes into force with it.
 #pragma once
 
-#include "drive/mcb/mcb_reads.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "drive/stepwise_write.h"
 
 namespace drive {

@@ -2,7 +2,7 @@
 // is cheap enough for thousands of runs.
 #pragma once
 
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "mcb/dictionary.h"
 #include "simulation/mcb/mcb_board.h"
 

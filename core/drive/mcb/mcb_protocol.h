@@ -1,11 +1,13 @@
 // Requests and answers between the tasks of McbDrive and its link, as bytes: a request is its frames as on the wire in the
-// config state, which is what the motion log keeps; an answer is ours.
+// config state, which is what the motion log keeps; an answer is ours. And how registers are read and values become words.
 #pragma once
 
 #include "drive/mcb/mcb_catalog.h"
+#include "drive/reader.h"
 #include "mcb/master.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -81,5 +83,27 @@ constexpr std::uint32_t kOtherValueRead = 0xFFFFFFFF;
 
 /// What a code means, and the code: "no such register (0x06020000)".
 std::string mcbWordOf(std::uint32_t code);
+
+/// Reading by one request a register. The link repeats what was lost, so what gets no answer here is given up.
+class McbReads : public PlainReads {
+public:
+    explicit McbReads(const McbFacts &board)
+        : m_board(board)
+    {
+    }
+
+    McbRequest request(std::span<const RegisterId> ids, std::size_t &count) const;
+    std::optional<std::vector<Reading>> readings(
+        std::span<const RegisterId> ids, const McbAnswer &answer, TimePoint now) const;
+
+private:
+    const McbFacts &m_board;
+};
+
+/// A value as the catalogue has it, from the words of an answer; nothing if they are no such value.
+std::optional<Value> mcbValueOf(const McbFacts &board, std::uint16_t address, mcb::WordView words);
+/// Which words a value of a register is, or why it cannot be one.
+Result<mcb::Words, std::string> mcbWordsOf(
+    const McbFacts &board, std::uint16_t address, const Value &value);
 
 } // namespace drive
