@@ -2,11 +2,14 @@
 // lost it ends Unknown (NotSent, if the board said that it did not understand), and the state is read instead.
 //
 // An acknowledgement here proves nothing: START is acknowledged in any state. What the motor does is read by others.
+// Writes are wishes with rules of their own.
 #pragma once
 
 #include "drive/fcp/fcp_protocol.h"
 #include "drive/set_point_check.h"
+#include "drive/stepwise_write.h"
 #include "drive/task.h"
+#include "motor/rev_up.h"
 
 namespace drive {
 
@@ -43,6 +46,22 @@ private:
     Reader<FcpProtocol> m_reader{m_board};
     std::vector<Reading> m_found;
     bool m_looked = false;
+};
+
+/// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
+std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages);
+
+/// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What the
+/// board did not understand goes out once more.
+class FcpWriteTask final : public StepwiseWrite<FcpProtocol> {
+public:
+    using StepwiseWrite::StepwiseWrite;
+
+private:
+    std::string plan(const RegisterWrite &write) override;
+    bool repeats() const override { return true; }
+    /// START is acknowledged in any state.
+    bool acknowledgementCounts() const override { return false; }
 };
 
 } // namespace drive

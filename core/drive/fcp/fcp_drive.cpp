@@ -4,7 +4,6 @@
 #include "drive/fcp/fcp_commands.h"
 #include "drive/fcp/fcp_identification.h"
 #include "drive/fcp/fcp_vitals.h"
-#include "drive/fcp/fcp_writes.h"
 #include "drive/task_drive.h"
 #include "fcp/client.h"
 

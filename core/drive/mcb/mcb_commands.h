@@ -1,5 +1,6 @@
 // Motor commands and set-points as wishes: first what has to be known is read, then it is judged, then control word, mode
-// and set-points are written, each once. A write whose answer is lost ends the wish Unknown.
+// and set-points are written, each once. A write whose answer is lost ends the wish Unknown. Writes that
+// are asked for as such have rules of their own.
 //
 // The state machine is walked step by step (shutdown, switch on, enable), each step when the status word shows the one
 // before. Where the mode is another one its own set-point goes first, so that no old one takes effect; where both modes
@@ -8,6 +9,7 @@
 
 #include "drive/control_mode.h"
 #include "drive/mcb/mcb_protocol.h"
+#include "drive/stepwise_write.h"
 #include "drive/task.h"
 
 #include <deque>
@@ -58,6 +60,18 @@ private:
     std::string m_problem; ///< of a step that was to be planned
     std::optional<TimePoint> m_waitingSince;
     bool m_planned = false, m_unread = false;
+};
+
+/// Write wishes: a register's type is asked first, because a drive may have another one than it had, and of a mode the
+/// set-point that comes into force with it.
+class McbWriteTask final : public StepwiseWrite<McbProtocol> {
+public:
+    using StepwiseWrite::StepwiseWrite;
+
+private:
+    std::string plan(const RegisterWrite &write) override;
+    std::string judgeAnswer(const McbRequest &question, const McbAnswer &answer) override;
+    std::string reasonWithout(const McbRequest &question) const override;
 };
 
 std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);

@@ -5,7 +5,6 @@
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"
 #include "drive/mcb/mcb_vitals.h"
-#include "drive/mcb/mcb_writes.h"
 #include "drive/register_watch.h"
 #include "drive/task_drive.h"
 #include "mcb/dictionary.h"
