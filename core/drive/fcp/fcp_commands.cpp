@@ -2,6 +2,7 @@
 
 #include "drive/values.h"
 #include "drive/write_check.h"
+#include "motor/rev_up.h"
 
 namespace drive {
 
@@ -30,6 +31,20 @@ std::string refuseAddress(const FcpFacts &board, RegisterId id)
         return "no such motor";
     if (board.missing.contains(id))
         return "this motor does not have it";
+    return {};
+}
+
+/// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
+std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages)
+{
+    const double amps = board.ampsPerDigit(motor);
+    for (const motor::RevUpStage &stage : stages) {
+        if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
+            return why;
+        if (amps > 0.0)
+            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
+                return why;
+    }
     return {};
 }
 
@@ -135,19 +150,6 @@ fcp::Command FcpActTask::encode(const SetPoint &wanted) const
     default:
         return fcp::SetCurrentReference{digits(wanted.first), digits(wanted.second)};
     }
-}
-
-std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages)
-{
-    const double amps = board.ampsPerDigit(motor);
-    for (const motor::RevUpStage &stage : stages) {
-        if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
-            return why;
-        if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
-                return why;
-    }
-    return {};
 }
 
 std::optional<ReadStatus> FcpProtocol::refuseRead(const FcpFacts &board, RegisterId id)

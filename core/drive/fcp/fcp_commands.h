@@ -9,7 +9,6 @@
 #include "drive/set_point_check.h"
 #include "drive/stepwise_write.h"
 #include "drive/task.h"
-#include "motor/rev_up.h"
 
 namespace drive {
 
@@ -47,9 +46,6 @@ private:
     std::vector<Reading> m_found;
     bool m_looked = false;
 };
-
-/// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
-std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages);
 
 /// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What the
 /// board did not understand goes out once more.
