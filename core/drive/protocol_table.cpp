@@ -1,9 +1,6 @@
 #include "drive/protocol_table.h"
 
-#include "drive/auto_drive.h"
-#include "drive/fcp/fcp_drive.h"
-#include "drive/mcb/mcb_drive.h"
-#include "drive/mcp/mcp_drive.h"
+#include "fcp/protocol.h"
 
 #include <algorithm>
 #include <array>

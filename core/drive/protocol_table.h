@@ -10,6 +10,11 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
+
+namespace fcp {
+enum class Dialect : std::uint8_t;
+}
 
 namespace drive {
 
@@ -49,5 +54,15 @@ struct ProtocolRow {
 /// In the order in which they are offered and asked for.
 std::span<const ProtocolRow> protocolTable();
 const ProtocolRow &rowOf(Protocol protocol);
+
+// What makes them, in a file each.
+std::unique_ptr<Drive> makeMcpDrive(const LineOptions &line, Search search = Search::No);
+/// @param dialect  that the user chose; empty: found out
+std::unique_ptr<Drive> makeFcpDrive(
+    const LineOptions &line, std::optional<fcp::Dialect> dialect = {});
+std::unique_ptr<Drive> makeMcbDrive(const LineOptions &line, Search search = Search::No);
+/// @param candidates  at least one; in the order in which they are tried
+std::unique_ptr<Drive> makeAutoDrive(
+    std::vector<const ProtocolRow *> candidates, const LineOptions &options);
 
 } // namespace drive

@@ -1,5 +1,5 @@
 // FcpDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
-#include "drive/fcp/fcp_drive.h"
+#include "drive/protocol_table.h"
 #include "fuzz/fcp_peer.h"
 #include "support/wire/fcp.h"
 

@@ -1,5 +1,5 @@
 // McbDrive through any script of acts, faults and time: drive_script.h has the rules.
-#include "drive/mcb/mcb_drive.h"
+#include "drive/protocol_table.h"
 #include "fuzz/mcb_peer.h"
 #include "support/wire/mcb.h"
 

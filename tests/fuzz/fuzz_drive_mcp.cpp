@@ -1,5 +1,5 @@
 // McpDrive through any script of acts, faults and time: drive_script.h has the rules.
-#include "drive/mcp/mcp_drive.h"
+#include "drive/protocol_table.h"
 #include "fuzz/mcp_peer.h"
 #include "support/wire/mcp.h"
 

@@ -3,8 +3,7 @@
 // it finds fails the test when the pair goes.
 #pragma once
 
-#include "drive/fcp/fcp_drive.h"
-#include "drive/mcp/mcp_drive.h"
+#include "drive/protocol_table.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
 #include "simulation/fcp/fcp_motor_board.h"

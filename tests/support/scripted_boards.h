@@ -4,9 +4,8 @@
 
 #include "aspep/packet.h"
 #include "catalog/catalog.h"
-#include "drive/fcp/fcp_drive.h"
-#include "drive/mcp/mcp_drive.h"
 #include "drive/mcp/mcp_protocol.h"
+#include "drive/protocol_table.h"
 #include "fcp/framer.h"
 #include "fcp/reply.h"
 #include "mcp/protocol.h"

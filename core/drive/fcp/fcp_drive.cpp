@@ -1,9 +1,15 @@
-#include "drive/fcp/fcp_drive.h"
-
+// Drive for boards of the older serial protocol, in both its dialects. It joins the link (fcp::Client) with the pieces of
+// work that want something of the board (Task) and gives the link to the most urgent one whenever it is free:
+//
+//   the stop of every motor > identification > state poll > wishes that act > wishes that read > watched registers
+//
+// After every connection the board is identified with reads alone; only then anything else. Every frame names its motor.
+// Boards of this protocol send nothing by themselves: what is drawn is read over and over, as often as the line gives.
 #include "drive/drawn_watch.h"
 #include "drive/fcp/fcp_commands.h"
 #include "drive/fcp/fcp_identification.h"
 #include "drive/fcp/fcp_vitals.h"
+#include "drive/protocol_table.h"
 #include "drive/task_drive.h"
 #include "fcp/client.h"
 

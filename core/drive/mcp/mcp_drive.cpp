@@ -1,5 +1,11 @@
-#include "drive/mcp/mcp_drive.h"
-
+// Drive for boards that speak MCP over ASPEP. It joins the link (aspep::Controller) with the pieces of work that want
+// something of the board (Task) and gives the link to the most urgent one whenever it is free:
+//
+//   the stop of every motor > identification > heartbeat > state poll > wishes that act > wishes that read > watched registers
+//
+// After every connection: version, state of every motor, datalog stopped, the rest of the identification; only then
+// anything else. No motion, no write and no acknowledgement is ever sent that a wish of this session did not ask for;
+// the heartbeat of a drive with a watchdog moves nothing.
 #include "aspep/controller.h"
 #include "base/overloaded.h"
 #include "drive/mcp/mcp_commands.h"
@@ -8,6 +14,7 @@
 #include "drive/mcp/mcp_stream.h"
 #include "drive/mcp/mcp_vitals.h"
 #include "drive/mcp/mcp_writes.h"
+#include "drive/protocol_table.h"
 #include "drive/task_drive.h"
 
 namespace drive {

@@ -2,7 +2,7 @@
 // inside runFor() and runUntil(); the same seed gives the same run.
 #pragma once
 
-#include "drive/mcb/mcb_drive.h"
+#include "drive/protocol_table.h"
 #include "mcb/master.h"
 #include "simulation/mcb/mcb_board.h"
 #include "support/judge_speaks.h"

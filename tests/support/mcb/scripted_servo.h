@@ -2,7 +2,7 @@
 // a request brings comes in a later exchange, so what fares badly there happens to that one.
 #pragma once
 
-#include "drive/mcb/mcb_drive.h"
+#include "drive/protocol_table.h"
 #include "mcb/frame.h"
 #include "support/mcb/quick_servo.h"
 #include "support/scripted_boards.h"
