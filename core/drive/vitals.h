@@ -8,8 +8,10 @@
 #include "drive/task.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace drive {
@@ -20,6 +22,31 @@ inline constexpr Duration kVitalsHurry = std::chrono::milliseconds(500); ///< ho
 inline constexpr Duration kVitalsPause = std::chrono::milliseconds(250); ///< at most, for others
 inline constexpr Duration kVitalsRound =
     std::chrono::milliseconds(500); ///< a round that took longer is of two times
+
+/// A step of a run, by the numbers that firmware has for the states that it covers.
+struct NumberedStep {
+    MotorState state = MotorState::Unknown;
+    std::initializer_list<std::int64_t> numbers;
+};
+inline MotorState stateIn(std::span<const NumberedStep> steps, std::int64_t number)
+{
+    const auto covers = [number](const NumberedStep &step) {
+        return std::ranges::find(step.numbers, number) != step.numbers.end();
+    };
+    const auto at = std::ranges::find_if(steps, covers);
+    return at == steps.end() ? MotorState::Unknown : at->state;
+}
+inline std::vector<StateStep> namedSteps(
+    std::span<const NumberedStep> steps, std::string (*nameOf)(std::int64_t))
+{
+    std::vector<StateStep> named;
+    for (const NumberedStep &step : steps) {
+        named.push_back({step.state, {}});
+        for (const std::int64_t number : step.numbers)
+            named.back().names.push_back(nameOf(number));
+    }
+    return named;
+}
 
 template <class P>
 class Vitals : public Task<P> {

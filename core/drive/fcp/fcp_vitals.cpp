@@ -3,7 +3,7 @@
 #include "catalog/names.h"
 #include "drive/values.h"
 
-#include <array>
+#include <algorithm>
 
 namespace drive {
 
@@ -11,55 +11,27 @@ namespace {
 
 using namespace fcp::number;
 
-struct StateName {
-    std::int64_t number;
-    MotorState state;
-    std::string_view name; ///< empty: the newer firmware has it, too
-};
 constexpr std::int64_t kInrushWait = 12;
-constexpr std::array kStates{StateName{0, MotorState::Idle, ""},
-    StateName{1, MotorState::Starting, "IDLE_ALIGNMENT"}, StateName{2, MotorState::Starting, ""},
-    StateName{3, MotorState::Starting, "IDLE_START"}, StateName{4, MotorState::Starting, ""},
-    StateName{5, MotorState::Starting, "START_RUN"}, StateName{6, MotorState::Running, ""},
-    StateName{7, MotorState::Stopping, "ANY_STOP"}, StateName{8, MotorState::Stopping, ""},
-    StateName{9, MotorState::Stopping, "STOP_IDLE"}, StateName{10, MotorState::FaultNow, ""},
-    StateName{11, MotorState::FaultOver, ""}, StateName{kInrushWait, MotorState::Starting, ""},
-    StateName{13, MotorState::Starting, "ALIGN_CHARGE_BOOT_CAP"},
-    StateName{14, MotorState::Starting, "ALIGN_OFFSET_CALIB"},
-    StateName{15, MotorState::Starting, "ALIGN_CLEAR"}, StateName{16, MotorState::Starting, ""},
-    StateName{17, MotorState::Starting, ""}, StateName{18, MotorState::Starting, "CLEAR"},
-    StateName{19, MotorState::Starting, ""}, StateName{20, MotorState::Stopping, ""}};
+constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
+    {MotorState::Starting, {2, 1, 3, kInrushWait, 13, 14, 15, 16, 17, 18}},
+    {MotorState::Starting, {4}}, {MotorState::Starting, {19, 5}}, {MotorState::Running, {6}},
+    {MotorState::Stopping, {8, 7, 9, 20}}, {MotorState::FaultNow, {10}},
+    {MotorState::FaultOver, {11}}};
+/// Those that the newer firmware does not have.
+constexpr catalog::NamedValue kOlderNames[] = {{1, "IDLE_ALIGNMENT"}, {3, "IDLE_START"},
+    {5, "START_RUN"}, {7, "ANY_STOP"}, {9, "STOP_IDLE"}, {13, "ALIGN_CHARGE_BOOT_CAP"},
+    {14, "ALIGN_OFFSET_CALIB"}, {15, "ALIGN_CLEAR"}, {18, "CLEAR"}};
 
 std::string nameOf(std::int64_t number)
 {
-    for (const StateName &row : kStates)
-        if (row.number == number && !row.name.empty())
-            return std::string(row.name);
-    return catalog::valueName("STATUS", number);
-}
-
-MotorState stateOf(std::int64_t number)
-{
-    for (const StateName &row : kStates)
-        if (row.number == number)
-            return row.state;
-    return MotorState::Unknown;
+    const auto *older = std::ranges::find(kOlderNames, number, &catalog::NamedValue::value);
+    return older != std::end(kOlderNames) ? std::string(older->name)
+                                          : catalog::valueName("STATUS", number);
 }
 
 } // namespace
 
-std::vector<StateStep> fcpStateSteps()
-{
-    std::vector<StateStep> steps;
-    for (const std::initializer_list<std::int64_t> numbers :
-        {std::initializer_list<std::int64_t>{0}, {2, 1, 3, 12, 13, 14, 15, 16, 17, 18}, {4},
-            {19, 5}, {6}, {8, 7, 9, 20}, {10}, {11}}) {
-        steps.push_back({stateOf(*numbers.begin()), {}});
-        for (const std::int64_t number : numbers)
-            steps.back().names.push_back(nameOf(number));
-    }
-    return steps;
-}
+std::vector<StateStep> fcpStateSteps() { return namedSteps(kSteps, nameOf); }
 
 std::vector<RegisterId> FcpVitals::idsToRead()
 {
@@ -81,7 +53,7 @@ std::optional<MotorStatus> FcpVitals::statusOf(int motor) const
         return std::nullopt;
     MotorStatus status;
     status.rawState = static_cast<std::int64_t>(*state);
-    status.state = stateOf(status.rawState);
+    status.state = stateIn(kSteps, status.rawState);
     status.stateName = nameOf(status.rawState);
     status.waitsForBus = status.rawState == kInrushWait;
     status.speedRpm = number(kSpeedMeas);

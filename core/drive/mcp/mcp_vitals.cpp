@@ -10,6 +10,11 @@ namespace drive {
 namespace {
 
 constexpr std::int64_t kInrushWait = 12;
+constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
+    // ALIGNMENT, OFFSET_CALIB, CHARGE_BOOT_CAP, ICLWAIT, OTF_DETECTION, OTF_BRAKE, a resistance estimate; START; SWITCH_OVER
+    {MotorState::Starting, {2, 17, 16, kInrushWait, 21, 22, 30}}, {MotorState::Starting, {4}},
+    {MotorState::Starting, {19}}, {MotorState::Running, {6}}, {MotorState::Stopping, {8, 20}},
+    {MotorState::FaultNow, {10}}, {MotorState::FaultOver, {11}}};
 
 // Of the line time that the stream leaves, polling takes no more than this part: commands and keep-alive need some,
 // and a line that is full to the brim makes the board drop samples.
@@ -20,46 +25,10 @@ constexpr double kLeastBytesPerSecond =
 
 } // namespace
 
-MotorState motorStateOf(std::int64_t status)
-{
-    switch (status) {
-    case 0:
-        return MotorState::Idle;
-    case 6:
-        return MotorState::Running;
-    case 8:
-    case 20:
-        return MotorState::Stopping;
-    case 10:
-        return MotorState::FaultNow;
-    case 11:
-        return MotorState::FaultOver;
-    case 2: // ALIGNMENT
-    case 4: // START
-    case 12: // ICLWAIT
-    case 16: // CHARGE_BOOT_CAP
-    case 17: // OFFSET_CALIB
-    case 19: // SWITCH_OVER
-    case 21: // OTF_DETECTION
-    case 22: // OTF_BRAKE
-    case 30: // resistance estimate
-        return MotorState::Starting;
-    default:
-        return MotorState::Unknown;
-    }
-}
-
 std::vector<StateStep> stateSteps()
 {
-    std::vector<StateStep> steps;
-    for (const std::initializer_list<std::int64_t> numbers :
-        {std::initializer_list<std::int64_t>{0}, {2, 17, 16, 12, 21, 22, 30}, {4}, {19}, {6},
-            {8, 20}, {10}, {11}}) {
-        steps.push_back({motorStateOf(*numbers.begin()), {}});
-        for (const std::int64_t number : numbers)
-            steps.back().names.push_back(catalog::valueName("STATUS", number));
-    }
-    return steps;
+    return namedSteps(
+        kSteps, [](std::int64_t number) { return catalog::valueName("STATUS", number); });
 }
 
 std::vector<RegisterId> McpVitals::idsToRead()
@@ -88,7 +57,7 @@ std::optional<MotorStatus> McpVitals::statusOf(int motor) const
     MotorStatus status;
     if (state != nullptr) {
         status.rawState = std::get<std::int64_t>(*state);
-        status.state = motorStateOf(status.rawState);
+        status.state = stateIn(kSteps, status.rawState);
         status.waitsForBus = status.rawState == kInrushWait;
         status.stateName = catalog::valueName("STATUS", status.rawState);
     }

@@ -17,8 +17,6 @@ private:
     std::optional<MotorStatus> statusOf(int motor) const override;
 };
 
-/// The neutral state behind a STATUS number.
-MotorState motorStateOf(std::int64_t status);
 /// The states of a run in their order; those before the start, and those that are rare, share a step.
 std::vector<StateStep> stateSteps();
 
