@@ -22,14 +22,11 @@ struct StandardName {
     std::uint8_t number;
     std::string_view name;
 };
-constexpr std::array kStandardNames{StandardName{0x01, "FAULTS_FLAGS"},
-    StandardName{kTorqueRef, "I_Q_REF"}, StandardName{0x09, "I_Q_KP"}, StandardName{0x0A, "I_Q_KI"},
-    StandardName{0x0B, "I_Q_KD"}, StandardName{kFluxRef, "I_D_REF"}, StandardName{0x0D, "I_D_KP"},
-    StandardName{0x0E, "I_D_KI"}, StandardName{0x0F, "I_D_KD"}, StandardName{0x10, "STOPLL_C1"},
-    StandardName{0x11, "STOPLL_C2"}, StandardName{0x12, "STOCORDIC_C1"},
-    StandardName{0x13, "STOCORDIC_C2"}, StandardName{0x14, "STOPLL_KI"},
-    StandardName{0x15, "STOPLL_KP"}, StandardName{0x1F, "I_Q_MEAS"},
-    StandardName{0x20, "I_D_MEAS"}};
+constexpr StandardName kStandardNames[] = {{0x01, "FAULTS_FLAGS"}, {kTorqueRef, "I_Q_REF"},
+    {0x09, "I_Q_KP"}, {0x0A, "I_Q_KI"}, {0x0B, "I_Q_KD"}, {kFluxRef, "I_D_REF"}, {0x0D, "I_D_KP"},
+    {0x0E, "I_D_KI"}, {0x0F, "I_D_KD"}, {0x10, "STOPLL_C1"}, {0x11, "STOPLL_C2"},
+    {0x12, "STOCORDIC_C1"}, {0x13, "STOCORDIC_C2"}, {0x14, "STOPLL_KI"}, {0x15, "STOPLL_KP"},
+    {0x1F, "I_Q_MEAS"}, {0x20, "I_D_MEAS"}};
 
 bool isDivisor(std::uint8_t number) { return number == kSpeedKpDiv || number == kSpeedKiDiv; }
 
@@ -63,7 +60,7 @@ catalog::RegisterInfo neutral(
     const auto number = static_cast<std::uint8_t>(entry.info.id);
     info.id = fcpId(number, 0);
     const auto name = std::ranges::find(kStandardNames, number, &StandardName::number);
-    if (name != kStandardNames.end())
+    if (name != std::end(kStandardNames))
         info.aliases.push_back(std::exchange(info.name, std::string(name->name)));
     takeOver(info, standard);
     using catalog::Access;

@@ -20,25 +20,22 @@ struct Alias {
     std::string_view name;
 };
 /// Standard names of the same thing. Gains have none: those of other drives are digits, these are V/A.
-constexpr std::array kAliases{Alias{0x031, "SPEED_MEAS"}, Alias{0x079, "SPEED_REF"},
-    Alias{0x03B, "I_Q_MEAS"}, Alias{0x03C, "I_D_MEAS"}, Alias{0x072, "I_Q_REF"},
-    Alias{0x073, "I_D_REF"}, Alias{0x038, "I_A"}, Alias{0x039, "I_B"}, Alias{0x070, "V_Q"},
-    Alias{0x071, "V_D"}, Alias{0x060, "BUS_VOLTAGE"}, Alias{0x067, "HEATS_TEMP"}};
+constexpr Alias kAliases[] = {{0x031, "SPEED_MEAS"}, {0x079, "SPEED_REF"}, {0x03B, "I_Q_MEAS"},
+    {0x03C, "I_D_MEAS"}, {0x072, "I_Q_REF"}, {0x073, "I_D_REF"}, {0x038, "I_A"}, {0x039, "I_B"},
+    {0x070, "V_Q"}, {0x071, "V_D"}, {0x060, "BUS_VOLTAGE"}, {0x067, "HEATS_TEMP"}};
 
 struct Group {
     std::uint16_t first;
     std::string_view name;
 };
 /// Each up to the next one.
-constexpr std::array kGroups{Group{0x000, "State"}, Group{0x018, "Set-points"},
-    Group{0x030, "Measurements"}, Group{0x070, "Demands"}, Group{0x080, "Inputs and outputs"},
-    Group{0x096, "Demands"}, Group{0x100, "Motor"}, Group{0x120, "Brake"},
-    Group{0x14F, "Commutation"}, Group{0x1E0, "Limits"}, Group{0x2E0, "Set-points"},
-    Group{0x35F, "Sensors"}, Group{0x450, "Homing"}, Group{0x4FF, "Gains"}, Group{0x517, "State"},
-    Group{0x530, "Filters"}, Group{0x590, "Gains"}, Group{0x5FC, "Inputs and outputs"},
-    Group{0x610, "Reactions"}, Group{0x630, "Protection"}, Group{0x640, "Communication"},
-    Group{0x64D, "State"}, Group{0x650, "Communication"}, Group{0x6DB, "Storage"},
-    Group{0x6E0, "Identity"}, Group{0x700, "Power stage"}};
+constexpr Group kGroups[] = {{0x000, "State"}, {0x018, "Set-points"}, {0x030, "Measurements"},
+    {0x070, "Demands"}, {0x080, "Inputs and outputs"}, {0x096, "Demands"}, {0x100, "Motor"},
+    {0x120, "Brake"}, {0x14F, "Commutation"}, {0x1E0, "Limits"}, {0x2E0, "Set-points"},
+    {0x35F, "Sensors"}, {0x450, "Homing"}, {0x4FF, "Gains"}, {0x517, "State"}, {0x530, "Filters"},
+    {0x590, "Gains"}, {0x5FC, "Inputs and outputs"}, {0x610, "Reactions"}, {0x630, "Protection"},
+    {0x640, "Communication"}, {0x64D, "State"}, {0x650, "Communication"}, {0x6DB, "Storage"},
+    {0x6E0, "Identity"}, {0x700, "Power stage"}};
 
 constexpr std::array<std::uint16_t, 10> kGains{
     0x500, 0x501, 0x505, 0x506, 0x50A, 0x50B, 0x50C, 0x511, 0x512, 0x513};

@@ -53,9 +53,8 @@ std::uint16_t mcbSetPointOf(std::uint16_t mode)
     struct Row {
         std::uint16_t mode, setPoint;
     };
-    static constexpr std::array kRows{Row{2, kIq}, Row{34, kIq}, Row{3, kVelocity},
-        Row{19, kVelocity}, Row{35, kVelocity}, Row{4, kPosition}, Row{20, kPosition},
-        Row{36, kPosition}};
+    static constexpr Row kRows[] = {{2, kIq}, {34, kIq}, {3, kVelocity}, {19, kVelocity},
+        {35, kVelocity}, {4, kPosition}, {20, kPosition}, {36, kPosition}};
     for (const Row &row : kRows)
         if (row.mode == mode)
             return row.setPoint;

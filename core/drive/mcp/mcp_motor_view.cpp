@@ -24,21 +24,12 @@ constexpr std::uint8_t kObserverPll = 1, kObserverCordic = 2, kEncoder = 3, kHal
 constexpr std::uint8_t kThreeShunts = 0, kOneShunt = 1, kOneShuntShifted = 2;
 
 struct FieldUnit {
-    std::string_view structure, key, unit;
+    std::string_view key, unit;
 };
-constexpr std::array kUnits{
-    FieldUnit{"MOTOR_CONFIG", "Rs", "\u03a9"},
-    FieldUnit{"MOTOR_CONFIG", "Lq", "H"},
-    FieldUnit{"MOTOR_CONFIG", "Ld", "H"},
-    FieldUnit{"MOTOR_CONFIG", "max current", "A"},
-    FieldUnit{"MOTOR_CONFIG", "copper mass", "kg"},
-    FieldUnit{"MOTOR_CONFIG", "cooling tau", "s"},
-    FieldUnit{"APPLICATION_CONFIG", "max speed", "rpm"},
-    FieldUnit{"APPLICATION_CONFIG", "max readable current", "A"},
-    FieldUnit{"APPLICATION_CONFIG", "nominal voltage", "V"},
-    FieldUnit{"FOCFW_CONFIG", "PWM frequency", "Hz"},
-    FieldUnit{"FOCFW_CONFIG", "medium frequency", "Hz"},
-};
+constexpr FieldUnit kUnits[] = {{"Rs", "\u03a9"}, {"Lq", "H"}, {"Ld", "H"}, {"max current", "A"},
+    {"copper mass", "kg"}, {"cooling tau", "s"}, {"max speed", "rpm"},
+    {"max readable current", "A"}, {"nominal voltage", "V"}, {"PWM frequency", "Hz"},
+    {"medium frequency", "Hz"}};
 
 const catalog::RegisterInfo *readable(const catalog::Catalog &catalog, std::string_view name)
 {
@@ -77,9 +68,8 @@ std::string unitOf(std::string_view structure, const mcp::Field &field, const Mo
         return fluxUnit(facts);
     if (field.name == "nominal current") // the short form has digits
         return std::holds_alternative<double>(field.value) ? "A" : "digits";
-    const auto unit = std::ranges::find_if(kUnits,
-        [&](const FieldUnit &row) { return row.structure == structure && row.key == field.name; });
-    return unit == kUnits.end() ? "" : std::string(unit->unit);
+    const auto *unit = std::ranges::find(kUnits, field.name, &FieldUnit::key);
+    return unit == std::end(kUnits) ? "" : std::string(unit->unit);
 }
 
 /// With the averages that ST's generator writes unless told otherwise.
