@@ -61,9 +61,8 @@ StartTarget startTarget(
     const auto number = numberOf(mode);
     if (!number)
         return target;
-    target.control = mode->name == kModes.front()
-        ? mcbControlOf(static_cast<std::uint16_t>(std::lround(*number)))
-        : controlModeOf(std::lround(*number));
+    target.control = mode->name == kModes.front() ? mcbControlOf(std::lround(*number))
+                                                  : controlModeOf(std::lround(*number));
     const auto reference = [&](const RegisterInfo *info) -> std::optional<double> {
         const auto shown = numberOf(info);
         if (!shown)

@@ -27,8 +27,17 @@ std::string refuseUnbounded(const BoardFacts &board, int motor, Reach reach)
                                       : "no limit of your own holds for it; take yours away first";
 }
 
-std::string refuseEffect(
-    const BoardFacts &board, const RegisterInfo &info, const RegisterWrite &write, Reach reach)
+/// Why a motor's control must not follow this; empty if it may.
+std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach)
+{
+    if (mode == ControlMode::Speed)
+        return {};
+    return mode == ControlMode::Torque ? refuseTorqueControl(board)
+                                       : refuseUnbounded(board, motor, reach);
+}
+
+std::string refuseEffect(const BoardFacts &board, const RegisterInfo &info,
+    const RegisterWrite &write, Reach reach, ControlMode (*controlOf)(std::int64_t))
 {
     if (info.effect == Effect::Kept)
         return {};
@@ -49,7 +58,8 @@ std::string refuseEffect(
                     || info.setPoint == catalog::SetPoint::Torque)
             ? refuseTorqueControl(board)
             : "";
-    case Effect::Mode: // of protocols whose numbers are the standard ones; others look again
+    case Effect::Mode:
+        return refuseControl(board, motor, controlOf(static_cast<std::int64_t>(number)), reach);
     case Effect::Kept:
         break;
     }
@@ -66,15 +76,8 @@ std::string refuseTorqueControl(const BoardFacts &board)
         + std::to_string(std::lround(board.user.maxSpeedRpm)) + " rpm: take that limit away first";
 }
 
-std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach)
-{
-    if (mode == ControlMode::Speed)
-        return {};
-    return mode == ControlMode::Torque ? refuseTorqueControl(board)
-                                       : refuseUnbounded(board, motor, reach);
-}
-
-std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach)
+std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach,
+    ControlMode (*controlOf)(std::int64_t))
 {
     const RegisterInfo *info = board.catalog->find(write.id);
     if (info == nullptr)
@@ -85,7 +88,7 @@ std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Rea
         return "no such motor";
     if (auto why = catalog::refuseValue(*info, write.value); !why.empty())
         return why;
-    if (auto why = refuseEffect(board, *info, write, reach); !why.empty())
+    if (auto why = refuseEffect(board, *info, write, reach, controlOf); !why.empty())
         return why;
     return refuseNumber(board, write);
 }

@@ -12,10 +12,9 @@
 namespace drive {
 
 /// Why this value must not be written; empty if it may.
-std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach);
-
-/// Why a motor's control must not follow this; empty if it may. @param reach  of the act
-std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach);
+/// @param controlOf  what a motor's control follows by the number of its mode
+std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach,
+    ControlMode (*controlOf)(std::int64_t) = controlModeOf);
 
 /// Why a motor must not be started, nor a register make it follow a current: the user's own limit of speed, which nothing
 /// keeps in torque control. A torque that is asked for as such is another matter: there the user is told.

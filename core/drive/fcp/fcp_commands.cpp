@@ -169,11 +169,6 @@ std::string FcpWriteTask::plan(const RegisterWrite &write)
         return why;
     if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())
         return why;
-    if (m_board.catalog->find(id)->effect == catalog::Effect::Mode)
-        if (auto why = refuseControl(
-                m_board, motor, controlModeOf(static_cast<std::int64_t>(number)), m_reach);
-            !why.empty())
-            return why;
     readBefore();
     if (isFcpRevUp(id)) {
         const auto *raw = std::get_if<Bytes>(&write.value);

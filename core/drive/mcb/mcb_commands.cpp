@@ -61,9 +61,9 @@ std::uint16_t mcbSetPointOf(std::uint16_t mode)
     return 0;
 }
 
-ControlMode mcbControlOf(std::uint16_t mode)
+ControlMode mcbControlOf(std::int64_t mode)
 {
-    const std::uint16_t followed = mcbSetPointOf(mode);
+    const std::uint16_t followed = mcbSetPointOf(static_cast<std::uint16_t>(mode));
     return followed == kVelocity ? ControlMode::Speed
         : followed == kIq        ? ControlMode::Torque
                                  : ControlMode::Other;
@@ -321,17 +321,12 @@ std::string McbWriteTask::plan(const RegisterWrite &write)
         return "is set by streaming";
     if (address == mcbreg::kControl)
         return "the state machine is walked by start, stop and the acknowledging of faults";
-    if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())
+    if (auto why = refuseWrite(m_board, write, m_reach, mcbControlOf); !why.empty())
         return why;
-    std::uint16_t followed = 0; // the set-point that comes into force with a mode
-    if (m_board.catalog->find(write.id)->effect == catalog::Effect::Mode) {
-        const auto mode = static_cast<std::uint16_t>(asNumber(write.value).value_or(0.0));
-        if (auto why = refuseControl(
-                m_board, m_board.catalog->motorOf(write.id), mcbControlOf(mode), m_reach);
-            !why.empty())
-            return why;
-        followed = mcbSetPointOf(mode);
-    }
+    // The set-point that comes into force with a mode.
+    const std::uint16_t followed = m_board.catalog->find(write.id)->effect == catalog::Effect::Mode
+        ? mcbSetPointOf(static_cast<std::uint16_t>(asNumber(write.value).value_or(0.0)))
+        : 0;
     auto words = mcbWordsOf(m_board, address, write.value);
     if (!words)
         return words.error();

@@ -19,7 +19,7 @@ namespace drive {
 /// Which set-point a mode follows; 0: another one.
 std::uint16_t mcbSetPointOf(std::uint16_t mode);
 /// What a mode controls, of those that are started here: positions go by a move, which knows the way.
-ControlMode mcbControlOf(std::uint16_t mode);
+ControlMode mcbControlOf(std::int64_t mode);
 
 using McbAct = std::variant<Command, SpeedRamp, CurrentReference, PositionRamp>;
 

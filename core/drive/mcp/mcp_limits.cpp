@@ -72,9 +72,6 @@ std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Rea
         return why;
     const auto &info = *board.catalog->find(write.id);
     const int motor = board.catalog->motorOf(write.id);
-    if (info.effect == catalog::Effect::Mode)
-        return refuseControl(board, motor,
-            controlModeOf(static_cast<std::int64_t>(asNumber(write.value).value_or(0.0))), reach);
     if (info.id == mcp::reg::kSpeedRef.bits && !board.hso)
         return refuseWireSpeed(board, motor, asNumber(write.value).value_or(NAN));
     const auto *bytes = std::get_if<Bytes>(&write.value);

@@ -1,5 +1,5 @@
-// What may be written to this protocol's registers beyond the rules of all protocols: its control mode, and the raw
-// registers that hold set-points.
+// What may be written to this protocol's registers beyond the rules of all protocols: the raw registers that hold
+// set-points.
 #pragma once
 
 #include "drive/mcp/mcp_protocol.h"
@@ -11,7 +11,7 @@
 namespace drive {
 
 /// Why this must not be written, as far as it can be told without a look at the board; empty if it may: the rules of all
-/// protocols (drive/write_check.h), the control mode, and the bytes of raw registers.
+/// protocols (drive/write_check.h), and the bytes of raw registers.
 std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Reach reach);
 
 /// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
