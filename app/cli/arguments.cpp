@@ -54,8 +54,8 @@ QString commandList(std::span<const Command *const> commands)
 QString protocolWords(const QString &between)
 {
     QStringList words;
-    for (const drive::ProtocolChoice &choice : drive::protocolChoices())
-        words.append(QString::fromLatin1(choice.word.data(), int(choice.word.size())));
+    for (const drive::ProtocolRow &row : drive::protocolTable())
+        words.append(QString::fromLatin1(row.choice.word.data(), int(row.choice.word.size())));
     return words.join(between);
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace drive {
@@ -24,8 +23,6 @@ struct ProtocolChoice {
     bool serial = true; ///< spoken on a serial port
 };
 
-/// All of them, in the order in which they are offered.
-std::span<const ProtocolChoice> protocolChoices();
 std::string_view wordOf(Protocol protocol);
 std::optional<Protocol> protocolOf(std::string_view word);
 

@@ -56,17 +56,6 @@ const ProtocolRow &rowOf(Protocol protocol)
         rows, [&](const ProtocolRow &row) { return row.choice.protocol == protocol; });
 }
 
-std::span<const ProtocolChoice> protocolChoices()
-{
-    static const auto choices = [] {
-        std::vector<ProtocolChoice> all;
-        for (const ProtocolRow &row : protocolTable())
-            all.push_back(row.choice);
-        return all;
-    }();
-    return choices;
-}
-
 std::string_view wordOf(Protocol protocol) { return rowOf(protocol).choice.word; }
 
 std::optional<Protocol> protocolOf(std::string_view word)

@@ -1,6 +1,6 @@
 #include "widgets/window/connect_bar.h"
 
-#include "drive/protocol.h"
+#include "drive/protocol_table.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
@@ -53,7 +53,8 @@ QString fromCore(std::string_view text) { return QString::fromUtf8(text); }
 
 void fillProtocols(QComboBox &box)
 {
-    for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
+    for (const drive::ProtocolRow &row : drive::protocolTable()) {
+        const drive::ProtocolChoice &choice = row.choice;
         if (!choice.serial)
             continue;
         box.addItem(choice.title.empty() ? ConnectBar::tr("Auto") : fromCore(choice.title),
