@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+namespace catalog {
+class Catalog;
+}
+
 namespace drive {
 
 enum class Outcome : std::uint8_t;
@@ -48,6 +52,12 @@ struct MotionRecord {
     std::vector<Bytes> sent; ///< their payloads as on the wire, the first kMostSent of them
     static constexpr std::size_t kMostSent = 32;
 };
+
+/// The record that a wish begins; empty for wishes that move nothing and can harm nothing.
+std::optional<MotionRecord> motionOf(
+    const Wish &wish, const catalog::Catalog &catalog, TimePoint now);
+/// Notes a request that leaves for the act and can change something.
+void noteSent(MotionRecord &record, ByteView request);
 
 std::string_view wordOf(MotionAct act); ///< "SPEED_RAMP"
 std::string_view wordOf(Source source); ///< "person"

@@ -2,7 +2,7 @@
 // protocol brings what it asks and how it is sent (P below), and the hooks that have no answer here.
 #pragma once
 
-#include "drive/motion_of.h"
+#include "drive/motion_record.h"
 #include "drive/read_task.h"
 #include "drive/wish_drive.h"
 #include "drive/wish_queue.h"

@@ -1,7 +1,6 @@
 #include "drive/wish_drive.h"
 
 #include "base/overloaded.h"
-#include "drive/motion_of.h"
 
 #include <algorithm>
 

@@ -41,7 +41,6 @@ PATH = {
     "core/drive/stop_sequence.h": ["tst_stop_sequence"],
     "core/drive/motion_caution.cpp": ["tst_motion_caution"],
     "core/drive/motion_limits.cpp": ["tst_set_points"],
-    "core/drive/motion_of.cpp": ["tst_motion_texts"],
     "core/drive/motion_record.cpp": ["tst_motion_texts"],
     "core/drive/set_point_check.cpp": ["tst_set_points"],
     "core/drive/wish_queue.h": ["tst_wish_queue"],

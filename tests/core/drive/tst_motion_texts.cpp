@@ -1,6 +1,5 @@
 // The words of the motion log: what was asked for, as a record says it, and its line for a spreadsheet. No board.
 #include "drive/event.h"
-#include "drive/motion_of.h"
 #include "drive/motion_record.h"
 
 #include <QTest>
