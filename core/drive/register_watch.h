@@ -28,9 +28,20 @@ public:
         return m_active ? std::optional<TimePoint>(m_due) : std::nullopt;
     }
 
-    std::optional<typename P::Request> nextRequest(TimePoint now) override;
+    std::optional<typename P::Request> nextRequest(TimePoint now) override
+    {
+        if (m_reader.finished())
+            m_reader.start(begin(now));
+        return m_reader.nextRequest();
+    }
     void onResponse(const typename P::Answer &response, TimePoint now) override;
-    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onNoResponse(std::optional<bool>, TimePoint now) override
+    {
+        if (m_reader.finished())
+            return;
+        m_reader.onNoResponse();
+        planNext(now);
+    }
 
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
@@ -43,7 +54,11 @@ protected:
 
 private:
     std::vector<RegisterId> begin(TimePoint now);
-    void planNext(TimePoint now);
+    /// A period after this one, or later where the link needs longer.
+    void planNext(TimePoint now)
+    {
+        m_due = std::max(now, m_begun + std::max(m_period, leastPeriod(now)));
+    }
 
     Reader<P> m_reader{m_board};
     std::vector<RegisterId> m_registers;
@@ -90,21 +105,6 @@ std::vector<RegisterId> RegisterWatch<P>::begin(TimePoint now)
     return ids;
 }
 
-/// A period after this one, or later where the link needs longer.
-template <class P>
-void RegisterWatch<P>::planNext(TimePoint now)
-{
-    m_due = std::max(now, m_begun + std::max(m_period, leastPeriod(now)));
-}
-
-template <class P>
-std::optional<typename P::Request> RegisterWatch<P>::nextRequest(TimePoint now)
-{
-    if (m_reader.finished())
-        m_reader.start(begin(now));
-    return m_reader.nextRequest();
-}
-
 template <class P>
 void RegisterWatch<P>::onResponse(const typename P::Answer &response, TimePoint now)
 {
@@ -115,15 +115,6 @@ void RegisterWatch<P>::onResponse(const typename P::Answer &response, TimePoint 
             m_missing.insert(reading.id);
         m_readings.push_back(std::move(reading));
     }
-    planNext(now);
-}
-
-template <class P>
-void RegisterWatch<P>::onNoResponse(std::optional<bool>, TimePoint now)
-{
-    if (m_reader.finished())
-        return;
-    m_reader.onNoResponse();
     planNext(now);
 }
 

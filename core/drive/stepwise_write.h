@@ -51,28 +51,29 @@ private:
     Item &current() { return this->m_items[m_at]; }
     void begin();
     void enter(std::size_t step);
-    void advance();
-    void close(Outcome outcome, const std::string &reason);
-    void next();
+    void advance()
+    {
+        if (m_step + 1 < m_steps.size())
+            return enter(m_step + 1);
+        if (current().state != State::Doubtful)
+            this->endItem(current(), Outcome::Ok);
+        next();
+    }
+    void close(Outcome outcome, const std::string &reason)
+    {
+        this->endItem(current(), outcome, reason);
+        next();
+    }
+    void next()
+    {
+        m_steps.clear();
+        ++m_at;
+    }
 
     std::size_t m_at = 0, m_step = 0; ///< the register at work, and its step
     std::vector<Step> m_steps; ///< empty: not planned yet
     Reader<P> m_reader{this->m_board};
 };
-
-template <class P>
-void StepwiseWrite<P>::next()
-{
-    m_steps.clear();
-    ++m_at;
-}
-
-template <class P>
-void StepwiseWrite<P>::close(Outcome outcome, const std::string &reason)
-{
-    this->endItem(current(), outcome, reason);
-    next();
-}
 
 template <class P>
 void StepwiseWrite<P>::begin()
@@ -95,16 +96,6 @@ void StepwiseWrite<P>::enter(std::size_t step)
     const auto *info = this->m_board.catalog->find(current().write.id);
     const bool readable = info != nullptr && info->readable();
     m_reader.start(readable ? std::vector{current().write.id} : std::vector<RegisterId>());
-}
-
-template <class P>
-void StepwiseWrite<P>::advance()
-{
-    if (m_step + 1 < m_steps.size())
-        return enter(m_step + 1);
-    if (current().state != State::Doubtful)
-        this->endItem(current(), Outcome::Ok);
-    next();
 }
 
 template <class P>

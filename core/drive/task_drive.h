@@ -85,13 +85,26 @@ protected:
         const auto next = m_stop.nextStop(connected(), m_workedAt);
         return next ? std::optional(std::max(*next, stopMayLeave())) : std::nullopt;
     }
-    virtual bool sendFirst(TimePoint now); ///< true: the link is not there for anything else now
+    /// True: the link is not there for anything else now.
+    virtual bool sendFirst(TimePoint now)
+    {
+        if (m_identification.done())
+            return false;
+        give(m_identification, now);
+        return true;
+    }
     virtual void prepare(TimePoint) { } ///< before anything is sent
     virtual void leave() { } ///< adds the wishes that end what the board does by itself
     virtual Duration closingTime() const { return {}; } ///< that those wishes have
     virtual void onStatuses(const std::vector<MotorStatus> &) { }
     virtual void identifyAnew() { } ///< a wish has found another board
-    virtual void collect(TimePoint now);
+    virtual void collect(TimePoint now)
+    {
+        if (auto readings = m_watch.takeReadings(); !readings.empty())
+            m_events.emplace_back(RegistersRead{std::move(readings)});
+        m_wishes.collect(m_events, now);
+        collectStop();
+    }
     virtual std::optional<TimePoint> nextOwn() const { return std::nullopt; }
     virtual std::optional<TimePoint> nextWork() const { return std::nullopt; } ///< on a free link
     /// STOPs without a link do not hinder it.
@@ -107,13 +120,35 @@ protected:
     /// Sends the next request of the task; false: it has nothing to ask now.
     bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);
     /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
-    void passAnswer(const Answer &answer, TimePoint now);
-    void passLoss(std::optional<bool> executed, TimePoint now);
+    void passAnswer(const Answer &answer, TimePoint now)
+    {
+        m_task->onResponse(answer, now);
+        if (m_wish != nullptr)
+            m_wish->freshen(now);
+        afterTask(now);
+    }
+    void passLoss(std::optional<bool> executed, TimePoint now)
+    {
+        m_task->onNoResponse(executed, now);
+        afterTask(now);
+    }
     /// The answer to the STOP that is under way, if one is.
-    void onStopAnswer(bool ok, TimePoint now);
+    void onStopAnswer(bool ok, TimePoint now)
+    {
+        if (!std::exchange(m_stopUnderWay, false))
+            return;
+        if (ok)
+            m_stop.stopAnswered(m_stopMotor, now);
+        m_vitals.hurry(now);
+    }
     void cutAllWishes(const std::string &reason);
 
-    void linkFound();
+    void linkFound()
+    {
+        m_lost.reset();
+        m_reconnectAt.reset();
+        m_suspect = false;
+    }
     /// Behind linkFound(): all is found out anew. @param about  what the link was told of the board
     template <class... About>
     void meet(LinkReason reason, TimePoint now, const About &...about)
@@ -124,7 +159,13 @@ protected:
         tell(LinkState::Connected, reason);
     }
     void linkLost(LinkReason reason, TimePoint now);
-    void forgetLink(); ///< what was under way is never answered
+    /// What was under way is never answered.
+    void forgetLink()
+    {
+        m_task = m_wish = nullptr;
+        m_stopUnderWay = m_suspect = false;
+        m_reconnectAt.reset();
+    }
 
     typename P::Facts m_board;
     Link m_link;
@@ -175,14 +216,6 @@ private:
 };
 
 template <class P>
-void TaskDrive<P>::forgetLink()
-{
-    m_task = m_wish = nullptr;
-    m_stopUnderWay = m_suspect = false;
-    m_reconnectAt.reset();
-}
-
-template <class P>
 void TaskDrive<P>::connect(TimePoint now)
 {
     cutAllWishes("connecting anew");
@@ -224,14 +257,6 @@ void TaskDrive<P>::close(TimePoint now)
     m_lost.reset();
     m_mode = Mode::Closed;
     collect(now);
-}
-
-template <class P>
-void TaskDrive<P>::linkFound()
-{
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_suspect = false;
 }
 
 template <class P>
@@ -359,32 +384,6 @@ void TaskDrive<P>::submit(Wish wish, TimePoint now)
 }
 
 template <class P>
-void TaskDrive<P>::passAnswer(const Answer &answer, TimePoint now)
-{
-    m_task->onResponse(answer, now);
-    if (m_wish != nullptr)
-        m_wish->freshen(now);
-    afterTask(now);
-}
-
-template <class P>
-void TaskDrive<P>::passLoss(std::optional<bool> executed, TimePoint now)
-{
-    m_task->onNoResponse(executed, now);
-    afterTask(now);
-}
-
-template <class P>
-void TaskDrive<P>::onStopAnswer(bool ok, TimePoint now)
-{
-    if (!std::exchange(m_stopUnderWay, false))
-        return;
-    if (ok)
-        m_stop.stopAnswered(m_stopMotor, now);
-    m_vitals.hurry(now);
-}
-
-template <class P>
 void TaskDrive<P>::afterTask(TimePoint now)
 {
     m_task = nullptr;
@@ -428,15 +427,6 @@ void TaskDrive<P>::work(TimePoint now)
         close(now);
     tellLinkState();
     tellCounters(counters(), now);
-}
-
-template <class P>
-bool TaskDrive<P>::sendFirst(TimePoint now)
-{
-    if (m_identification.done())
-        return false;
-    give(m_identification, now);
-    return true;
 }
 
 /// Gives a free link to the most urgent task.
@@ -487,15 +477,6 @@ bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
         task.onNoResponse(false, now); // it never left
     }
     return false;
-}
-
-template <class P>
-void TaskDrive<P>::collect(TimePoint now)
-{
-    if (auto readings = m_watch.takeReadings(); !readings.empty())
-        m_events.emplace_back(RegistersRead{std::move(readings)});
-    m_wishes.collect(m_events, now);
-    collectStop();
 }
 
 template <class P>

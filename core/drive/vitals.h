@@ -57,11 +57,22 @@ public:
     }
 
     void restart(TimePoint now); ///< a new connection: nothing known counts any more
-    void hurry(TimePoint now); ///< something was commanded: read at once and fast for a while
+    /// Something was commanded: read at once and fast for a while.
+    void hurry(TimePoint now)
+    {
+        m_fastUntil = now + kVitalsHurry;
+        if (m_due)
+            m_due = now;
+    }
     std::optional<TimePoint> due() const { return m_due; }
     /// Every motor has been read at least once since restart().
     bool complete() const { return m_complete; }
-    bool motorDriven() const; ///< one was last seen not idle
+    /// One was last seen not idle.
+    bool motorDriven() const
+    {
+        return std::ranges::any_of(
+            m_latest, [](const auto &one) { return !isDriveIdle(one.second); });
+    }
 
     std::optional<typename P::Request> nextRequest(TimePoint now) override;
     void onResponse(const typename P::Answer &response, TimePoint now) override;
@@ -89,7 +100,12 @@ protected:
     const typename P::Facts &m_board;
 
 private:
-    void begin(TimePoint now);
+    void begin(TimePoint now)
+    {
+        m_round.clear();
+        m_reader.start(idsToRead());
+        m_roundAsked = now;
+    }
     void afterAnswer(TimePoint now);
     void publish(TimePoint now);
 
@@ -113,20 +129,6 @@ void Vitals<P>::restart(TimePoint now)
     m_news.clear();
     m_due = m_fastUntil = now;
     m_complete = m_again = false;
-}
-
-template <class P>
-void Vitals<P>::hurry(TimePoint now)
-{
-    m_fastUntil = now + kVitalsHurry;
-    if (m_due)
-        m_due = now;
-}
-
-template <class P>
-bool Vitals<P>::motorDriven() const
-{
-    return std::ranges::any_of(m_latest, [](const auto &one) { return !isDriveIdle(one.second); });
 }
 
 template <class P>
@@ -175,14 +177,6 @@ void Vitals<P>::afterAnswer(TimePoint now)
         return begin(now);
     m_again = false;
     publish(now);
-}
-
-template <class P>
-void Vitals<P>::begin(TimePoint now)
-{
-    m_round.clear();
-    m_reader.start(idsToRead());
-    m_roundAsked = now;
 }
 
 template <class P>

@@ -18,11 +18,22 @@ public:
         1000; ///< more are refused: no link answers that fast
 
     /// @return false if too many wait already; the task is gone then
-    bool add(std::unique_ptr<WishTask<P>> task);
+    bool add(std::unique_ptr<WishTask<P>> task)
+    {
+        Queue &queue = task->onlyReads() ? m_reading : m_acting;
+        if (queue.size() >= kMaxWaiting)
+            return false;
+        queue.push_back(std::move(task));
+        return true;
+    }
     /// Before all others; the drive's own, not counted.
     void addFirst(std::unique_ptr<WishTask<P>> task) { m_acting.push_front(std::move(task)); }
     /// A newer write: older ones of the same registers that have not left are not sent.
-    void supersede(const Write &newer);
+    void supersede(const Write &newer)
+    {
+        for (const auto &task : m_acting)
+            task->supersede(newer);
+    }
 
     /// The next task with something to ask, most urgent first; finished ones are ended on the way.
     /// @param armed  tasks that need arming are cut if this is false
@@ -30,10 +41,21 @@ public:
     WishTask<P> *next(bool armed, TimePoint now);
 
     /// Ends all wishes but the one in flight (may be null).
-    void cutAll(const std::string &reason, const WishTask<P> *except);
+    void cutAll(const std::string &reason, const WishTask<P> *except)
+    {
+        for (Queue *queue : {&m_acting, &m_reading})
+            for (const auto &task : *queue)
+                if (task.get() != except)
+                    task->cut(reason);
+    }
     /// @param which  of a task; whether it is to end
     template <class Which>
-    void cutActing(const std::string &reason, const WishTask<P> *except, Which which);
+    void cutActing(const std::string &reason, const WishTask<P> *except, Which which)
+    {
+        for (const auto &task : m_acting)
+            if (task.get() != except && which(*task))
+                task->cut(reason);
+    }
 
     /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log
     void collect(std::vector<Event> &events, TimePoint now);
@@ -43,23 +65,6 @@ private:
 
     Queue m_acting, m_reading;
 };
-
-template <class P>
-bool WishQueue<P>::add(std::unique_ptr<WishTask<P>> task)
-{
-    Queue &queue = task->onlyReads() ? m_reading : m_acting;
-    if (queue.size() >= kMaxWaiting)
-        return false;
-    queue.push_back(std::move(task));
-    return true;
-}
-
-template <class P>
-void WishQueue<P>::supersede(const Write &newer)
-{
-    for (const auto &task : m_acting)
-        task->supersede(newer);
-}
 
 template <class P>
 WishTask<P> *WishQueue<P>::next(bool armed, TimePoint now)
@@ -75,24 +80,6 @@ WishTask<P> *WishQueue<P>::next(bool armed, TimePoint now)
         }
     }
     return nullptr;
-}
-
-template <class P>
-void WishQueue<P>::cutAll(const std::string &reason, const WishTask<P> *except)
-{
-    for (Queue *queue : {&m_acting, &m_reading})
-        for (const auto &task : *queue)
-            if (task.get() != except)
-                task->cut(reason);
-}
-
-template <class P>
-template <class Which>
-void WishQueue<P>::cutActing(const std::string &reason, const WishTask<P> *except, Which which)
-{
-    for (const auto &task : m_acting)
-        if (task.get() != except && which(*task))
-            task->cut(reason);
 }
 
 template <class P>

@@ -53,7 +53,12 @@ protected:
     /// Why a value that the board took does not read back yet; empty if it would.
     virtual std::string notShownYet(const RegisterWrite &, const WriteResult &) const { return {}; }
 
-    void endItem(Item &item, Outcome outcome, const std::string &reason = {});
+    void endItem(Item &item, Outcome outcome, const std::string &reason = {})
+    {
+        item.state = State::Done;
+        item.result.outcome = outcome;
+        item.result.reason = reason;
+    }
     void tell(Reading reading) { m_readings.push_back(std::move(reading)); }
     void finish();
 
@@ -66,14 +71,6 @@ private:
 
     std::vector<Reading> m_readings;
 };
-
-template <class P>
-void WriteTask<P>::endItem(Item &item, Outcome outcome, const std::string &reason)
-{
-    item.state = State::Done;
-    item.result.outcome = outcome;
-    item.result.reason = reason;
-}
 
 /// All that can be known of it is known.
 template <class P>

@@ -29,10 +29,8 @@ public:
     void restart(); ///< identified; nothing about its counter is known any more
     void stopSent(); ///< and answered, in whichever way
     void close(); ///< the link is given up: nothing is wanted any more
-    void connected()
-    {
-        m_stopNeeded = true;
-    } ///< again, after a recovery: the board may be streaming by itself
+    /// Again, or after a recovery: the board may be streaming by itself.
+    void connected() { m_stopNeeded = true; }
 
     void receive(ByteView packet, TimePoint now);
     void handleTimeout(TimePoint now);
@@ -40,10 +38,8 @@ public:
 
     std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
     bool wanted() const { return !m_wanted.fast.empty() || !m_wanted.slow.empty(); }
-    const Stream &wish() const
-    {
-        return m_wanted;
-    } ///< what was last agreed, to be asked for again after a reset
+    /// What was last agreed, to be asked for again after a reset.
+    const Stream &wish() const { return m_wanted; }
     double load() const { return m_load; } ///< bytes a second on the line
     std::uint64_t packets() const { return m_packets; }
     std::uint64_t lostTicks() const { return m_lost; }

@@ -67,10 +67,8 @@ public:
         m_sentBefore = m_sent;
         m_received = now;
     }
-    SetPointsEnd onStop(TimePoint now) const
-    {
-        return endAt(0, now);
-    } ///< of every motor, as it leaves
+    /// Of every motor, as it leaves.
+    SetPointsEnd onStop(TimePoint now) const { return endAt(0, now); }
     /// @return  what this event tells of set-points
     std::optional<SetPointNews> onEvent(const Event &event, TimePoint now);
 
