@@ -41,7 +41,7 @@ public:
     virtual void handleSent(TimePoint now) = 0; ///< all output taken so far has left
     /// An edge of the line by which the board says that it is ready for the next output; where there is none it is never
     /// called.
-    virtual void handleReady(bool high, TimePoint now);
+    virtual void handleReady(bool /*high*/, TimePoint) { }
     [[nodiscard]] virtual std::vector<Output> takeOutput() = 0;
     [[nodiscard]] virtual std::vector<Event> takeEvents() = 0;
     [[nodiscard]] virtual std::optional<TimePoint> nextTimeout() const = 0;
@@ -64,19 +64,15 @@ public:
     virtual bool armed() const = 0;
     /// How long what comes may be gathered before it is given to receive(): some milliseconds where a board streams by itself,
     /// each of its motors was seen idle, and nothing is armed or being stopped. Zero: not at all.
-    virtual Duration gathersFor() const;
+    virtual Duration gathersFor() const { return {}; }
     /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
-    virtual void doubt(TimePoint now);
+    virtual void doubt(TimePoint) { disarm(); }
 
     /// From the drive that had this line before; ahead of connect(). It is for a stop that nothing answers.
     virtual void remember(const LineMemory &memory) = 0;
     /// What was remembered, and what the board has told since.
     virtual LineMemory memory() const = 0;
 };
-
-inline void Drive::handleReady(bool, TimePoint) { }
-inline Duration Drive::gathersFor() const { return {}; }
-inline void Drive::doubt(TimePoint) { disarm(); }
 
 } // namespace drive
