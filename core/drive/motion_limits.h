@@ -10,7 +10,6 @@
 #include "drive/event.h"
 #include "drive/wish.h"
 
-#include <string>
 #include <vector>
 
 namespace drive {

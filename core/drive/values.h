@@ -5,7 +5,6 @@
 #include "catalog/register_info.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace drive {

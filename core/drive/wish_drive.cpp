@@ -2,8 +2,6 @@
 
 #include "base/overloaded.h"
 
-#include <algorithm>
-
 namespace drive {
 
 namespace {

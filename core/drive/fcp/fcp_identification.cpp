@@ -2,8 +2,6 @@
 
 #include "drive/values.h"
 
-#include <algorithm>
-
 namespace drive {
 
 namespace {

@@ -4,7 +4,6 @@
 #include "drive/values.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <string_view>

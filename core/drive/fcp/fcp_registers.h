@@ -12,7 +12,6 @@
 #include "fcp/request.h"
 
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace drive {

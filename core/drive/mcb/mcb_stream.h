@@ -9,7 +9,6 @@
 #include "drive/task.h"
 
 #include <deque>
-#include <memory>
 
 namespace drive {
 

@@ -3,8 +3,6 @@
 #include "base/text.h"
 #include "mcp/protocol.h"
 
-#include <algorithm>
-
 namespace drive {
 
 namespace {

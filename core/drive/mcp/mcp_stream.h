@@ -11,7 +11,6 @@
 #include "mcp/datalog_decoder.h"
 
 #include <deque>
-#include <memory>
 #include <optional>
 
 namespace drive {
