@@ -24,9 +24,8 @@ bool namesStm32(const std::string &name)
 void FcpIdentification::restart(const fcp::BoardInfo &info)
 {
     m_info = info;
-    m_version = {};
+    m_version.reset();
     m_phase = Phase::Version;
-    m_versionKnown = false;
     m_powerPcRegister.reset();
     m_stm32Register.reset();
     m_doubt.clear();
@@ -67,7 +66,6 @@ void FcpIdentification::onResponse(const fcp::Reply &response, TimePoint now)
         if (ack != nullptr)
             if (const auto version = fcp::decodeFirmwareVersion(ack->data)) {
                 m_version = *version;
-                m_versionKnown = true;
                 return decideDialect();
             }
         m_phase = Phase::OnlyPowerPc;
@@ -80,15 +78,10 @@ void FcpIdentification::onResponse(const fcp::Reply &response, TimePoint now)
         m_stm32Register = ack != nullptr;
         return decideDialect();
     case Phase::Motors:
-        if (ack != nullptr && m_board.motors + 1 < static_cast<int>(fcp::kMostMotors)) {
-            ++m_board.motors;
-            return;
-        }
-        if (const auto code = nackCode(response);
-            ack != nullptr || code == kBadMotor || code == kNoTarget) {
-            if (ack != nullptr)
-                ++m_board.motors;
-        } else {
+        if (ack != nullptr) {
+            if (++m_board.motors < static_cast<int>(fcp::kMostMotors))
+                return;
+        } else if (const auto code = nackCode(response); code != kBadMotor && code != kNoTarget) {
             m_doubt = "it does not tell how many motors it has";
         }
         return probeRegisters();
@@ -120,8 +113,8 @@ void FcpIdentification::onNoResponse(std::optional<bool>, TimePoint)
 
 void FcpIdentification::decideDialect()
 {
-    const bool powerPc = !m_versionKnown && m_powerPcRegister == true && m_stm32Register == false;
-    const bool stm32 = m_versionKnown || (m_stm32Register == true && m_powerPcRegister == false)
+    const bool powerPc = !m_version && m_powerPcRegister == true && m_stm32Register == false;
+    const bool stm32 = m_version || (m_stm32Register == true && m_powerPcRegister == false)
         || (namesStm32(m_info.name) && m_powerPcRegister == false);
     const Dialect found = powerPc ? Dialect::PowerPc : Dialect::Stm32;
     m_board.dialect = m_chosen.value_or(found);
@@ -182,7 +175,8 @@ void FcpIdentification::addCapabilities()
     for (int motor = 1; motor <= m_board.motors; ++motor)
         if (m_board.ampsPerDigit(motor) > 0.0)
             noAmps.clear();
-    const bool torqueRamp = m_board.dialect == Dialect::Stm32 && m_version.version >= "5.4.2";
+    const bool torqueRamp =
+        m_board.dialect == Dialect::Stm32 && m_version && m_version->version >= "5.4.2";
     add(Feature::TorqueRamp, torqueRamp ? noAmps : "Only firmware from 5.4.2 on has torque ramps.");
     add(Feature::CurrentReference, noAmps);
     m_board.capabilities.push_back({Feature::Stream, false, noStream});
@@ -238,10 +232,10 @@ void FcpIdentification::finish()
     m_identity.protocol = powerPc ? "MCP PowerPC" : "MCP legacy";
     if (!m_doubt.empty())
         m_identity.protocol += " (read-only: " + m_doubt + ")";
-    m_identity.firmware = m_versionKnown ? m_version.name : m_info.name;
+    m_identity.firmware = m_version ? m_version->name : m_info.name;
     m_identity.version =
-        m_versionKnown && !m_version.version.empty() ? m_version.version : m_info.version;
-    m_identity.evidence = m_versionKnown ? "it answers GET_FW_VERSION, as STM32 boards do"
+        m_version && !m_version->version.empty() ? m_version->version : m_info.version;
+    m_identity.evidence = m_version ? "it answers GET_FW_VERSION, as STM32 boards do"
         : powerPc ? "it refuses GET_FW_VERSION and has registers of PowerPC boards only"
                   : "it refuses GET_FW_VERSION, but has registers of STM32 boards only";
     m_identity.controlBoard = board(kControlBoard);

@@ -48,9 +48,8 @@ private:
     FcpFacts &m_board;
     std::optional<fcp::Dialect> m_chosen;
     fcp::BoardInfo m_info;
-    fcp::FirmwareVersion m_version;
+    std::optional<fcp::FirmwareVersion> m_version; ///< as GET_FW_VERSION was answered
     Phase m_phase = Phase::Done;
-    bool m_versionKnown = false; ///< GET_FW_VERSION was answered
     std::optional<bool> m_powerPcRegister, m_stm32Register; ///< there
     std::string m_doubt; ///< why nothing may be written
     Reader<FcpProtocol> m_reader{m_board};

@@ -224,10 +224,9 @@ void Identification::finish()
     const unsigned streams = m_board.linkId == 1 ? m_global.streamsUartB : m_global.streamsUartA;
     m_board.streaming = streamLimitsOf(motors, streams, m_board.streamBytes, m_board.baud);
     const std::uint32_t tableVersion = std::clamp(m_board.version, kOldestKnown, kNewestKnown);
-    auto table =
-        catalog::readTable(catalog::builtInTable("mcp"), m_board.hso ? "hso" : "std", tableVersion);
-    std::vector<catalog::RegisterInfo> registers =
-        table ? std::move(*table) : std::vector<catalog::RegisterInfo>();
+    auto registers =
+        catalog::readTable(catalog::builtInTable("mcp"), m_board.hso ? "hso" : "std", tableVersion)
+            .value_or(std::vector<catalog::RegisterInfo>());
     if (!m_board.knownFirmware)
         makeRaw(registers);
     m_board.catalog = std::make_shared<const catalog::Catalog>(
