@@ -48,7 +48,11 @@ private:
     std::string setScale(const CurrentScale &scale, TimePoint now) override;
 
     // what the link tells
-    void onLinkEvents(TimePoint now) override;
+    void onLinkEvents(TimePoint now) override
+    {
+        for (const Link::Event &event : m_link.takeEvents())
+            std::visit([&](const auto &what) { on(what, now); }, event);
+    }
     void on(const Link::Connected &event, TimePoint now);
     void on(const Link::Answer &event, TimePoint now);
     void on(const Link::NoAnswer &event, TimePoint now)
@@ -90,12 +94,6 @@ FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
     if (const auto *command = std::get_if<Command>(&wish.what))
         return std::make_unique<FcpActTask>(wish.id, *command, m_board);
     return nullptr;
-}
-
-void FcpDrive::onLinkEvents(TimePoint now)
-{
-    for (const Link::Event &event : m_link.takeEvents())
-        std::visit([&](const auto &what) { on(what, now); }, event);
 }
 
 void FcpDrive::on(const Link::Connected &event, TimePoint now)

@@ -65,10 +65,22 @@ private:
     Made taskFor(const Wish &wish) override;
 
     // what the link tells
-    void onLinkEvents(TimePoint now) override;
+    void onLinkEvents(TimePoint now) override
+    {
+        for (const Link::Event &event : m_link.takeEvents())
+            std::visit([&](const auto &what) { on(what, now); }, event);
+    }
     void on(const Link::Done &event, TimePoint now);
-    void on(const Link::Met &event, TimePoint now);
-    void on(const Link::Cycle &event, TimePoint now);
+    void on(const Link::Met &, TimePoint now)
+    {
+        linkFound();
+        beginAnew(LinkReason::None, now);
+    }
+    void on(const Link::Cycle &event, TimePoint)
+    {
+        const std::uint64_t lost = m_link.stats().cyclesLost;
+        m_stream.receive(event, lost - std::exchange(m_cyclesLost, lost));
+    }
     void on(const Link::Searching &, TimePoint) { m_stream.interrupted(); }
     void on(const Link::Back &event, TimePoint now);
     void on(const Link::Lost &event, TimePoint now);
@@ -87,7 +99,12 @@ private:
     void streamAgain(); ///< unless nothing was streamed, or it runs
     void prepare(TimePoint now) override;
     bool send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now) override;
-    bool recall(TimePoint now) override;
+    bool recall(TimePoint now) override
+    {
+        const bool recalled = m_link.recall(now);
+        onLinkEvents(now);
+        return recalled;
+    }
     void sendStop(TimePoint now) override;
     std::optional<TimePoint> nextStop() const override;
     bool travels(const Link::Request &request) const;
@@ -99,14 +116,40 @@ private:
         mcb::Words before, wanted;
         bool rests = false; ///< all were put to rest since: nothing is put back
     };
-    void setInFrames(std::uint16_t address, mcb::WordView words);
+    void setInFrames(std::uint16_t address, mcb::WordView words)
+    {
+        m_setPoints.set(address, words);
+        m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+    }
     bool tookAlong(std::uint16_t address, const mcb::Words &words) const;
     Link::Done confirmed(const Link::Done &read, const Travelling &travelling);
-    void restSetPoints();
-    void endSetPoints();
+    void restSetPoints()
+    {
+        m_setPoints.rest();
+        m_link.setCyclicOutput({});
+        if (m_confirming)
+            m_confirming->rests = true;
+    }
+    void endSetPoints()
+    {
+        m_setPoints.end();
+        m_link.setCyclicOutput({});
+        m_confirming.reset();
+    }
     Duration closingTime() const override { return std::chrono::milliseconds(500); }
-    void leave() override;
-    void closeLink() override;
+    void leave() override
+    {
+        m_setPoints.end(); // frames hold what they carry until the drive has left the cyclic state
+        if (m_stream.running() && connected())
+            m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream, m_setPoints));
+    }
+    void closeLink() override
+    {
+        m_stream.close();
+        endSetPoints();
+        m_link.close();
+        m_board.expert.clear();
+    }
     void collect(TimePoint now) override;
     std::optional<TimePoint> nextOwn() const override { return m_stream.nextFlush(); }
     bool reconnectsBlind() const override { return true; }
@@ -152,12 +195,6 @@ McbDrive::Made McbDrive::taskFor(const Wish &wish)
         wish.what);
 }
 
-void McbDrive::onLinkEvents(TimePoint now)
-{
-    for (const Link::Event &event : m_link.takeEvents())
-        std::visit([&](const auto &what) { on(what, now); }, event);
-}
-
 void McbDrive::on(const Link::Done &event, TimePoint now)
 {
     if (m_task == nullptr)
@@ -176,18 +213,6 @@ void McbDrive::beginAnew(LinkReason reason, TimePoint now)
     endSetPoints();
     m_faulty = false;
     meet(reason, now);
-}
-
-void McbDrive::on(const Link::Met &, TimePoint now)
-{
-    linkFound();
-    beginAnew(LinkReason::None, now);
-}
-
-void McbDrive::on(const Link::Cycle &event, TimePoint)
-{
-    const std::uint64_t lost = m_link.stats().cyclesLost;
-    m_stream.receive(event, lost - std::exchange(m_cyclesLost, lost));
 }
 
 void McbDrive::on(const Link::Back &event, TimePoint now)
@@ -306,13 +331,6 @@ void McbDrive::sendStop(TimePoint now)
     m_stopWaits = now + kOwnTurn;
 }
 
-bool McbDrive::recall(TimePoint now)
-{
-    const bool recalled = m_link.recall(now);
-    onLinkEvents(now);
-    return recalled;
-}
-
 bool McbDrive::send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now)
 {
     const auto *one = std::get_if<Link::Request>(&request);
@@ -370,12 +388,6 @@ void McbDrive::sendInFrames(
     m_link.send(std::move(asked), now);
 }
 
-void McbDrive::setInFrames(std::uint16_t address, mcb::WordView words)
-{
-    m_setPoints.set(address, words);
-    m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
-}
-
 /// Whether the last frame had these words for the register.
 bool McbDrive::tookAlong(std::uint16_t address, const mcb::Words &words) const
 {
@@ -414,36 +426,6 @@ Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travell
                 mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
     }
     return write;
-}
-
-void McbDrive::restSetPoints()
-{
-    m_setPoints.rest();
-    m_link.setCyclicOutput({});
-    if (m_confirming)
-        m_confirming->rests = true;
-}
-
-void McbDrive::endSetPoints()
-{
-    m_setPoints.end();
-    m_link.setCyclicOutput({});
-    m_confirming.reset();
-}
-
-void McbDrive::leave()
-{
-    m_setPoints.end(); // frames hold what they carry until the drive has left the cyclic state
-    if (m_stream.running() && connected())
-        m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream, m_setPoints));
-}
-
-void McbDrive::closeLink()
-{
-    m_stream.close();
-    endSetPoints();
-    m_link.close();
-    m_board.expert.clear();
 }
 
 void McbDrive::collect(TimePoint now)

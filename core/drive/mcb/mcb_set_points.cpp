@@ -17,25 +17,6 @@ std::vector<mcb::MappedRegister> McbSetPoints::entries() const
     return entries;
 }
 
-void McbSetPoints::end()
-{
-    m_wanted = false;
-    m_words.clear();
-}
-
-void McbSetPoints::set(std::uint16_t address, mcb::WordView words)
-{
-    m_words[address].assign(words.begin(), words.end());
-}
-
-mcb::Words McbSetPoints::of(std::uint16_t address) const
-{
-    const auto at = m_words.find(address);
-    return at == m_words.end() ? mcb::Words() : at->second;
-}
-
-void McbSetPoints::rest() { m_words.clear(); }
-
 mcb::Words McbSetPoints::output(const std::vector<mcb::MappedRegister> &rx) const
 {
     mcb::Words output;

@@ -26,12 +26,26 @@ public:
 
     bool wanted() const { return m_wanted; } ///< asked for, and mapped
     void begin() { m_wanted = true; }
-    void end(); ///< asked for no longer, or impossible now: the words are forgotten
+    /// Asked for no longer, or impossible now: the words are forgotten.
+    void end()
+    {
+        m_wanted = false;
+        m_words.clear();
+    }
 
     /// What goes out for this register. @param words  as many as it has, at least
-    void set(std::uint16_t address, mcb::WordView words);
-    mcb::Words of(std::uint16_t address) const; ///< empty: zero
-    void rest(); ///< all of them zero
+    void set(std::uint16_t address, mcb::WordView words)
+    {
+        m_words[address].assign(words.begin(), words.end());
+    }
+    /// Empty: zero.
+    mcb::Words of(std::uint16_t address) const
+    {
+        const auto at = m_words.find(address);
+        return at == m_words.end() ? mcb::Words() : at->second;
+    }
+    /// All of them zero.
+    void rest() { m_words.clear(); }
     /// Of a frame with this mapping.
     mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const;
 

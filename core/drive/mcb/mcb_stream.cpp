@@ -91,12 +91,6 @@ void McbStreamControl::ended()
         m_events.emplace_back(StreamStarted{});
 }
 
-void McbStreamControl::close()
-{
-    ended();
-    m_wanted = {};
-}
-
 void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lostFrames)
 {
     m_lost += lostFrames;

@@ -21,7 +21,12 @@ public:
 
     /// The cyclic state is over, wanted or not.
     void ended();
-    void close(); ///< the link is given up: nothing is wanted any more
+    /// The link is given up: nothing is wanted any more.
+    void close()
+    {
+        ended();
+        m_wanted = {};
+    }
 
     void receive(const mcb::Master::Cycle &cycle, std::uint64_t lostFrames);
     void interrupted() { m_broken = true; } ///< frames were lost uncounted

@@ -45,12 +45,6 @@ std::optional<McpRequest> StartCheck::nextRequest()
     return m_reader.nextRequest();
 }
 
-void StartCheck::onResponse(const ByteView &response, TimePoint now)
-{
-    for (Reading &reading : m_reader.onResponse(response, now))
-        m_readings.push_back(std::move(reading));
-}
-
 std::optional<Value> StartCheck::held(RegisterId id) const
 {
     for (const Reading &reading : m_readings)

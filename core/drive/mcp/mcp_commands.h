@@ -23,7 +23,11 @@ public:
 
     /// The next question; nothing once all is known (then refusal() says what was found).
     std::optional<McpRequest> nextRequest();
-    void onResponse(const ByteView &response, TimePoint now);
+    void onResponse(const ByteView &response, TimePoint now)
+    {
+        for (Reading &reading : m_reader.onResponse(response, now))
+            m_readings.push_back(std::move(reading));
+    }
     void onNoResponse() { m_reader.onNoResponse(); }
 
     bool gaveUp() const { return m_reader.gaveUp(); }

@@ -63,14 +63,23 @@ public:
     }
 
     std::vector<Output> stopScript() const override;
-    void remember(const LineMemory &memory) override;
+    void remember(const LineMemory &memory) override
+    {
+        TaskDrive::remember(memory);
+        if (memory.agreed)
+            m_link.remember(*memory.agreed);
+    }
     Duration gathersFor() const override;
 
 private:
     Made taskFor(const Wish &wish) override;
 
     // what the link tells
-    void onLinkEvents(TimePoint now) override;
+    void onLinkEvents(TimePoint now) override
+    {
+        for (const Link::Event &event : m_link.takeEvents())
+            std::visit([&](const auto &what) { on(what, now); }, event);
+    }
     void on(const Link::Connected &event, TimePoint now);
     void on(const Link::Lost &event, TimePoint now)
     {
@@ -78,8 +87,18 @@ private:
         m_stop.stopFailed(m_stopMotor, now); // what was about to leave has gone with the link
     }
     void on(const Link::Response &event, TimePoint now);
-    void on(const Link::NoResponse &event, TimePoint now);
-    void on(const Link::Recovered &event, TimePoint now);
+    void on(const Link::NoResponse &event, TimePoint now)
+    {
+        if (m_task != nullptr)
+            passLoss(event.executed, now);
+        else
+            m_stopUnderWay = false;
+    }
+    void on(const Link::Recovered &, TimePoint)
+    {
+        m_suspect = false;
+        m_stream.connected();
+    }
     void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
     void on(const Link::Async &event, TimePoint) { m_stream.receive(event.payload, event.at); }
     void onIdentified(TimePoint now) override;
@@ -100,8 +119,17 @@ private:
         return m_stopUnderWay ? m_stopSince + m_stop.turn() : TimePoint{};
     }
     Duration closingTime() const override { return std::chrono::milliseconds(500); }
-    void leave() override;
-    void closeLink() override;
+    void leave() override
+    {
+        if (m_stream.wanted() && connected() && m_board.identified)
+            m_wishes.add(std::make_unique<StreamTask>(0, Stream{}, m_stream));
+    }
+    void closeLink() override
+    {
+        m_stream.close();
+        m_link.reset();
+        static_cast<void>(m_link.takeEvents());
+    }
     void collect(TimePoint now) override;
     std::optional<TimePoint> nextOwn() const override { return m_stream.nextTimeout(); }
     std::optional<TimePoint> nextWork() const override { return m_heartbeat.due(); }
@@ -142,12 +170,6 @@ McpDrive::Made McpDrive::taskFor(const Wish &wish)
         wish.what);
 }
 
-void McpDrive::onLinkEvents(TimePoint now)
-{
-    for (const Link::Event &event : m_link.takeEvents())
-        std::visit([&](const auto &what) { on(what, now); }, event);
-}
-
 void McpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
@@ -163,12 +185,6 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
     meet(event.afterReset ? LinkReason::BoardReset : LinkReason::None, now);
 }
 
-void McpDrive::on(const Link::Recovered &, TimePoint)
-{
-    m_suspect = false;
-    m_stream.connected();
-}
-
 void McpDrive::on(const Link::Response &event, TimePoint now)
 {
     if (m_task == &m_identification
@@ -178,14 +194,6 @@ void McpDrive::on(const Link::Response &event, TimePoint now)
         passAnswer(event.payload, now);
     else
         onStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
-}
-
-void McpDrive::on(const Link::NoResponse &event, TimePoint now)
-{
-    if (m_task != nullptr)
-        passLoss(event.executed, now);
-    else
-        m_stopUnderWay = false;
 }
 
 void McpDrive::tellIdentity()
@@ -222,13 +230,6 @@ std::vector<Output> McpDrive::stopScript() const
     for (int motor = 1; motor <= motorsToStop(); ++motor)
         stops.push_back(stopOf(motor));
     return m_link.blindScript(stops);
-}
-
-void McpDrive::remember(const LineMemory &memory)
-{
-    TaskDrive::remember(memory);
-    if (memory.agreed)
-        m_link.remember(*memory.agreed);
 }
 
 void McpDrive::sendStop(TimePoint now)
@@ -271,19 +272,6 @@ bool McpDrive::send(const McpRequest &request, WishTask<McpProtocol> *wish, Time
         noteSent(*wish->motion(), *payload);
     m_link.sendRequest(*payload, now);
     return true;
-}
-
-void McpDrive::leave()
-{
-    if (m_stream.wanted() && connected() && m_board.identified)
-        m_wishes.add(std::make_unique<StreamTask>(0, Stream{}, m_stream));
-}
-
-void McpDrive::closeLink()
-{
-    m_stream.close();
-    m_link.reset();
-    static_cast<void>(m_link.takeEvents());
 }
 
 void McpDrive::collect(TimePoint now)

@@ -29,13 +29,6 @@ std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareNam
     return std::chrono::milliseconds(*time_ms);
 }
 
-void Heartbeat::restart(TimePoint now)
-{
-    m_wanted = m_givenUp = false;
-    m_refused = 0;
-    m_due = now;
-}
-
 std::optional<TimePoint> Heartbeat::due() const
 {
     const bool asked = m_wanted && m_board.identified && m_board.watchdog;

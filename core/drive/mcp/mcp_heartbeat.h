@@ -23,7 +23,13 @@ public:
     {
     }
 
-    void restart(TimePoint now); ///< a new connection
+    /// A new connection.
+    void restart(TimePoint now)
+    {
+        m_wanted = m_givenUp = false;
+        m_refused = 0;
+        m_due = now;
+    }
     void setWanted(bool wanted) { m_wanted = wanted; }
     /// When the next one is due; nothing if none is to be sent.
     std::optional<TimePoint> due() const;

@@ -70,12 +70,6 @@ void Identification::restart()
     m_reader.start({mcp::reg::kGlobalConfig.bits});
 }
 
-void Identification::statesRead()
-{
-    if (m_phase == Phase::States)
-        m_phase = Phase::StopDatalog;
-}
-
 std::optional<McpRequest> Identification::nextRequest(TimePoint)
 {
     if (m_phase == Phase::StopDatalog)

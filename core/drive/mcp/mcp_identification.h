@@ -29,7 +29,11 @@ public:
     Phase phase() const { return m_phase; }
     bool done() const { return m_phase == Phase::Done; }
     /// The state of every motor has been read (not by this task): go on from Phase::States.
-    void statesRead();
+    void statesRead()
+    {
+        if (m_phase == Phase::States)
+            m_phase = Phase::StopDatalog;
+    }
     const Identity &identity() const { return m_identity; }
     /// True once after each identification that has come to its end.
     bool takeNews() { return std::exchange(m_news, false); }

@@ -150,13 +150,6 @@ void StreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &confi
         m_stoppedAt = now + wireTime(2 * m_board.streamBytes, m_board.baud) + kStopGrace;
 }
 
-void StreamControl::stopSent()
-{
-    m_stopNeeded = false;
-    if (m_decoder)
-        m_decoder->stopping();
-}
-
 void StreamControl::handleTimeout(TimePoint now)
 {
     if (!m_stoppedAt || now < *m_stoppedAt)

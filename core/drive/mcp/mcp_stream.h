@@ -26,7 +26,13 @@ public:
     }
 
     void restart(); ///< identified; nothing about its counter is known any more
-    void stopSent(); ///< and answered, in whichever way
+    /// The stop was sent, and answered in whichever way.
+    void stopSent()
+    {
+        m_stopNeeded = false;
+        if (m_decoder)
+            m_decoder->stopping();
+    }
     void close(); ///< the link is given up: nothing is wanted any more
     /// Again, or after a recovery: the board may be streaming by itself.
     void connected() { m_stopNeeded = true; }

@@ -101,13 +101,6 @@ std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
     return {};
 }
 
-/// Whether it has a SET of its own.
-bool McpWriteTask::alone(const Item &item) const
-{
-    const auto *info = m_board.catalog->find(item.write.id);
-    return wireWidth(item.write.id) == 0 || info == nullptr || info->dangerous;
-}
-
 /// Whether it may follow in a SET of this size that has so many registers already.
 bool McpWriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
 {
@@ -184,13 +177,6 @@ void McpWriteTask::judgeWays()
         if (!why.empty())
             endItem(item, Outcome::Refused, why);
     }
-}
-
-void McpWriteTask::enter(Phase phase)
-{
-    m_phase = phase;
-    if (phase != Phase::Setting)
-        m_reader.start(idsToRead(phase == Phase::After));
 }
 
 std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)

@@ -34,12 +34,22 @@ private:
     void judgeWays();
     McpSet nextSet();
     bool joins(const Item &item, std::size_t size, std::size_t count) const;
-    bool alone(const Item &item) const;
+    /// Whether it has a SET of its own.
+    bool alone(const Item &item) const
+    {
+        const auto *info = m_board.catalog->find(item.write.id);
+        return wireWidth(item.write.id) == 0 || info == nullptr || info->dangerous;
+    }
     std::vector<Item *> open();
     void settle(Item &item, std::uint8_t status);
     void onStatuses(const std::vector<Item *> &items, ByteView response);
     std::vector<RegisterId> idsToRead(bool after) const;
-    void enter(Phase phase);
+    void enter(Phase phase)
+    {
+        m_phase = phase;
+        if (phase != Phase::Setting)
+            m_reader.start(idsToRead(phase == Phase::After));
+    }
     void onAnswers(std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
 
     std::vector<mcp::Value> m_encoded; ///< of the items

@@ -167,16 +167,6 @@ std::optional<SetPointNews> SetPointTimes::status(const MotorStatus &status)
     return endAt(status.motor, last);
 }
 
-SetPointsEnd SetPointTimes::endAt(int motor, TimePoint at) const
-{
-    return {.motor = motor, .seconds = onAxis(at)};
-}
-
-double SetPointTimes::onAxis(TimePoint at) const
-{
-    return toSeconds(at.time_since_epoch()) + m_axis.ahead_s();
-}
-
 void SetPointTimes::heard(const capture::SampleBlock &block, TimePoint now)
 {
     // Where a tick only measures time, it is that of the clock here.

@@ -80,8 +80,14 @@ private:
     void heard(const capture::SampleBlock &block, TimePoint now);
     std::optional<SetPointNews> ended(const Ended &ended, TimePoint now);
     std::optional<SetPointNews> status(const MotorStatus &status);
-    SetPointsEnd endAt(int motor, TimePoint at) const;
-    double onAxis(TimePoint at) const;
+    SetPointsEnd endAt(int motor, TimePoint at) const
+    {
+        return {.motor = motor, .seconds = onAxis(at)};
+    }
+    double onAxis(TimePoint at) const
+    {
+        return toSeconds(at.time_since_epoch()) + m_axis.ahead_s();
+    }
 
     std::map<WishId, SetPointNews> m_wished;
     std::map<int, Motor> m_motors;
