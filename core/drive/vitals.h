@@ -96,6 +96,11 @@ protected:
         const auto at = m_round.find(id);
         return at == m_round.end() ? nullptr : &at->second;
     }
+    std::optional<double> numberOf(RegisterId id) const ///< the same, if it is one
+    {
+        const Value *value = valueOf(id);
+        return value != nullptr ? catalog::asNumber(*value) : std::nullopt;
+    }
     std::set<RegisterId> m_refused; ///< by the board, since restart()
     const typename P::Facts &m_board;
 

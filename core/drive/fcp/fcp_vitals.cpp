@@ -1,7 +1,6 @@
 #include "drive/fcp/fcp_vitals.h"
 
 #include "catalog/names.h"
-#include "drive/values.h"
 
 #include <algorithm>
 
@@ -44,10 +43,7 @@ std::vector<RegisterId> FcpVitals::idsToRead()
 
 std::optional<MotorStatus> FcpVitals::statusOf(int motor) const
 {
-    const auto number = [&](std::uint8_t which) {
-        const Value *value = valueOf(fcpId(which, motor));
-        return value != nullptr ? asNumber(*value) : std::nullopt;
-    };
+    const auto number = [&](std::uint8_t which) { return numberOf(fcpId(which, motor)); };
     const auto state = number(kStatus);
     if (!state)
         return std::nullopt;

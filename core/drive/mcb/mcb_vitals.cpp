@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "drive/mcb/mcb_identification.h"
-#include "drive/values.h"
 
 namespace drive {
 
@@ -11,12 +10,6 @@ namespace {
 constexpr int kErrorDigits = 8;
 
 } // namespace
-
-std::optional<double> McbVitals::numberAt(std::uint16_t address) const
-{
-    const Value *value = valueOf(mcbIdOf(address));
-    return value != nullptr ? asNumber(*value) : std::nullopt;
-}
 
 std::vector<RegisterId> McbVitals::idsToRead()
 {
@@ -29,7 +22,7 @@ std::vector<RegisterId> McbVitals::idsToRead()
 
 std::vector<RegisterId> McbVitals::idsBehind()
 {
-    const auto word = numberAt(mcbreg::kStatus);
+    const auto word = numberOf(mcbIdOf(mcbreg::kStatus));
     const bool fault = word && hasFault(mcbStateOf(static_cast<std::uint16_t>(*word)).state)
         && m_board.readable(mcbreg::kLastError);
     return fault && !std::exchange(m_errorAsked, true) ? std::vector{mcbIdOf(mcbreg::kLastError)}
@@ -38,7 +31,7 @@ std::vector<RegisterId> McbVitals::idsBehind()
 
 std::optional<MotorStatus> McbVitals::statusOf(int) const
 {
-    const auto word = numberAt(mcbreg::kStatus);
+    const auto word = numberOf(mcbIdOf(mcbreg::kStatus));
     if (!word)
         return std::nullopt;
     const McbState state = mcbStateOf(static_cast<std::uint16_t>(*word));
@@ -46,13 +39,14 @@ std::optional<MotorStatus> McbVitals::statusOf(int) const
     status.state = state.state;
     status.rawState = state.bits;
     status.stateName = state.name;
-    if (const auto velocity = numberAt(mcbreg::kVelocityNow)) {
+    if (const auto velocity = numberOf(mcbIdOf(mcbreg::kVelocityNow))) {
         status.speedRpm = *velocity * kSecondsPerMinute;
         // These drives have no observer: it is the speed of their encoder.
         status.speedMeasured = true;
     }
     if (hasFault(state.state)) {
-        const auto code = static_cast<std::int32_t>(numberAt(mcbreg::kLastError).value_or(0.0));
+        const auto code =
+            static_cast<std::int32_t>(numberOf(mcbIdOf(mcbreg::kLastError)).value_or(0.0));
         const std::string fault =
             "ERROR_0x" + hexDigits(static_cast<std::uint32_t>(code), kErrorDigits);
         (state.state == MotorState::FaultNow ? status.faultsNow : status.faultsPast) = {fault};

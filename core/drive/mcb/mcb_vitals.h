@@ -14,7 +14,6 @@ private:
     std::vector<RegisterId> idsToRead() override;
     std::vector<RegisterId> idsBehind() override;
     std::optional<MotorStatus> statusOf(int motor) const override;
-    std::optional<double> numberAt(std::uint16_t address) const;
 
     bool m_errorAsked = false; ///< in this round
 };

@@ -67,8 +67,7 @@ std::optional<MotorStatus> McpVitals::statusOf(int motor) const
         status.faultsPast = catalog::faultNames(static_cast<std::uint16_t>(bits));
     }
     if (const auto *speed = m_board.catalog->find("SPEED_MEAS"))
-        if (const Value *value = valueOf(m_board.catalog->withMotor(*speed, motor)))
-            status.speedRpm = asNumber(*value);
+        status.speedRpm = numberOf(m_board.catalog->withMotor(*speed, motor));
     status.speedMeasured = m_board.measuresSpeed(motor);
     return status;
 }
