@@ -9,7 +9,7 @@
 // motor. A reset or a lost link ends all of it, and only the user begins it again.
 #pragma once
 
-#include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_protocol.h"
 #include "mcb/mapping.h"
 
 namespace drive {
@@ -22,7 +22,18 @@ public:
     }
 
     /// In the order of the mapping; empty: this drive takes none of them so.
-    std::vector<mcb::MappedRegister> entries() const;
+    std::vector<mcb::MappedRegister> entries() const
+    {
+        std::vector<mcb::MappedRegister> entries;
+        for (const std::uint16_t address : {mcbreg::kVelocity, mcbreg::kIq, mcbreg::kId}) {
+            const mcb::Info *info = m_board.infoOf(address);
+            // Readable, because what goes out is read back.
+            if (info != nullptr && info->cyclic == mcb::Cyclic::Rx && m_board.readable(address)
+                && m_board.writable(address))
+                entries.push_back({address, info->size});
+        }
+        return entries;
+    }
 
     bool wanted() const { return m_wanted; } ///< asked for, and mapped
     void begin() { m_wanted = true; }
@@ -47,7 +58,16 @@ public:
     /// All of them zero.
     void rest() { m_words.clear(); }
     /// Of a frame with this mapping.
-    mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const;
+    mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const
+    {
+        mcb::Words output;
+        for (const mcb::MappedRegister &entry : rx) {
+            mcb::Words words = of(entry.address);
+            words.resize(mcb::wordsOf(entry.size));
+            output.insert(output.end(), words.begin(), words.end());
+        }
+        return output;
+    }
 
 private:
     const McbFacts &m_board;
