@@ -20,14 +20,6 @@ struct Judge {
         else if (!(agreed || *length <= greatest))
             found.push_back(MotionCaution::Step);
     }
-    static std::optional<double> length(std::optional<double> from, double to)
-    {
-        return from ? std::optional(std::abs(to - *from)) : std::nullopt;
-    }
-    static bool within(double most, std::optional<double> from, double to)
-    {
-        return from && std::abs(*from) <= most && std::abs(to) <= most;
-    }
     /// `to` has the sign of the speed or the torque that is asked for.
     void reversal(double to)
     {
@@ -39,6 +31,13 @@ struct Judge {
         const bool unknown = !scene.speedRpm && !rests(scene.state);
         if (against || unknown)
             found.push_back(MotionCaution::Reversal);
+    }
+    /// @param most  that both set-points were agreed to up to
+    void towards(std::optional<double> from, double to, double limit, double most)
+    {
+        step(from ? std::optional(std::abs(to - *from)) : std::nullopt, limit,
+            from && std::abs(*from) <= most && std::abs(to) <= most);
+        reversal(to);
     }
     void noLimit(bool torque)
     {
@@ -68,17 +67,13 @@ struct Judge {
     }
     void operator()(const SpeedRamp &ramp)
     {
-        step(length(scene.speedReferenceRpm, ramp.rpm), scene.bounds.rpm,
-            within(scene.agreedRpm, scene.speedReferenceRpm, ramp.rpm));
-        reversal(ramp.rpm);
+        towards(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm, scene.agreedRpm);
         mode(false);
         takesOver();
     }
     void operator()(const TorqueRamp &ramp)
     {
-        step(length(scene.iqReferenceAmps, ramp.amps), scene.bounds.amps,
-            within(scene.agreedAmps, scene.iqReferenceAmps, ramp.amps));
-        reversal(ramp.amps);
+        towards(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps, scene.agreedAmps);
         noLimit(ramp.amps != 0.0);
         mode(true);
         takesOver();
