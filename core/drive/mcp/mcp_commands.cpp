@@ -108,23 +108,6 @@ CommandTask::CommandTask(WishId id, const Command &command, const McpFacts &boar
 {
 }
 
-/// Whether a start has still to be looked into; ends the wish if it must not be.
-bool CommandTask::checking(std::optional<McpRequest> &request)
-{
-    if (auto why = refuseStart(m_board, m_command.motor); !why.empty()) {
-        end(Outcome::Refused, std::move(why));
-        return false;
-    }
-    request = m_check.nextRequest();
-    if (request)
-        return true;
-    if (m_check.gaveUp())
-        end(Outcome::NotSent, "no answer about what it would start to");
-    else if (auto why = m_check.refusal(); !why.empty())
-        end(Outcome::Refused, std::move(why));
-    return false;
-}
-
 std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
 {
     if (!m_refusal.empty())
@@ -133,9 +116,16 @@ std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
         return std::nullopt;
     if (auto why = refuseMotor(m_board, m_command.motor); !why.empty())
         return noRequest(Outcome::Refused, std::move(why));
-    if (std::optional<McpRequest> question;
-        m_command.action == MotorAction::Start && (checking(question) || finished()))
-        return question;
+    if (m_command.action == MotorAction::Start) {
+        if (auto why = refuseStart(m_board, m_command.motor); !why.empty())
+            return noRequest(Outcome::Refused, std::move(why));
+        if (auto question = m_check.nextRequest())
+            return question;
+        if (m_check.gaveUp())
+            return noRequest(Outcome::NotSent, "no answer about what it would start to");
+        if (auto why = m_check.refusal(); !why.empty())
+            return noRequest(Outcome::Refused, std::move(why));
+    }
     markSent();
     return McpAct{commandOf<mcp::CommandId>(m_command.action), m_command.motor};
 }

@@ -55,8 +55,6 @@ public:
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    bool checking(std::optional<McpRequest> &request);
-
     const McpFacts &m_board;
     Command m_command;
     StartCheck m_check;
