@@ -4,7 +4,6 @@
 #include "drive/values.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string_view>
 
@@ -112,17 +111,11 @@ std::optional<Value> fcpValue(const fcp::Register &which, ByteView data)
     if (whole == nullptr)
         return std::move(*value);
     const auto number = static_cast<std::uint8_t>(which.info.id);
-    if (number == kControlMode && *whole == kTorqueOnWire)
-        return kTorqueModeNumber;
-    if (number == kControlMode && *whole == kSpeedOnWire)
-        return kSpeedModeNumber;
-    if (isDivisor(number)) {
-        const auto divisor = static_cast<std::uint64_t>(*whole);
-        if (!std::has_single_bit(divisor) || divisor >> kGreatestExponent > 1)
-            return std::nullopt;
-        return std::int64_t{std::countr_zero(divisor)};
-    }
-    return std::move(*value);
+    const auto digits = wireDigits(number);
+    const auto at = std::ranges::find(digits, *whole, &catalog::WireDigits::digits);
+    if (at != digits.end())
+        return at->number;
+    return isDivisor(number) ? std::nullopt : std::optional(std::move(*value));
 }
 
 Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &value)
