@@ -282,6 +282,9 @@ void McbStreamTask::onResponse(const McbAnswer &answer, TimePoint)
         return;
     const Planned done = m_steps.front();
     m_steps.pop_front();
+    // What is asked of the motor and of types has its own words for a refusal.
+    if (!answer.ok && done.step != Step::Standing && done.step != Step::Info)
+        return fail(Outcome::Refused, mcbWordOf(answer.code));
     switch (done.step) {
     case Step::Standing:
         if (auto why = reasonInStanding(done.address, answer); !why.empty())
@@ -291,20 +294,14 @@ void McbStreamTask::onResponse(const McbAnswer &answer, TimePoint)
         onInfo(done.address, answer);
         break;
     case Step::Hold:
-        if (!answer.ok)
-            fail(Outcome::Refused, mcbWordOf(answer.code));
-        else if (!m_setPoints.wanted()) // else the words that travel are what the drive has
+        if (!m_setPoints.wanted()) // else the words that travel are what the drive has
             m_setPoints.set(done.address, answer.words);
         break;
     case Step::Unmap:
-        if (!answer.ok)
-            return fail(Outcome::Refused, mcbWordOf(answer.code));
         m_unmapped = true;
         m_control.ended();
         break;
     case Step::Map:
-        if (!answer.ok)
-            return fail(Outcome::Refused, mcbWordOf(answer.code));
         m_control.begin(m_stream, m_ids, m_told);
         break;
     }
@@ -314,11 +311,7 @@ void McbStreamTask::onResponse(const McbAnswer &answer, TimePoint)
 
 void McbStreamTask::finish()
 {
-    const bool travels = this->travels() && m_control.running();
-    if (!travels)
-        m_setPoints.end();
-    else
-        m_setPoints.begin();
+    travels() && m_control.running() ? m_setPoints.begin() : m_setPoints.end();
     if (m_ids.empty())
         m_control.m_wanted = {};
     end(Outcome::Ok);

@@ -226,10 +226,8 @@ std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
     if (finished())
         return std::nullopt;
     const bool stops = m_stream.fast.empty() && m_stream.slow.empty();
-    if (!stops) {
-        if (auto why = m_control.refuse(m_stream); !why.empty())
-            return noRequest(Outcome::Refused, std::move(why));
-    }
+    if (auto why = stops ? std::string() : m_control.refuse(m_stream); !why.empty())
+        return noRequest(Outcome::Refused, std::move(why));
     markSent();
     if (stops || m_control.m_stopNeeded) {
         m_stopping = !stops;
