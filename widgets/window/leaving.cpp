@@ -41,16 +41,18 @@ void Leaving::watch(const Experiments &experiments)
     });
 }
 
-bool Leaving::takesTime() const
+bool Leaving::experimentRuns() const
 {
-    return m_shutdown.mayTurn() || (m_experiments != nullptr && m_experiments->running());
+    return m_experiments != nullptr && m_experiments->running();
 }
+
+bool Leaving::takesTime() const { return m_shutdown.mayTurn() || experimentRuns(); }
 
 void Leaving::before(Act act)
 {
     if (!takesTime())
         return act.go();
-    m_ending = m_experiments != nullptr && m_experiments->running();
+    m_ending = experimentRuns();
     m_act = std::move(act);
     Q_EMIT said(m_act.stopping);
     m_shutdown.begin();
@@ -107,10 +109,11 @@ void Leaving::showLeft()
         .usual = 1});
 }
 
-/// What was to be left may be left now; a board that came back behind a pulled cable says so by itself.
+/// What was to be left may be left now; a board that came back behind a pulled cable says so by itself. The motor of an
+/// experiment rests between its parts, too.
 void Leaving::endQuestionsAtRest()
 {
-    if (!m_shutdown.restIsSeen())
+    if (experimentRuns() || !m_shutdown.restIsSeen())
         return;
     bool asked = false;
     for (const char *name : {kUnconfirmed, kLeaveRunning, kNotIdle}) {
@@ -125,7 +128,7 @@ void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
 {
     Act act{tr("Stopping the motors before the port is closed\u2026"),
         tr("Disconnect all the same\u2026"), disconnect};
-    if (!takesTime() || !m_device.answering() || m_device.allIdle())
+    if (experimentRuns() || !takesTime() || !m_device.answering() || m_device.allIdle())
         return before(std::move(act));
     m_act = std::move(act);
     m_prompt.ask({.name = kNotIdle,
@@ -134,7 +137,10 @@ void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
         .more = tr("Without a connection nothing watches it, and this program cannot stop it."),
         .answers = {{Kind::Go, tr("Stop motors, then disconnect"),
                         [this] { before(std::exchange(m_act, {})); }},
-            {Kind::Force, tr("Leave running"), [this] { go(); }},
+            {Kind::Force, tr("Leave running"),
+                [this] { // a tour goes on by itself, and may have begun its next station meanwhile
+                    experimentRuns() ? before(std::exchange(m_act, {})) : go();
+                }},
             {Kind::Stay, tr("Stay connected")}},
         .usual = 2});
 }

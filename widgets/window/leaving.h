@@ -1,7 +1,7 @@
 // Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
 // turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running. Where the
-// evidence comes while the question waits, the question is over. An experiment that is running is ended by a Stop first, and what
-// it leaves on the board is shown, because nobody can write it back from here afterwards.
+// evidence comes while the question waits, the question is over. An experiment that is running is always ended by a Stop first,
+// because nothing bounds its motor afterwards; what it leaves on the board is shown, because nobody can write it back then.
 #pragma once
 
 #include "widgets/base/question.h"
@@ -39,6 +39,7 @@ Q_SIGNALS:
     void said(const QString &sentence);
 
 private:
+    bool experimentRuns() const;
     void ask();
     void confirm();
     void go();

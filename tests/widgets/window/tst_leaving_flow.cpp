@@ -123,6 +123,47 @@ private Q_SLOTS:
         QVERIFY(m_questions.asks("leftBehindQuestion"));
     }
 
+    /// As a torque, say, which nothing would bound then: it is no motor that is meant to turn on.
+    void anExperimentIsNotLeftRunningByDisconnecting()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        tell(MotorState::Running);
+        m_leaving->beforeDisconnecting([this] { ++m_left; });
+        QVERIFY(m_questions.open.empty());
+        QCOMPARE(m_stops->size(), 1);
+        experiments.end({.end = lab::End::Interrupted, .reason = "left", .leaves = true});
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.asks("leftBehindQuestion"));
+        QVERIFY(m_questions.answer(QStringLiteral("Leave it so")));
+        QCOMPARE(m_left, 1);
+    }
+
+    /// A tour goes on while a question waits: where its motor rests for a moment, nobody has answered.
+    void anExperimentThatRestsIsNoAnswer()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        tell(MotorState::Running);
+        m_leaving->beforeDisconnecting([this] { ++m_left; });
+        experiments.begin({{}}, 0.0);
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.asks("notIdleQuestion"));
+        QCOMPARE(m_left, 0);
+        QVERIFY(m_questions.answer(QStringLiteral("Leave running")));
+        QCOMPARE(m_left, 0);
+        QCOMPARE(m_stops->size(), 1);
+        m_now += 1s;
+        tell(MotorState::Idle);
+        experiments.end({.end = lab::End::Interrupted, .reason = "every motor was stopped"});
+        QCOMPARE(m_left, 1);
+    }
+
     void withoutEvidenceAPersonIsAskedTwice()
     {
         notConfirmed();
