@@ -48,12 +48,33 @@ bool Leaving::experimentRuns() const
 
 bool Leaving::takesTime() const { return m_shutdown.mayTurn() || experimentRuns(); }
 
+/// What was begun before has neither come to its end nor been given up.
+bool Leaving::goesOn() const
+{
+    return m_shutdown.underWay() || m_waits || m_prompt.asks(kUnconfirmed)
+        || m_prompt.asks(kLeaveRunning);
+}
+
+/// Who stayed may have put right what an experiment left, or have met another board since.
+void Leaving::beginAnew()
+{
+    if (!goesOn())
+        m_left.clear();
+}
+
 void Leaving::before(Act act)
 {
     if (!takesTime())
         return act.go();
-    m_ending = experimentRuns();
+    beginAnew();
     m_act = std::move(act);
+    stopFirst();
+}
+
+void Leaving::stopFirst()
+{
+    m_ending = experimentRuns();
+    m_waits = false; // for the evidence, again
     Q_EMIT said(m_act.stopping);
     m_shutdown.begin();
 }
@@ -70,7 +91,7 @@ void Leaving::ask()
                  "did. A motor may still be turning.")
             : tr("No port is open that could carry a stop. A motor may still be turning, and "
                  "nothing tells how fast."),
-        .answers = {{Kind::Go, tr("Try again"), [this] { before(std::exchange(m_act, {})); }},
+        .answers = {{Kind::Go, tr("Try again"), [this] { takesTime() ? stopFirst() : go(); }},
             {Kind::Force, m_act.allTheSame, [this] { confirm(); }}, {Kind::Stay, tr("Stay")}}});
 }
 
@@ -130,6 +151,7 @@ void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
         tr("Disconnect all the same\u2026"), disconnect};
     if (experimentRuns() || !takesTime() || !m_device.answering() || m_device.allIdle())
         return before(std::move(act));
+    beginAnew();
     m_act = std::move(act);
     m_prompt.ask({.name = kNotIdle,
         .title = tr("Disconnect"),

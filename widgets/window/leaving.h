@@ -40,6 +40,9 @@ Q_SIGNALS:
 
 private:
     bool experimentRuns() const;
+    bool goesOn() const;
+    void beginAnew();
+    void stopFirst();
     void ask();
     void confirm();
     void go();

@@ -164,6 +164,41 @@ private Q_SLOTS:
         QCOMPARE(m_left, 1);
     }
 
+    void whoStayedIsNotShownLaterWhatWasLeftThen()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        notConfirmed();
+        experiments.end({.end = lab::End::Lost, .reason = "left", .leaves = true});
+        QVERIFY(m_questions.answer(QStringLiteral("Stay")));
+        connectAgain();
+        m_now += 1s;
+        tell(MotorState::Running);
+        leave();
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.open.empty());
+        QCOMPARE(m_left, 1);
+    }
+    void whoTriesAgainIsShownIt()
+    {
+        widgets::Experiments experiments(
+            *m_device, std::make_shared<session::RecordingTap>(), [this] { return m_now; });
+        m_leaving->watch(experiments);
+        experiments.begin({{}}, 0.0);
+        notConfirmed();
+        experiments.end({.end = lab::End::Lost, .reason = "left", .leaves = true});
+        QVERIFY(m_questions.answer(QStringLiteral("Try again")));
+        QTRY_VERIFY(m_questions.asks("leaveQuestion"));
+        connectAgain();
+        m_now += 1s;
+        tell(MotorState::Idle);
+        QVERIFY(m_questions.asks("leftBehindQuestion"));
+        QCOMPARE(m_left, 0);
+    }
+
     void withoutEvidenceAPersonIsAskedTwice()
     {
         notConfirmed();
