@@ -2056,8 +2056,8 @@
         <translation>Ob seine Drehzahl oder sein Drehmoment geregelt wird, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>It ends the experiment that is running.</source>
-        <translation>Es beendet das Experiment, das läuft.</translation>
+        <source>It ends the experiment that is running; where nothing else bounds the motor, as in torque control, every motor is stopped instead.</source>
+        <translation>Es beendet das Experiment, das läuft; wo nichts anderes den Motor in Grenzen hält, wie in der Drehmomentregelung, wird stattdessen jeder Motor gestoppt.</translation>
     </message>
     <message>
         <source>Arm</source>

@@ -2052,7 +2052,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It ends the experiment that is running.</source>
+        <source>It ends the experiment that is running; where nothing else bounds the motor, as in torque control, every motor is stopped instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -656,13 +656,29 @@ void Runner::interrupt(const std::string &why)
 {
     if (over())
         return;
-    m_soFar = {End::Interrupted, why, {}};
+    m_stop = needsEnvelope();
+    m_soFar = {End::Interrupted, m_stop ? why + "; " + kStopping : why, {}};
     finish();
+}
+
+void Runner::stopped()
+{
+    if (over())
+        return;
+    m_soFar = {End::Interrupted, "every motor was stopped", {}};
+    finish();
+}
+
+/// A torque accelerates the rotor until something takes it away; a start-up that was to turn nothing goes on by itself, to
+/// the set-point of before.
+bool Runner::needsEnvelope() const
+{
+    return moves() && (m_byTorque || m_conditions.beginning == Beginning::WhileStarting);
 }
 
 void Runner::disarm()
 {
-    const bool drives = moves() && m_phase != Phase::Returning && !m_ran;
+    const bool drives = moves() && m_phase != Phase::Returning && !m_ran && !needsEnvelope();
     interrupt(std::string("the drive was disarmed")
         + (drives ? ", and the motor that was started is driven on" : ""));
 }

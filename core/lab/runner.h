@@ -1,6 +1,7 @@
 // Carries out an experiment: a machine without I/O between a drive's events and its wishes, in the session's thread.
 // While it runs, every packet of samples and every reading is held against the envelope; what breaks it asks for a Stop of
-// every motor at once, and that is the last thing the runner asks for.
+// every motor at once, and that is the last thing the runner asks for. So does whoever ends it while it drives the motor by a
+// torque, or by the currents of a start-up: nothing but the envelope bounds those.
 //
 // Every way out brings the motor back to what it was, as far as that is possible, and says in a sentence what is not as it
 // was: at the end and where a wish is refused, by the old set-point or by stopping the motor that it started; after a Stop
@@ -33,9 +34,12 @@ public:
     void begin(TimePoint now, std::optional<TimePoint> ranAt = {});
     void take(const drive::Event &event, TimePoint now);
     void advance(TimePoint now); ///< early or repeated calls do nothing
-    /// Somebody else decided about the motor: nothing more is asked of it. @param why  in words
+    /// Somebody else decided about the motor: nothing more is asked of it, but a Stop where nothing would bound it any more,
+    /// which goes ahead of what was decided. @param why  in words
     void interrupt(const std::string &why);
-    /// The same of a person who disarms, which stops no motor.
+    /// The same of who has stopped every motor: there is nothing left to be asked for.
+    void stopped();
+    /// The same of a person who disarms, which by itself stops no motor.
     void disarm();
     /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
     void lose(const std::string &why);
@@ -89,7 +93,7 @@ private:
     void restoreNext(TimePoint now);
     void compare(TimePoint now);
     void giveUp(End end, const std::string &reason, TimePoint now);
-    void abort(const std::string &reason, const char *stopping = "every motor is being stopped");
+    void abort(const std::string &reason, const char *stopping = kStopping);
     void finish();
     bool steadyAt(double rpm, TimePoint now);
     bool hadItsTime(TimePoint now) const;
@@ -99,6 +103,7 @@ private:
     bool isAsBefore(const drive::RegisterWrite &old) const;
     std::optional<ShownReference> shownReference() const;
     bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
+    bool needsEnvelope() const;
     Caps caps() const;
     Caps startCaps() const;
     Caps courseCaps() const;
@@ -107,6 +112,8 @@ private:
     drive::Stream stream() const;
     drive::Watch watch() const;
     std::optional<double> shown(drive::RegisterId id) const;
+
+    static constexpr const char *kStopping = "every motor is being stopped";
 
     Experiment m_experiment;
     Conditions m_conditions;

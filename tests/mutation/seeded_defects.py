@@ -164,6 +164,8 @@ DEFECTS = [
         ("core/lab/runner.cpp", "    if (m_lent)\n        m_restores", "    if (std::exchange(m_lent, false) && m_old.empty())\n        m_restores")]),
     ("a torque that nobody asked for stays in force unsaid", "tst_experiment_faults@1-600", "MS32", [
         ("core/lab/runner.cpp", "m_byTorque = m_byTorque || torque;", "m_byTorque = (m_byTorque || torque) && !m_asked_rpm;")]),
+    ("a torque outlives its experiment", "tst_experiment_faults@1-600", "MS28", [
+        ("core/lab/runner.cpp", "m_stop = needsEnvelope();", "m_stop = false;")]),
     ("an experiment is left to itself when its port goes", "tst_session_experiment_faults@1-100", "MS29|MS32", [
         ("core/session/link/session.cpp", 'm_experiment->lose("the port was lost");', 'm_experiment->interrupt("the port was lost");')]),
     ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [

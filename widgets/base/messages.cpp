@@ -295,7 +295,8 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
     case MotionCaution::UnknownMode:
         return Messages::tr("It is not known whether its speed or its torque is controlled.");
     case MotionCaution::EndsExperiment:
-        return Messages::tr("It ends the experiment that is running.");
+        return Messages::tr("It ends the experiment that is running; where nothing else bounds the "
+                            "motor, as in torque control, every motor is stopped instead.");
     }
     return {};
 }

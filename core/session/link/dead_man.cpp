@@ -41,6 +41,14 @@ void DeadMan::begin(TimePoint now)
     m_idleBy.reset();
 }
 
+void DeadMan::stopped()
+{
+    if (m_absence)
+        m_absence->stopped = true;
+    for (Interruption &news : m_news)
+        news.stopped = true;
+}
+
 bool DeadMan::driven(int motor) const
 {
     const auto found = m_states.find(motor);

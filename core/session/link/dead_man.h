@@ -94,6 +94,8 @@ public:
     void begin(TimePoint now); ///< the user has opened a connection
     void armed() { m_ours = true; } ///< the user has armed
     void disarmed() { m_ours = false; } ///< the user has: what turns is left to turn
+    /// Every motor was told to stop for another reason: nothing that is still to be told goes on as it was.
+    void stopped();
     void takeStatus(const drive::MotorStatus &status) { m_states[status.motor] = status.state; }
 
     /// Whether what turns now, or could, is this interface's to answer for.

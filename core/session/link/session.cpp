@@ -200,7 +200,7 @@ void Session::close()
 void Session::startClosing()
 {
     const TimePoint now = wake();
-    interruptExperiment("the port was closed");
+    interruptExperiment("the port was closed", now);
     if (m_drive->stopOpen() && now < m_stopUntil) {
         m_phase = Phase::LastStop;
         m_deadline = m_stopUntil;
@@ -225,7 +225,7 @@ void Session::submit(const drive::Wish &wish)
     const TimePoint now = wake();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
     if (m_experiment && commands(wish, m_experiment->catalog()))
-        interruptExperiment("somebody else commanded the motor");
+        interruptExperiment("somebody else commanded the motor", now);
     const bool isSignals = std::holds_alternative<drive::Stream>(wish.what)
         || std::holds_alternative<drive::Watch>(wish.what);
     if (m_experiment && isSignals) { // it needs its own until it ends; then these are taken up
@@ -263,7 +263,7 @@ void Session::setArmed(bool armed, std::optional<TimePoint> madeAt)
         if (armed)
             arm(madeAt.value_or(now), now);
         else
-            disarm();
+            disarm(now);
     }
     step(now);
 }
@@ -278,10 +278,12 @@ void Session::arm(TimePoint madeAt, TimePoint now)
         m_deadMan.armed();
 }
 
-void Session::disarm()
+void Session::disarm(TimePoint now)
 {
-    if (m_experiment)
+    if (m_experiment) {
         m_experiment->disarm();
+        (void)stopForExperiment(now);
+    }
     // The user's own choice. Where the drive is not armed any more, this follows from something else.
     if (m_drive->armed())
         m_deadMan.disarmed();
@@ -427,9 +429,7 @@ bool Session::runExperiment(TimePoint now)
     if (m_phase == Phase::Open && !m_drive->armed())
         m_experiment->interrupt("the drive is not armed any more");
     m_experiment->advance(now);
-    const bool stops = m_experiment->takeStop();
-    if (stops)
-        stopNow(now);
+    const bool stops = stopForExperiment(now);
     std::vector<drive::Wish> wishes = m_experiment->takeWishes();
     for (const drive::Wish &wish : wishes) {
         m_driven.submitted(wish, m_drive->armed(), now);
@@ -441,10 +441,22 @@ bool Session::runExperiment(TimePoint now)
     return true;
 }
 
-void Session::interruptExperiment(const std::string &why)
+void Session::interruptExperiment(const std::string &why, TimePoint now)
 {
-    if (m_experiment)
-        m_experiment->interrupt(why);
+    if (!m_experiment)
+        return;
+    m_experiment->interrupt(why);
+    (void)stopForExperiment(now);
+}
+
+/// If it asks for a Stop, which goes ahead of what has ended it: behind a Stop that is not sent any more.
+bool Session::stopForExperiment(TimePoint now)
+{
+    if (!m_experiment->takeStop())
+        return false;
+    stopNow(now);
+    m_deadMan.stopped();
+    return true;
 }
 
 /// What was recorded and read before is again, whichever way it ended.
@@ -614,7 +626,8 @@ void Session::stopNow(TimePoint now)
     if (m_phase == Phase::Closed)
         return; // no port is known that it could be for
     qCInfo(lcLink) << "stop";
-    interruptExperiment("every motor was stopped");
+    if (m_experiment)
+        m_experiment->stopped();
     m_stops.want(m_endpoint);
     m_stopUntil = now + kLastStop;
     if (m_phase == Phase::Reopening) {

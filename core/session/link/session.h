@@ -24,7 +24,9 @@
 //
 // An experiment (lab/runner.h) is carried out between the drive and everybody else: it sees each event first, and what
 // breaks its envelope stops every motor within the same turn. Its wishes take the way of everybody's. A person who stops,
-// disarms or commands the motor meanwhile ends it; whichever way it ends, what was streamed and watched before is again.
+// disarms or commands the motor meanwhile ends it. Where nothing bounds the motor any more then, as in torque control, every
+// motor is stopped first, and what the person asked for is not sent. Whichever way it ends, what was streamed and watched
+// before is again.
 //
 // It is armed only as long as the user can see and stop what it does (session/link/dead_man.h): the interface stamps it with
 // attendFromAnyThread(). A gap in time (session/link/time_gap.h) disarms, and the states of the motors are read before
@@ -146,7 +148,7 @@ private:
     TimePoint wake();
     void lookUp(TimePoint now);
     void arm(TimePoint madeAt, TimePoint now);
-    void disarm();
+    void disarm(TimePoint now);
     void openNow(const Endpoint &endpoint, TimePoint now);
     PortError tryOpen(TimePoint now);
     void onReceived(const QByteArray &bytes);
@@ -165,7 +167,8 @@ private:
     void openNext();
     void stopNow(TimePoint now);
     bool runExperiment(TimePoint now);
-    void interruptExperiment(const std::string &why);
+    void interruptExperiment(const std::string &why, TimePoint now);
+    bool stopForExperiment(TimePoint now);
     void endExperiment(TimePoint now);
     void settleStop();
     void tellGuardian(TimePoint now);

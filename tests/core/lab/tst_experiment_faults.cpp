@@ -149,7 +149,7 @@ struct Scenario {
                 1, (random.chance(0.5) ? 0.02 : -0.02) * double(1 + random.below(40)));
             break;
         case Trouble::PersonStops: // as a session does it
-            bench.runner->interrupt("every motor was stopped");
+            bench.runner->stopped();
             pair.drive->stop(pair.now);
             break;
         case Trouble::PersonDisarms:
@@ -283,6 +283,9 @@ std::string whatIsWrong(const Scenario &scenario)
     const bool obeys = scenario.lie == nullptr || scenario.lie->lie != simulation::Lie::NeverStops;
     if (bench.stops > 0 && !truth.idle && obeys) // heard as soon as there is a link
         return "stopped, and the motor is driven";
+    const bool byTorque = outcome.reason.find("in torque control now") != std::string::npos;
+    if (outcome.end == End::Interrupted && byTorque && truth.driven && obeys)
+        return "the judge: MS28: driven by a torque that nothing bounds";
     const bool same = truth.driven == scenario.runs
         && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
     const bool says = outcome.reason.find("set-point") != std::string::npos

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void aRotorThatTurnsOnIsWaitedFor_data();
     void aRotorThatTurnsOnIsWaitedFor();
     void somebodyElsesActEndsItWithoutAnother();
+    void whatOnlyTheEnvelopeBoundsEndsWithAStop();
     void aStepThatIsCutShortTellsNothing();
     void whoDisarmsIsToldWhatDrivesOn();
     void boardsThatRecordNothingSayWhy();
@@ -696,6 +697,45 @@ void TestRunner::somebodyElsesActEndsItWithoutAnother()
     QVERIFY(bench.runner->takeWishes().empty());
     QVERIFY(!bench.runner->takeStop());
     QVERIFY(!bench.runner->nextTimeout());
+}
+
+/// A torque would go on to accelerate the rotor, and a start-up that was to turn nothing to turn it.
+void TestRunner::whatOnlyTheEnvelopeBoundsEndsWithAStop()
+{
+    const auto pushes = [](LabBench &bench) {
+        bench.experiment.plan = lab::spinPlanFor(bench.experiment.subject, {});
+        bench.begin();
+        return bench.runUntil([&] { return !bench.asked<TorqueRamp>().empty(); }, 40s);
+    };
+    LabBench disarmed;
+    QVERIFY(pushes(disarmed));
+    disarmed.runner->disarm();
+    VERIFY_END(disarmed.runner->outcome(), End::Interrupted);
+    QVERIFY2(disarmed.runner->outcome().reason.starts_with(
+                 "the drive was disarmed; every motor is being stopped"),
+        disarmed.runner->outcome().reason.c_str());
+    disarmed.turn();
+    QCOMPARE(disarmed.stops, 1);
+    QVERIFY(disarmed.pair.runUntil([&] { return disarmed.pair.board->truth(1).idle; }, 1s));
+
+    LabBench stopped; // by a person already
+    QVERIFY(pushes(stopped));
+    stopped.runner->stopped();
+    VERIFY_END(stopped.runner->outcome(), End::Interrupted);
+    QVERIFY(stopped.runner->outcome().reason.starts_with("every motor was stopped; "));
+    QVERIFY(stopped.runner->outcome().reason.find("being stopped") == std::string::npos);
+    QVERIFY(!stopped.runner->takeStop());
+
+    simulation::BoardOptions sensorless;
+    sensorless.motor = "pm24";
+    LabBench starting(sensorless);
+    starting.experiment.plan = lab::restPlanFor(starting.experiment.subject, {});
+    starting.begin();
+    QVERIFY(starting.runUntil([&] { return starting.pair.board->truth(1).driven; }, 20s));
+    starting.runner->interrupt("somebody else commanded the motor");
+    starting.turn();
+    QCOMPARE(starting.stops, 1);
+    QVERIFY(starting.pair.runUntil([&] { return starting.pair.board->truth(1).idle; }, 1s));
 }
 
 /// What overshoots or settles comes later: its numbers looked better than those of the whole ones.

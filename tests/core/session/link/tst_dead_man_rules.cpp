@@ -57,6 +57,7 @@ private Q_SLOTS:
     void aHoldHasANumberAndAMotor();
     void absenceBeginsBehindItsLimit();
     void whoIsGoneIsStoppedForOnce();
+    void aStopForAnotherReasonIsToldWithIt();
     void whatNobodyHereAnswersForIsNotStopped_data();
     void whatNobodyHereAnswersForIsNotStopped();
     void aSilenceThatIsOverCountsAllTheSame();
@@ -134,6 +135,24 @@ void TestDeadManRules::whoIsGoneIsStoppedForOnce()
     QVERIFY((bench.man.takeNews() == News{{Cause::Interface, 5s, true, true}}));
     QVERIFY(bench.man.takeNews().empty());
     QVERIFY(bench.at(8s + 1ns).stopAll); // the next absence
+}
+
+/// As that of an experiment, which the disarming ends. "The motors go on as they are" would not be so.
+void TestDeadManRules::aStopForAnotherReasonIsToldWithIt()
+{
+    Bench bench;
+    bench.attend(0ms);
+    QVERIFY(bench.at(600ms).disarm);
+    bench.man.stopped();
+    QVERIFY(!bench.at(3s).stopAll); // that one goes on by itself
+    bench.attend(4s);
+    static_cast<void>(bench.at(4s));
+    QVERIFY((bench.man.takeNews() == News{{Cause::Interface, 4s, true, true}}));
+    Bench slept;
+    slept.attend(0ms);
+    static_cast<void>(slept.at(20ms, 3s)); // is told in the turn in which it is seen
+    slept.man.stopped();
+    QVERIFY((slept.man.takeNews() == News{{Cause::Gap, 3s, true, true}}));
 }
 
 void TestDeadManRules::whatNobodyHereAnswersForIsNotStopped_data()

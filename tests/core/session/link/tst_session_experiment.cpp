@@ -21,6 +21,26 @@ namespace {
                            .arg(QString::fromStdString((world).outcomes[0].reason))));             \
     } while (false)
 
+/// A mechanical identification, until the motor is driven by its second torque.
+bool pushes(World &world)
+{
+    const lab::Subject subject = *lab::subjectOf(*world.board(), 1);
+    world.session.run({lab::spinPlanFor(subject, {}), subject});
+    return world.runUntil(
+        [&] {
+            const auto acts = world.all<drive::MotionRecord>();
+            return std::count_if(acts.begin(), acts.end(), [](const drive::MotionRecord &one) {
+                return one.act == drive::MotionAct::TorqueRamp;
+            }) >= 2;
+        },
+        40s);
+}
+
+bool saysStop(const lab::Outcome &outcome)
+{
+    return outcome.reason.find("every motor is being stopped") != std::string::npos;
+}
+
 } // namespace
 
 class TestSessionExperiment : public QObject {
@@ -135,6 +155,58 @@ private Q_SLOTS:
         QVERIFY(std::abs(*world.status->speedRpm - 2000.0) < 100.0);
         world.session.stop();
         QVERIFY(world.idles());
+    }
+
+    void whoEndsATorqueEndsItWithAStop_data()
+    {
+        QTest::addColumn<QString>("deed");
+        for (const char *deed : {"Stop ramp", "a speed", "disarming", "closing"})
+            QTest::newRow(deed) << QString::fromLatin1(deed);
+    }
+    /// It would accelerate the rotor further, and nothing would bound that any more.
+    void whoEndsATorqueEndsItWithAStop()
+    {
+        QFETCH(const QString, deed);
+        World world;
+        QVERIFY(world.connect());
+        QVERIFY(pushes(world));
+        const TimePoint at = world.now;
+        if (deed == QLatin1String("Stop ramp"))
+            world.session.submit(
+                {.id = 7, .what = drive::Command{drive::MotorAction::StopRamp, 1}});
+        else if (deed == QLatin1String("a speed"))
+            world.session.submit({.id = 7, .what = drive::SpeedRamp{1, 2000, 100ms}});
+        else if (deed == QLatin1String("disarming"))
+            world.session.setArmed(false);
+        else
+            world.session.close();
+        QVERIFY(world.ends(100ms));
+        VERIFY_END(world, End::Interrupted);
+        QVERIFY2(saysStop(world.outcomes[0]), world.outcomes[0].reason.c_str());
+        world.run(3s);
+        QVERIFY(!world.line.isDriven());
+        QCOMPARE(world.session.closed(), deed == QLatin1String("closing"));
+        for (const drive::MotionRecord &one : world.all<drive::MotionRecord>())
+            QVERIFY(one.asked < at || one.act == drive::MotionAct::Stop || one.requests == 0);
+    }
+
+    /// What is told of the gap then is not that the motors go on as they are.
+    void aGapEndsATorqueWithAStop()
+    {
+        World world;
+        world.line.verdictTaken = true; // nobody hears the board for so long, and nobody says so
+        QVERIFY(world.connect());
+        QVERIFY(pushes(world));
+        QSignalSpy told(&world.session, &Session::interrupted);
+        world.now += 1500ms;
+        world.session.step(world.now);
+        QVERIFY(world.ends(100ms));
+        QVERIFY2(saysStop(world.outcomes[0]), world.outcomes[0].reason.c_str());
+        QCOMPARE(told.size(), 1);
+        const auto what = told[0][0].value<session::Interruption>();
+        QVERIFY(what.disarmed && what.stopped);
+        world.run(3s);
+        QVERIFY(!world.line.isDriven());
     }
 
     void aGainMayBeWrittenMeanwhile()
