@@ -1018,6 +1018,10 @@
         <translation>was folgt, ist nicht mehr vereinbart</translation>
     </message>
     <message>
+        <source>what comes next was not begun</source>
+        <translation>was folgt, wurde nicht begonnen</translation>
+    </message>
+    <message>
         <source>the way to the first speed takes 1 ms to 10 s</source>
         <translation>der Weg zur ersten Drehzahl dauert 1 ms bis 10 s</translation>
     </message>

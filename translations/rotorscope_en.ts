@@ -1018,6 +1018,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what comes next was not begun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the way to the first speed takes 1 ms to 10 s</source>
         <translation type="unfinished"></translation>
     </message>

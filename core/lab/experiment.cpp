@@ -76,15 +76,26 @@ record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &re
         experiment.plan);
 }
 
-Outcome joined(const Outcome &first, Outcome second)
+void addReason(Outcome &outcome, const std::string &reason)
 {
-    if (!first.reason.empty())
-        second.reason =
-            first.reason + (second.reason.empty() ? std::string() : "; " + second.reason);
-    second.leaves = first.leaves || second.leaves;
-    if (first.shows && second.shows)
-        second.shows->before_rpm = first.shows->before_rpm;
-    return second;
+    if (!outcome.reason.empty() && !reason.empty())
+        outcome.reason += "; ";
+    outcome.reason += reason;
+}
+
+Outcome inRow(const Outcome &before, const Outcome &last, bool more)
+{
+    Outcome all = last;
+    if (before.shows && all.shows)
+        all.shows->before_rpm = before.shows->before_rpm;
+    all.leaves = before.leaves || last.leaves;
+    all.reason = before.reason;
+    addReason(all, last.reason);
+    if (more && all.end == End::Complete && all.leaves) {
+        all.end = End::Interrupted;
+        addReason(all, "what comes next was not begun");
+    }
+    return all;
 }
 
 std::string shownText(const Outcome &outcome)

@@ -39,7 +39,7 @@ enum class End : std::uint8_t {
     Complete,
     Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
     Aborted, ///< the envelope was broken, or the board reported a fault
-    Interrupted, ///< somebody stopped, disarmed or took the motor over
+    Interrupted, ///< somebody stopped, disarmed or took the motor over; or several in a row did not go on
     Lost, ///< the link or the port went
 };
 
@@ -62,8 +62,12 @@ struct Outcome {
     bool operator==(const Outcome &) const = default;
 };
 
-/// Of two in a row, the first of which was complete.
-Outcome joined(const Outcome &first, Outcome second);
+/// Several in a row, when one more is over: with what is to be said of those before it. They go on only where all came to
+/// their end and nothing is left on the board, because the next one would begin with that.
+/// @param before  how it stood until then  @param more  there is a next one
+Outcome inRow(const Outcome &before, const Outcome &last, bool more);
+/// One more thing that is to be said of its end.
+void addReason(Outcome &outcome, const std::string &reason);
 /// What shows another value than before, without a full stop; empty: nothing.
 std::string shownText(const Outcome &outcome);
 

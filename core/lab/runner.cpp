@@ -627,7 +627,7 @@ void Runner::onCompared()
 void Runner::giveUp(End end, const std::string &reason, TimePoint now)
 {
     if (m_phase > Phase::Returning) { // all was measured; what is not as it was is said
-        m_soFar.reason += (m_soFar.reason.empty() ? "" : "; ") + reason;
+        addReason(m_soFar, reason);
         return finish();
     }
     if (m_soFar.reason.empty()) {
@@ -700,7 +700,7 @@ void Runner::finish()
     m_wishes.clear();
     m_phase = Phase::Over;
     const auto say = [this](const std::string &what) {
-        m_soFar.reason += (m_soFar.reason.empty() ? "" : "; ") + what;
+        addReason(m_soFar, what);
         m_soFar.leaves = true;
     };
     const auto isOld = [this](double rpm) { return std::abs(rpm - m_before_rpm) <= tolerated(); };

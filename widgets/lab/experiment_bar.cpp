@@ -259,7 +259,7 @@ bool ExperimentBar::agreed(const std::vector<lab::Experiment> &all) const
 
 bool ExperimentBar::goOn(int which)
 {
-    const QString why = hint(which);
+    const QString why = m_left.isEmpty() ? hint(which) : m_left;
     const auto run = wanted(which);
     const bool may = why.isEmpty() && run && agreed(run->experiments);
     if (may)
@@ -351,6 +351,7 @@ void ExperimentBar::take(const Experiments::RecordPtr &record)
         return refresh();
     m_progress->setValue(0);
     m_told = endText(record->outcome);
+    m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();
     m_evaluating = true;
     refresh();
     m_pool.start([this, record, evaluate = std::exchange(m_evaluate, {})] {

@@ -79,7 +79,8 @@ public:
     void leaveOutObstacle() { m_saysObstacle = false; }
 
     void run(int which); ///< as its button does
-    /// The same without a press, for what was agreed to along with the run before; false: it does not begin, and it is told why.
+    /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind one that
+    /// has left something on the board, and it is told why.
     bool goOn(int which);
     QString told() const { return m_told; } ///< how the last one ended
     QString more() const { return m_more; } ///< and what has to be known of it
@@ -131,6 +132,7 @@ private:
     QElapsedTimer m_since; ///< the one that is running began
     std::size_t m_part = 0;
     QString m_told; ///< how the last one ended
+    QString m_left; ///< what it has left on the board, as a sentence
     bool m_known = false; ///< a board is
     bool m_crowded = false; ///< beside the buttons there was no room for how one ended
     QString m_more; ///< what has to be known of it

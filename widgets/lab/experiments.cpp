@@ -85,7 +85,7 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
     m_parts = std::move(parts);
     m_part = 0;
     m_before_rpm = before_rpm;
-    m_over = {};
+    m_soFar = {};
     const TimePoint now = m_clock();
     Q_EMIT began();
     if (const auto made = m_device.madeAt(); made && now - *made > drive::kWishExpiresAfter)
@@ -131,17 +131,17 @@ void Experiments::end(const lab::Outcome &outcome)
     if (!running())
         return;
     note(outcome.at, lab::entryOfEnd(outcome));
-    lab::Outcome all = lab::joined(m_over, outcome);
-    if (all.end == lab::End::Complete && m_part + 1 < m_parts.size()) {
-        m_over = all;
+    const bool more = m_part + 1 < m_parts.size();
+    m_soFar = lab::inRow(m_soFar, outcome, more);
+    if (more && m_soFar.end == lab::End::Complete) {
         ++m_part;
         if (agreed(m_parts[m_part].experiment, m_before_rpm))
             return beginPart(m_clock());
-        all.end = lab::End::Interrupted;
-        all.reason = "what comes next is not agreed to any more";
+        m_soFar.end = lab::End::Interrupted;
+        lab::addReason(m_soFar, "what comes next is not agreed to any more");
     }
     m_tap->switchOff();
-    m_record->outcome = all;
+    m_record->outcome = m_soFar;
     m_restorer.reset();
     m_parts.clear();
     const RecordPtr record = std::move(m_record);

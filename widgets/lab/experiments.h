@@ -50,8 +50,8 @@ public:
     bool agreed(const lab::Experiment &experiment, double before_rpm) const;
     void agree(const lab::Experiment &experiment, double before_rpm);
 
-    /// To be called only for what was agreed to; one after the other, as long as each comes to its end and is agreed to.
-    /// Nothing while one is running.
+    /// To be called only for what was agreed to; one after the other, as long as each comes to its end, leaves all as it was
+    /// and is agreed to. Nothing while one is running.
     void begin(std::vector<Part> parts, double before_rpm);
     bool running() const { return m_record != nullptr; }
     std::size_t part() const { return m_part; } ///< the one that is running, from 0
@@ -81,7 +81,7 @@ private:
     std::vector<Part> m_parts;
     std::size_t m_part = 0;
     double m_before_rpm = 0.0;
-    lab::Outcome m_over; ///< of the parts that are
+    lab::Outcome m_soFar; ///< of those that are over
     std::shared_ptr<Record> m_record; ///< of what is running
     std::unique_ptr<record::Restorer> m_restorer;
     unsigned m_number = 0;

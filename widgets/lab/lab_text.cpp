@@ -83,6 +83,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the motor may be in torque control now, it was in speed control"),
     QT_TRANSLATE_NOOP("Lab", "the motor was started all the same"),
     QT_TRANSLATE_NOOP("Lab", "what comes next is not agreed to any more"),
+    QT_TRANSLATE_NOOP("Lab", "what comes next was not begun"),
     QT_TRANSLATE_NOOP("Lab", "the way to the first speed takes 1 ms to 10 s"),
     QT_TRANSLATE_NOOP("Lab",
         "nothing says how fast this motor may turn: give the greatest speed that it may have"),

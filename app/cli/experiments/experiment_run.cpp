@@ -106,19 +106,19 @@ Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
 Outcome<lab::Outcome> ExperimentRun::runAll(
     const std::vector<Part> &parts, ConversationRecording &recording)
 {
-    lab::Outcome all;
+    m_soFar = {};
     for (const Part &part : parts) {
         if (&part != &parts.front())
-            recording.add(all.at, part.entry);
+            recording.add(m_soFar.at, part.entry);
         auto outcome = m_desk.talk.run(part.experiment);
         if (!outcome)
             return outcome;
         recording.add(outcome->at, lab::entryOfEnd(*outcome));
-        all = lab::joined(all, *outcome);
-        if (all.end != lab::End::Complete)
+        m_soFar = lab::inRow(m_soFar, *outcome, &part != &parts.back());
+        if (m_soFar.end != lab::End::Complete)
             break;
     }
-    return all;
+    return m_soFar;
 }
 
 /// Ctrl-C, or the connection broke: the motor is this run's to stop, before anything else. That ends the experiment, which
@@ -128,9 +128,9 @@ Failure ExperimentRun::broken(const Failure &why, ConversationRecording &recordi
     Failure all = stopped(why);
     if (const auto &ended = m_desk.talk.experimentEnded()) {
         recording.add(ended->at, lab::entryOfEnd(*ended));
-        if (ended->leaves)
-            all.sentence +=
-                QStringLiteral(" The experiment was ended: %1.").arg(text(ended->reason));
+        const lab::Outcome told = lab::inRow(m_soFar, *ended, false);
+        if (told.leaves)
+            all.sentence += QStringLiteral(" The experiment was ended: %1.").arg(text(told.reason));
     }
     (void)recording.finish();
     return all;

@@ -15,7 +15,7 @@ public:
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
     Outcome<lab::Subject> subject() const;
-    /// One after the other, each from where the motor was before; in one recording.
+    /// One after the other, each from where the motor was before, as long as nothing is left on the board; in one recording.
     /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
     Outcome<int> run(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
     /// The same, without an evaluation. @return  the file of its recording, which lives as long as this
@@ -36,6 +36,7 @@ private:
 
     Desk &m_desk;
     QTemporaryDir m_folder; ///< for a recording that is not kept
+    lab::Outcome m_soFar; ///< of those that are over
     bool m_kept, m_swings = false;
     QString m_path;
 };

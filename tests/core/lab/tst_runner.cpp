@@ -35,6 +35,7 @@ private Q_SLOTS:
     void aFaultEndsItAndIsNamed();
     void aFaultOfTheStartIsNotOfTheExperiment();
     void aLostLinkStopsWhatMoves();
+    void severalInARowEndBehindWhatOneLeaves();
     void whatIsNotAPlanMovesNothing_data();
     void whatIsNotAPlanMovesNothing();
     void aMotorInTorqueControlIsLeftAlone();
@@ -504,6 +505,25 @@ void TestRunner::aLostLinkStopsWhatMoves()
     QCOMPARE(bench.stops, 1);
     bench.pair.toDrive.cut = bench.pair.toBoard.cut = false;
     QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).idle; }, 10s));
+}
+
+void TestRunner::severalInARowEndBehindWhatOneLeaves()
+{
+    const lab::Outcome fine{.reason = "no answer came in time"};
+    const lab::Outcome left{
+        .reason = "REVUP_DATA may hold what the experiment wrote", .leaves = true};
+    const lab::Outcome first = lab::inRow({}, fine, true);
+    QVERIFY(first.end == End::Complete && first.reason == fine.reason && !first.leaves);
+    const lab::Outcome ended = lab::inRow(first, left, true);
+    QVERIFY(ended.end == End::Interrupted && ended.leaves);
+    QCOMPARE(ended.reason, fine.reason + "; " + left.reason + "; what comes next was not begun");
+    const lab::Outcome last = lab::inRow(first, left, false); // nothing comes next
+    QVERIFY(last.end == End::Complete && last.leaves);
+    QCOMPARE(last.reason, fine.reason + "; " + left.reason);
+    const lab::Outcome stopped =
+        lab::inRow(first, {End::Interrupted, "every motor was stopped"}, true);
+    QVERIFY(stopped.end == End::Interrupted && !stopped.leaves);
+    QCOMPARE(stopped.reason, fine.reason + "; every motor was stopped");
 }
 
 void TestRunner::whatIsNotAPlanMovesNothing_data()

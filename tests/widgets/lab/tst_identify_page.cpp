@@ -211,6 +211,32 @@ private Q_SLOTS:
         QCOMPARE(bench.world.counts().starts, 1);
     }
 
+    /// A start-up without a speed, say, with which the other part would start the motor.
+    void whatOnePartLeftEndsBoth()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("electricalRun"));
+        widgets::Experiments &experiments = bench.rig.workbench.experiments();
+        QSignalSpy wished(&experiments, &widgets::Experiments::wished);
+        bench.press("electricalRun");
+        bench.agree();
+        QTRY_VERIFY(bench.running());
+        experiments.end({.reason = "REVUP_DATA may hold what the experiment wrote",
+            .at = bench.world.now(),
+            .leaves = true});
+        QVERIFY(!bench.running());
+        QCOMPARE(wished.size(), 1);
+        QTRY_VERIFY2(
+            bench.said("identifySentence")
+                .contains(QLatin1String("Interrupted: REVUP_DATA may hold what the "
+                                        "experiment wrote; what comes next was not begun")),
+            qPrintable(bench.said("identifySentence")));
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape); // the board's goes on
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+    }
+
     void torqueControlIsSaidBeforeThePress()
     {
         LabWindow bench("servo24");

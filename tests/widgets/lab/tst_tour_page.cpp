@@ -177,6 +177,31 @@ private Q_SLOTS:
         QVERIFY(!bench.find<QPushButton>("tourProveRun")->isEnabled());
     }
 
+    void whatOneStationLeftEndsTheTour()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("tourRun"));
+        widgets::Experiments &experiments = bench.rig.workbench.experiments();
+        bench.press("tourRun");
+        bench.agree();
+        QTRY_VERIFY(bench.running());
+        experiments.end({.at = bench.world.now()}); // the windings are of two parts
+        QVERIFY(bench.running());
+        QSignalSpy wished(&experiments, &widgets::Experiments::wished);
+        experiments.end({.reason = "the set-point is 900 rpm now, it was 0 rpm",
+            .at = bench.world.now(),
+            .leaves = true});
+        QTRY_COMPARE_WITH_TIMEOUT(stepsOf(bench).state(Steps::Mechanics), State::Ended, 20'000);
+        const QString why = bench.cell("tourSteps", Steps::Mechanics, Steps::ResultColumn);
+        QVERIFY2(why.contains(QLatin1String("Not continued: The set-point is 900 rpm now")),
+            qPrintable(toldOf(bench)));
+        QCOMPARE(wished.size(), 0);
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape); // the board's goes on
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+    }
+
     void escEndsTheWholeTour()
     {
         LabWindow bench("servo24", {960, 540});
