@@ -1,7 +1,6 @@
 #include "drive/mcb/mcb_commands.h"
 
 #include "drive/mcb/mcb_identification.h"
-#include "drive/mcb/mcb_set_points.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
@@ -360,44 +359,6 @@ std::string McbWriteTask::judgeAnswer(const McbRequest &question, const McbAnswe
 std::string McbWriteTask::reasonWithout(const McbRequest &question) const
 {
     return plain(question).command == mcb::Command::GetInfo ? "" : " about what it would follow";
-}
-
-std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board)
-{
-    std::vector<Capability> all;
-    const auto add = [&all](Feature feature, std::string reason) {
-        all.push_back({feature, reason.empty(), std::move(reason)});
-    };
-    const std::string strange = board.knownFirmware
-        ? ""
-        : "This drive has no control word and status word; it is shown read-only.";
-    const auto needs = [&](std::initializer_list<std::uint16_t> addresses, const char *reason) {
-        const bool there = std::ranges::all_of(
-            addresses, [&](std::uint16_t address) { return board.writable(address); });
-        return !strange.empty() ? strange : there ? std::string() : std::string(reason);
-    };
-    add(Feature::Start, needs({kMode}, "This drive has no modes."));
-    add(Feature::Stop, "");
-    add(Feature::AcknowledgeFaults, strange);
-    add(Feature::SpeedRamp, needs({kMode, kVelocity}, "This drive has no velocity set-point."));
-    add(Feature::TorqueRamp, "This drive has no ramp for currents; set the current reference.");
-    add(Feature::CurrentReference,
-        needs({kMode, kIq, kId}, "This drive has no current set-point."));
-    add(Feature::Stream,
-        board.streaming.maxSignals > 0 ? "" : "This drive has no registers that can be mapped.");
-    add(Feature::WriteRegisters, strange);
-    std::string position =
-        needs({kMode, kPosition, kProfileVelocity}, "This drive has no position set-point.");
-    if (position.empty() && !(board.countsPerTurn > 0.0))
-        position = "The drive does not say how many counts a turn has.";
-    add(Feature::PositionRamp, position);
-    const bool travels = !McbSetPoints(board).entries().empty();
-    add(Feature::CyclicSetPoints,
-        !strange.empty() ? strange
-            : travels    ? ""
-                         : "This drive has no set-points that can be mapped.");
-    add(Feature::CurrentScale, "The drive tells its current scale itself.");
-    return all;
 }
 
 } // namespace drive

@@ -74,6 +74,4 @@ private:
     std::string reasonWithout(const McbRequest &question) const override;
 };
 
-std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);
-
 } // namespace drive

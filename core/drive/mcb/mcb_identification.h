@@ -45,6 +45,9 @@ private:
     bool m_news = false;
 };
 
+/// What a drive that was identified can do.
+std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);
+
 /// Names of the states of DS402, from the bits of the status word.
 struct McbState {
     MotorState state = MotorState::Unknown;
