@@ -19,7 +19,7 @@ private Q_SLOTS:
     void aStandingMotorIsStartedSteppedAndStopped();
     void aRunningMotorGoesBackToItsSpeed();
     void whatABoardAtRestGoesOnShowingIsSaid();
-    void severalInARowHaveOneOutcome();
+    void severalInARowShowWhatTheLastShows();
     void aStepThatIsAskedForTwiceIsOneRun();
     void whatMovedNothingIsLeftOut();
     void theSetPointOfBeforeIsNoStep();
@@ -142,30 +142,19 @@ void TestRunner::whatABoardAtRestGoesOnShowingIsSaid()
     QVERIFY(again.shows && lab::shownText(again).empty());
 }
 
-void TestRunner::severalInARowHaveOneOutcome()
+void TestRunner::severalInARowShowWhatTheLastShows()
 {
     const auto shows = [](double before_rpm, double now_rpm) {
         lab::Outcome outcome;
         outcome.shows = lab::ShownReference{"SPEED_REF", before_rpm, now_rpm};
         return outcome;
     };
-    lab::Outcome left;
-    left.reason = "left";
-    left.leaves = true;
-    QVERIFY(lab::joined({}, left) == left);
-    QVERIFY(lab::joined(left, {}) == left);
-    lab::Outcome stopped;
-    stopped.end = End::Aborted;
-    stopped.reason = "stopped";
-    const lab::Outcome both = lab::joined(left, stopped);
-    QVERIFY(both.end == End::Aborted && both.leaves);
-    QCOMPARE(both.reason, std::string("left; stopped"));
-    QVERIFY(lab::joined(shows(0, 900), shows(900, 1200)) == shows(0, 1200));
-    QVERIFY(lab::joined({}, shows(0, 900)) == shows(0, 900));
-    QVERIFY(!lab::joined(shows(0, 900), left).shows); // nobody has read it since
+    QVERIFY(lab::inRow(shows(0, 900), shows(900, 1200), false) == shows(0, 1200));
+    QVERIFY(lab::inRow({}, shows(0, 900), false) == shows(0, 900));
+    QVERIFY(!lab::inRow(shows(0, 900), {}, false).shows); // nobody has read it since
     QCOMPARE(lab::shownText(shows(900, 1200)),
         std::string("SPEED_REF shows 1200 rpm until the next start, it showed 900 rpm"));
-    QCOMPARE(lab::shownText(lab::joined(shows(900, 0), shows(0, 900))), std::string());
+    QCOMPARE(lab::shownText(lab::inRow(shows(900, 0), shows(0, 900), false)), std::string());
 }
 
 /// What is read before it is sent got no answer: it is asked for again. That moved nothing, and is no run of the series.
