@@ -14,6 +14,8 @@
 #include <QtEndian>
 #include <QtTest>
 
+using namespace std::chrono_literals;
+
 class TestCliRecording : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -282,7 +284,7 @@ void TestCliRecording::eachOfSeveralExperimentsIsTold()
     QVERIFY(file.end());
 
     const auto evaluated = [this](const QString &options) {
-        return run({QStringLiteral("evaluate"), path("day.pcapng")}
+        return run(QStringList{QStringLiteral("evaluate"), path("day.pcapng")}
             + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
     };
     const Run all = evaluated(QStringLiteral("--json"));

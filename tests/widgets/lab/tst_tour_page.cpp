@@ -187,7 +187,7 @@ private Q_SLOTS:
         bench.press("tourRun");
         bench.agree();
         QTRY_VERIFY(bench.running());
-        experiments.end({.at = bench.world.now()}); // the windings are of two parts
+        experiments.end({.reason = {}, .at = bench.world.now()}); // the windings are of two parts
         QVERIFY(bench.running());
         QSignalSpy wished(&experiments, &widgets::Experiments::wished);
         experiments.end({.reason = "the set-point is 900 rpm now, it was 0 rpm",
