@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,15 +22,6 @@ enum class Beginning : std::uint8_t {
     AtRest, ///< driven, without any current asked for; it stood before
     WhileStarting, ///< in its start-up, which the course ends; it stood before
 };
-
-/// A speed is at rest that has been near to what was asked for so long: one that only passes by is not.
-inline constexpr Duration kRestsFor = std::chrono::milliseconds(200);
-/// So near. @param step_rpm  of the board's set-point
-inline double restsWithin_rpm(double rpm, double step_rpm)
-{
-    constexpr double kDigits = 3.0, kShare = 0.03;
-    return std::max(kDigits * std::max(1.0, step_rpm), kShare * std::abs(rpm));
-}
 
 /// A speed that has not come to rest so long after its ramp swings: a course that needs no more begins then.
 inline constexpr Duration kSwingsAfter = std::chrono::milliseconds(3750);

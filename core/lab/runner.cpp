@@ -23,6 +23,7 @@ constexpr Duration kRestsWithin = 5s; ///< after its stop
 /// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take seconds.
 constexpr Duration kCoastsSeen = 10s, kCoastsUnseen = 4s;
 constexpr double kStands = 0.01; ///< of the allowed speed
+constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
@@ -728,8 +729,9 @@ void Runner::finish()
 
 bool Runner::near(std::optional<double> speed, double rpm) const
 {
+    constexpr double kDigits = 3.0, kShare = 0.03;
     return speed
-        && std::abs(*speed - rpm) <= restsWithin_rpm(rpm, m_experiment.subject.limits.speedStepRpm);
+        && std::abs(*speed - rpm) <= std::max(kDigits * tolerated(), kShare * std::abs(rpm));
 }
 
 drive::StartTarget Runner::startTarget() const
@@ -752,7 +754,7 @@ bool Runner::steadyAt(double rpm, TimePoint now)
     if (!m_settled)
         m_settledAt = now;
     m_settled = true;
-    return now - m_settledAt >= kRestsFor;
+    return now - m_settledAt >= kSteadyFor;
 }
 
 /// A speed that has not come to rest by now swings.

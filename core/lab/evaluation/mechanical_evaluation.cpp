@@ -5,7 +5,6 @@
 #include "lab/evaluation/segments.h"
 #include "lab/happenings.h"
 #include "lab/maths/least_squares.h"
-#include "scope/sample_range.h"
 
 #include <algorithm>
 #include <array>
@@ -200,46 +199,19 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
           "alignment against friction");
 }
 
-/// Whether the speed was not at rest just before an instant. What is not known is taken for rest.
-bool strays(const Recorded<SpinPlan> &plan, const capture::Channel *speed, Nanos before)
-{
-    constexpr double kMean_s = 20e-3; // without a sensor single samples are noise
-    if (speed == nullptr)
-        return false;
-    const double first_rpm = plan.plan.lowRpm;
-    double farthest_rpm = 0.0, since_s = 0.0, sum_rpm = 0.0, samples = 0.0;
-    const scope::SampleRange range(*speed, before - capture::toNanos(toSeconds(kRestsFor)), before);
-    range.visit([&](double seconds, double rpm, bool) {
-        if (samples > 0.0 && seconds - since_s >= kMean_s) {
-            farthest_rpm = std::max(farthest_rpm, std::abs(sum_rpm / samples - first_rpm));
-            sum_rpm = samples = 0.0;
-        }
-        if (samples == 0.0)
-            since_s = seconds;
-        sum_rpm += rpm;
-        samples += 1.0;
-    });
-    return farthest_rpm > restsWithin_rpm(first_rpm, plan.speedStepRpm);
-}
-
-/// Whether the first torque was asked for when the runner waited for a speed at rest no longer. It listens to such a speed then;
-/// before it learned to it did not, and what began sooner by that may as well have come to rest late.
-/// @param from  when that was
-bool beganSwinging(const Recorded<SpinPlan> &plan, const Happenings &asked,
-    const capture::Channel *speed, Nanos from)
+/// Whether the first torque was asked for when the runner waited for a speed at rest no longer. @param from  when that was
+bool beganSwinging(const Happenings &asked, int motor, Nanos from)
 {
     constexpr double kNanosPerMs = 1e6;
     constexpr double kSooner_ms = 50.0; // a ramp that was too late was asked for again
     double waited_ms = 0.0; // since the last ramp was over
     for (const auto &[at, what] : asked)
-        if (at < from && what.name == "speed ramp" && numberOf(what, "motor") == plan.motor)
+        if (at < from && what.name == "speed ramp" && numberOf(what, "motor") == motor)
             waited_ms = (static_cast<double>(from) - static_cast<double>(at)) / kNanosPerMs
                 - numberOf(what, "ms").value_or(0.0);
-    const auto waitedFor = [waited_ms](Duration time) {
-        return waited_ms >= std::chrono::duration<double, std::milli>(time).count() - kSooner_ms;
-    };
-    return waitedFor(kSwingsAfter + SpinPlan::kListen)
-        || (waitedFor(kSwingsAfter) && strays(plan, speed, from));
+    return waited_ms
+        >= std::chrono::duration<double, std::milli>(kSwingsAfter + SpinPlan::kListen).count()
+        - kSooner_ms;
 }
 
 /// As FluxValue has them, as far as they were recorded.
@@ -318,7 +290,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     for (const double torque : rows.wanted)
         squares += torque * torque;
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
-    if (beganSwinging(*plan, after, fastChannel(capture, plan->speed), span->from))
+    if (beganSwinging(after, plan->motor, span->from))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
     if (!span->reason.empty())

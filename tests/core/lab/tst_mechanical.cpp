@@ -365,41 +365,6 @@ private Q_SLOTS:
         }
     }
 
-    /// The runner did not listen then: its first torque came so much sooner. So may that of a speed that came to rest late.
-    void aRecordingFromBeforeItListenedSaysThatItSwings_data()
-    {
-        QTest::addColumn<double>("heavier");
-        QTest::addColumn<bool>("swings");
-        QTest::newRow("it swings") << 6.0 << true;
-        QTest::newRow("it came to rest") << 1.0 << false;
-    }
-    void aRecordingFromBeforeItListenedSaysThatItSwings()
-    {
-        QFETCH(const double, heavier);
-        const Measured measured = measure(swingingBoard(heavier), 1, [](LabBench &bench) {
-            const auto named = [](const char *name) {
-                return [name](const auto &one) { return one.second.name == name; };
-            };
-            Happenings &all = bench.happenings;
-            const auto torque = std::find_if(all.begin(), all.end(), named("torque ramp"));
-            QVERIFY(torque != all.end());
-            const auto ramp =
-                std::find_if(std::make_reverse_iterator(torque), all.rend(), named("speed ramp"));
-            QVERIFY(ramp != all.rend());
-            constexpr double kWaited_ms = 3770.0, kNanosPerMs = 1e6;
-            ramp->first = torque->first
-                - Nanos((kWaited_ms + numberOf(ramp->second, "ms").value_or(0.0)) * kNanosPerMs);
-        });
-        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
-        const auto &notes = measured.found->notes;
-        QTEST(std::any_of(notes.begin(), notes.end(),
-                  [](const std::string &note) {
-                      return note.find("did not come to rest before the first torque")
-                          != std::string::npos;
-                  }),
-            "swings");
-    }
-
     /// It swung before, so nobody waits for it to come to rest afterwards: all that was measured would end with a Stop.
     void aMotorThatRanAndSwungGoesOnToDoSo()
     {
