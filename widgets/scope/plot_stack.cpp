@@ -430,6 +430,7 @@ void PlotStack::applyPalette(const QPalette &palette)
         }
         labelAxes(*plot);
     }
+    renew();
 }
 
 int PlotStack::timeTicks() const

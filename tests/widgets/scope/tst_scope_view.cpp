@@ -17,6 +17,7 @@ class TestScopeView : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aPeakStandsWhereTheAxesSay();
+    void tracesNeverShowAnotherTimeThanTheAxis();
     void anEmptyScopeSaysWhatToDo();
     void aTraceIsDrawnWhereItsValuesAre();
     void aGapShowsNoTraceAndIsShaded();
@@ -85,6 +86,21 @@ void TestScopeView::aPeakStandsWhereTheAxesSay()
     QCOMPARE(rows.first(), y);
     QCOMPARE(rowsOf(image, x - 1, color).size(), 1);
     QCOMPARE(rowsOf(image, x + 1, color).size(), 1);
+}
+
+/// The window may be painted between a wish for another picture and that picture.
+void TestScopeView::tracesNeverShowAnotherTimeThanTheAxis()
+{
+    Bench bench({signal(1, "A")});
+    bench.record(20'000, [](int, int tick) { return tick % 700; });
+    bench.view.addChannel(bench.id(1));
+    bench.view.fitAll();
+    const QImage all = bench.picture();
+    bench.view.setVisibleRange(3.0, 4.0);
+    const QImage between = bench.view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    const QRect plot = bench.view.plotRect(0);
+    QVERIFY(between.copy(plot) != all.copy(plot));
+    QCOMPARE(between.copy(plot), bench.picture().copy(plot));
 }
 
 void TestScopeView::anEmptyScopeSaysWhatToDo()
