@@ -275,7 +275,8 @@ void TestCliRecording::eachOfSeveralExperimentsIsTold()
         QVERIFY2(outcome.end == lab::End::Complete, qPrintable(support::outcomeText(outcome)));
         const auto series = bench.series();
         QVERIFY2(series && series->rise_s, series ? "no rise" : series.error().c_str());
-        said.append(QString::fromUtf8(session::findingJson(lab::MeasuredSteps(*series))));
+        said.append(QString::fromUtf8(
+            session::findingJson(static_cast<const lab::MeasuredSteps &>(*series))));
     }
     lab::SpinPlan tooFast = lab::spinPlanFor(bench.experiment.subject, {});
     tooFast.highRpm = 9000;

@@ -81,8 +81,11 @@ void FcpIdentification::onResponse(const fcp::Reply &response, TimePoint now)
         if (ack != nullptr) {
             if (++m_board.motors < static_cast<int>(fcp::kMostMotors))
                 return;
-        } else if (const auto code = nackCode(response); code != kBadMotor && code != kNoTarget) {
-            m_doubt = "it does not tell how many motors it has";
+        } else {
+            const auto code = nackCode(response);
+            const bool noSuchMotor = code == kBadMotor;
+            if (!noSuchMotor && code != kNoTarget)
+                m_doubt = "it does not tell how many motors it has";
         }
         return probeRegisters();
     case Phase::Registers:
