@@ -7,10 +7,6 @@
 #include <limits>
 #include <unordered_map>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace widgets {
 
 namespace {
@@ -227,52 +223,18 @@ private:
         m_tile.resize(kGroup * height);
         const auto stride = m_image.bytesPerLine();
         uchar *bits = m_image.bits();
-        const auto forPixels = [&](std::size_t first, auto use) {
-            for (std::size_t y = first; y < height; ++y) {
+        const auto forPixels = [&](auto use) {
+            for (std::size_t y = 0; y < height; ++y) {
                 auto *row = reinterpret_cast<QRgb *>(bits + static_cast<qsizetype>(y) * stride);
                 for (std::size_t x = from; x < to; ++x)
                     use(row[x], m_tile[(x - from) * height + y]);
             }
         };
         if (!m_ground)
-            forPixels(0, [](QRgb pixel, QRgb &turned) { turned = pixel; });
+            forPixels([](QRgb pixel, QRgb &turned) { turned = pixel; });
         for (std::size_t x = from; x < to; ++x)
             paintColumn(x, &m_tile[(x - from) * height]);
-        const std::size_t done = to - from == kGroup ? turnBack(from) : 0;
-        forPixels(done, [](QRgb &pixel, QRgb turned) { pixel = turned; });
-    }
-
-    /// From the tile into the picture, four by four pixels at once. @return  the rows that are done
-    std::size_t turnBack([[maybe_unused]] std::size_t from)
-    {
-        std::size_t y = 0;
-#ifdef __SSE2__
-        const auto height = std::size_t(m_height);
-        uchar *bits = m_image.bits();
-        for (; y + 4 <= height; y += 4) {
-            for (std::size_t x = 0; x < kGroup; x += 4) {
-                const auto column = [&](std::size_t i) {
-                    return _mm_loadu_si128(
-                        reinterpret_cast<const __m128i *>(&m_tile[(x + i) * height + y]));
-                };
-                const auto put = [&](std::size_t row, __m128i pixels) {
-                    uchar *to = bits + static_cast<qsizetype>(y + row) * m_image.bytesPerLine();
-                    _mm_storeu_si128(
-                        reinterpret_cast<__m128i *>(reinterpret_cast<QRgb *>(to) + from + x),
-                        pixels);
-                };
-                const __m128i upper01 = _mm_unpacklo_epi32(column(0), column(1));
-                const __m128i upper23 = _mm_unpacklo_epi32(column(2), column(3));
-                const __m128i lower01 = _mm_unpackhi_epi32(column(0), column(1));
-                const __m128i lower23 = _mm_unpackhi_epi32(column(2), column(3));
-                put(0, _mm_unpacklo_epi64(upper01, upper23));
-                put(1, _mm_unpackhi_epi64(upper01, upper23));
-                put(2, _mm_unpacklo_epi64(lower01, lower23));
-                put(3, _mm_unpackhi_epi64(lower01, lower23));
-            }
-        }
-#endif
-        return y;
+        forPixels([](QRgb &pixel, QRgb turned) { pixel = turned; });
     }
 
     void paintColumn(std::size_t x, QRgb *pixels)

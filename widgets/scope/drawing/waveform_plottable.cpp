@@ -144,7 +144,7 @@ void WaveformPlottable::paintImage(QSize size, double ratio)
     ImageInk ink(m_image, ghosts.empty() ? view.ground : std::nullopt);
     drawGhosts(references, view, ink);
     drawTraces(view, ink);
-    paintGround(ratio);
+    paintGround(*view.ground, ratio);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
@@ -171,10 +171,9 @@ void WaveformPlottable::drawShapes(QCPPainter *painter) const
 }
 
 /// Grid and gaps, where no trace is.
-void WaveformPlottable::paintGround(double ratio)
+void WaveformPlottable::paintGround(QRgb ground, double ratio)
 {
     const QRect rect = m_scopePlot.rect->rect();
-    const QRgb ground = mParentPlot->palette().color(QPalette::Base).rgb();
     const auto paint = [&](QRect box, QRgb from, QRgb to) {
         box &= m_image.rect();
         for (int y = box.top(); y <= box.bottom(); ++y) {

@@ -36,7 +36,7 @@ protected:
 private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(const std::function<void(double left, double width)> &shade) const;
-    void paintGround(double ratio);
+    void paintGround(QRgb ground, double ratio);
     using GhostColor = std::function<QRgb(std::size_t trace)>;
     GhostColor colorsOf(const Ghost &ghost, const View &view) const; ///< premultiplied
     void paintRecords(const View &view);
