@@ -4,6 +4,7 @@
 
 #include "catalog/catalog.h"
 #include "drive/event.h"
+#include "drive/lately_read.h"
 #include "drive/motion_limits.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ struct BoardFacts {
     std::set<RegisterId> missing; ///< of the catalogue, at one motor: another has it
     StreamLimits streaming;
     std::vector<Capability> capabilities;
+    LatelyRead lately; ///< in this connection
 
     UserLimits user; ///< the user's; outlives the connection
     std::set<int> expert; ///< motors that the user moves without all limits known

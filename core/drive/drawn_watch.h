@@ -37,6 +37,7 @@ public:
     void onResponse(const typename P::Answer &response, TimePoint now) override;
     void onNoResponse(std::optional<bool>, TimePoint) override { m_reader.onNoResponse(); }
 
+    const std::vector<Reading> &readings() const { return m_readings; } ///< not taken yet
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
 private:

@@ -161,7 +161,8 @@ struct WriteResult {
     RegisterId id = 0;
     Outcome outcome = Outcome::Ok;
     std::string reason; ///< the board's word for its refusal, e.g. "RO_REG"
-    std::optional<Value> before; ///< value known before the write
+    /// Value known before the write: read right before it, or a moment ago with nothing written since (lately_read.h).
+    std::optional<Value> before;
     std::optional<Value> readBack; ///< value after it
     /// Written, and what was read back is what was written. Empty: not written, or not read back.
     std::optional<bool> verified;

@@ -43,6 +43,7 @@ public:
         planNext(now);
     }
 
+    const std::vector<Reading> &readings() const { return m_readings; } ///< not taken yet
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
 protected:

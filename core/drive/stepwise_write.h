@@ -49,7 +49,7 @@ private:
         return item.state == State::Waiting && !atWork;
     }
     Item &current() { return this->m_items[m_at]; }
-    void begin();
+    void begin(TimePoint now);
     void enter(std::size_t step);
     void advance()
     {
@@ -76,13 +76,14 @@ private:
 };
 
 template <class P>
-void StepwiseWrite<P>::begin()
+void StepwiseWrite<P>::begin(TimePoint now)
 {
     if (current().state == State::Done)
         return next(); // a newer write has taken its place
     if (auto why = plan(current().write); !why.empty())
         return close(Outcome::Refused, why);
     m_steps.push_back({Kind::After, {}});
+    this->recall(current(), now);
     enter(0);
 }
 
@@ -94,18 +95,19 @@ void StepwiseWrite<P>::enter(std::size_t step)
     if (kind != Kind::Before && kind != Kind::After)
         return;
     const auto *info = this->m_board.catalog->find(current().write.id);
-    const bool readable = info != nullptr && info->readable();
-    m_reader.start(readable ? std::vector{current().write.id} : std::vector<RegisterId>());
+    const bool known = kind == Kind::Before && current().result.before;
+    const bool asks = info != nullptr && info->readable() && !known;
+    m_reader.start(asks ? std::vector{current().write.id} : std::vector<RegisterId>());
 }
 
 template <class P>
-std::optional<typename P::Request> StepwiseWrite<P>::nextRequest(TimePoint)
+std::optional<typename P::Request> StepwiseWrite<P>::nextRequest(TimePoint now)
 {
     while (!this->finished()) {
         if (m_at >= this->m_items.size()) {
             this->finish();
         } else if (m_steps.empty()) {
-            begin();
+            begin(now);
         } else if (const Step &step = m_steps[m_step]; step.kind == Kind::Ask) {
             return step.request;
         } else if (step.kind == Kind::Write) {

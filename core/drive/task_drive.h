@@ -123,6 +123,8 @@ protected:
     void passAnswer(const Answer &answer, TimePoint now)
     {
         m_task->onResponse(answer, now);
+        if (m_task == &m_watch)
+            m_board.lately.take(m_watch.readings(), m_askedAt);
         if (m_wish != nullptr)
             m_wish->freshen(now);
         afterTask(now);
@@ -148,6 +150,7 @@ protected:
         m_lost.reset();
         m_reconnectAt.reset();
         m_suspect = false;
+        m_board.lately = {};
     }
     /// Behind linkFound(): all is found out anew. @param about  what the link was told of the board
     template <class... About>
@@ -209,6 +212,7 @@ private:
     void tellLinkState();
 
     TimePoint m_closeBy;
+    TimePoint m_askedAt; ///< when m_task did last
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
     /// Takes the answer that belongs to a wish which has ended meanwhile.
     EndedTask<P> m_ended{0, Permission::Always, Outcome::Ok, {}};
@@ -472,6 +476,9 @@ bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
         if (send(*request, wish, now)) {
             m_task = &task;
             m_wish = wish;
+            m_askedAt = now;
+            if (acts(wish))
+                m_board.lately.forget(now);
             return true;
         }
         task.onNoResponse(false, now); // it never left

@@ -63,6 +63,7 @@ void WishDrive::doubt(TimePoint now)
     m_workedAt = now;
     disarm();
     m_doubtedAt = now;
+    m_facts.lately.forget(now);
     lookAtOnce(now);
     tellLink(m_toldState, m_toldReason);
 }

@@ -53,6 +53,15 @@ protected:
     /// Why a value that the board took does not read back yet; empty if it would.
     virtual std::string notShownYet(const RegisterWrite &, const WriteResult &) const { return {}; }
 
+    /// The value before, if it was read a moment ago: then a question less stands between a person and the write. Parameters
+    /// alone: what a motor follows, firmware changes by itself.
+    void recall(Item &item, TimePoint now)
+    {
+        const auto *info = m_board.catalog->find(item.write.id);
+        const Value *known = m_board.lately.valueOf(item.write.id, now);
+        if (info != nullptr && info->effect == catalog::Effect::Kept && known != nullptr)
+            item.result.before = *known;
+    }
     void endItem(Item &item, Outcome outcome, const std::string &reason = {})
     {
         item.state = State::Done;

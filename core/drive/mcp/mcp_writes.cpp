@@ -146,7 +146,7 @@ std::vector<RegisterId> McpWriteTask::idsToRead(bool after) const
         const auto *info = m_board.catalog->find(item.write.id);
         const bool wanted = after ? item.state == State::Doubtful
                 || (item.state == State::Done && item.result.outcome == Outcome::Ok)
-                                  : item.state == State::Waiting;
+                                  : item.state == State::Waiting && !item.result.before;
         if (wanted && info != nullptr && info->readable() && !info->stub
             && std::ranges::find(ids, item.write.id) == ids.end())
             ids.push_back(item.write.id);
@@ -179,16 +179,20 @@ void McpWriteTask::judgeWays()
     }
 }
 
-std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
+std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint now)
 {
     if (finished())
         return std::nullopt;
     if (m_phase == Phase::Begin) {
         m_encoded.resize(m_items.size());
-        for (std::size_t i = 0; i < m_items.size(); ++i)
-            if (m_items[i].state == State::Waiting)
-                if (auto why = check(m_items[i], m_encoded[i]); !why.empty())
-                    endItem(m_items[i], Outcome::Refused, why);
+        for (std::size_t i = 0; i < m_items.size(); ++i) {
+            if (m_items[i].state != State::Waiting)
+                continue;
+            if (auto why = check(m_items[i], m_encoded[i]); !why.empty())
+                endItem(m_items[i], Outcome::Refused, why);
+            else
+                recall(m_items[i], now);
+        }
         enter(Phase::Before);
     }
     if (m_phase == Phase::Before) {

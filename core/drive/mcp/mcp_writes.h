@@ -1,5 +1,5 @@
 // Write wishes. A list of writes goes out in its order, in as few SETs as fit, behind the
-// reading of all values before, and before the reading of all values after.
+// reading of all values before that are not known, and before the reading of all values after.
 //
 // What shares a SET: scalars whose values stay aligned as in a SET of their own (small controllers fault otherwise),
 // an 8-bit one last. Structures and whatever can move something go alone, so that a lost answer is about them only.

@@ -62,6 +62,14 @@ std::string gainOf(const catalog::Catalog &catalog)
     return catalog.find("SPEED_KP") != nullptr ? "SPEED_KP" : "CL_VEL_PID_KP";
 }
 
+/// Another value of the same parameter.
+Value other(const Value &value)
+{
+    return std::holds_alternative<double>(value)
+        ? Value(*asNumber(value) * 0.5)
+        : Value(static_cast<std::int64_t>(*asNumber(value)) + 1);
+}
+
 /// A drive and a board, joined by a line that may be cut.
 class Bench {
 public:
@@ -116,6 +124,13 @@ public:
         return runUntil([&] { return ended.contains(id); }, 10s)
             ? ended.at(id)
             : Ended{id, Outcome::Unknown, "never", {}};
+    }
+    /// One round that reads this register, or little more.
+    bool watchOnce(RegisterId id)
+    {
+        const int before = read[id];
+        return ask(Watch{{id}, 100ms}).outcome == Outcome::Ok
+            && runUntil([&] { return read[id] > before; }) && ask(Watch{}).outcome == Outcome::Ok;
     }
     bool start()
     {
@@ -250,9 +265,7 @@ private Q_SLOTS:
         const RegisterId id = bench.gain();
         QVERIFY(bench.ask(Read{{id}}).outcome == Outcome::Ok);
         const Value before = bench.values.at(id).value;
-        const Value wanted = std::holds_alternative<double>(before)
-            ? Value(*asNumber(before) * 0.5)
-            : Value(static_cast<std::int64_t>(*asNumber(before)) + 1);
+        const Value wanted = other(before);
         const Ended end = bench.ask(Write{{{id, wanted}}});
         QCOMPARE(end.reason, std::string());
         QVERIFY(end.outcome == Outcome::Ok);
@@ -260,6 +273,53 @@ private Q_SLOTS:
         QVERIFY(result.before == before);
         QVERIFY(sameValue(wanted, result.readBack.value()));
         QVERIFY(result.verified == true);
+    }
+    /// The question would keep the write from the wire.
+    void whatWasReadAMomentAgoIsNotAskedBeforeAWrite_data() { rows(); }
+    void whatWasReadAMomentAgoIsNotAskedBeforeAWrite()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        const RegisterId id = bench.gain();
+        QVERIFY(bench.watchOnce(id));
+        const Value first = bench.values.at(id).value;
+        const Value second = other(first);
+        int asked = bench.read[id];
+        const WriteResult known = bench.ask(Write{{{id, second}}}).writes.front();
+        QVERIFY(known.before == first);
+        QVERIFY(known.verified == true);
+        QCOMPARE(bench.read[id] - asked, 1); // behind it
+
+        asked = bench.read[id];
+        const WriteResult written = bench.ask(Write{{{id, first}}}).writes.front();
+        QVERIFY(sameValue(second, written.before.value())); // it was written since
+        QVERIFY(written.verified == true);
+        QCOMPARE(bench.read[id] - asked, 2);
+    }
+    void whatWasReadLongerAgoIsAskedBeforeAWrite_data() { rows(); }
+    void whatWasReadLongerAgoIsAskedBeforeAWrite()
+    {
+        for (const bool doubted : {false, true}) {
+            Bench bench(spoken());
+            QVERIFY(bench.meet() && bench.arm());
+            const RegisterId id = bench.gain();
+            QVERIFY(bench.watchOnce(id));
+            const int asked = bench.read[id];
+            if (doubted) {
+                bench.drive->doubt(bench.now); // the computer slept, on a clock that did not
+                const auto believed = [&] {
+                    bench.drive->arm();
+                    return bench.drive->armed();
+                };
+                QVERIFY(bench.runUntil(believed, LatelyRead::kHolds / 2));
+            } else {
+                bench.runUntil([] { return false; }, LatelyRead::kHolds + 1ms);
+            }
+            const Value value = bench.values.at(id).value;
+            const WriteResult result = bench.ask(Write{{{id, other(value)}}}).writes.front();
+            QVERIFY(result.before == value && result.verified == true);
+            QCOMPARE(bench.read[id] - asked, 2);
+        }
     }
     /// A snapshot of a whole board takes seconds, and what a running experiment watches may end it.
     void whatIsWatchedIsReadBesideMuchElse_data() { rows(); }

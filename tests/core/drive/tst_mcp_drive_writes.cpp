@@ -14,6 +14,7 @@ class TestMcpDriveWrites : public QObject {
 private Q_SLOTS:
     void aWriteTellsBeforeAndAfter();
     void everyRegisterOfAListHasItsOwnEnd();
+    void ofWhatIsWatchedOnlyParametersAreKnownBefore();
     void aListGoesOutInAsFewRequestsAsFit();
     void whatSharesARequestStaysAligned();
     void aListIsReadBackWhereItsAnswerIsNotClear();
@@ -109,6 +110,31 @@ bool allVerified(const Ended &end)
 }
 
 } // namespace
+
+/// A reference is what the motor follows: firmware changes it by itself.
+void TestMcpDriveWrites::ofWhatIsWatchedOnlyParametersAreKnownBefore()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP"), ki = session.id("SPEED_KI"),
+                     reference = session.id("SPEED_REF");
+    session.submit(Watch{{kp, reference}, 50ms});
+    session.runFor(130ms);
+    const std::size_t before = session.requests.size();
+    session.submit(Watch{});
+    const WishId write = session.submit(
+        Write{{{kp, std::int64_t{123}}, {ki, std::int64_t{45}}, {reference, std::int64_t{600}}}});
+    QVERIFY(session.runUntilEnded(write));
+    for (const WriteResult &result : session.ended[write].front().writes)
+        QVERIFY(result.before && result.outcome == Outcome::Ok);
+    const auto first = session.requests.begin() + static_cast<std::ptrdiff_t>(before);
+    const auto set = std::find_if(first, session.requests.end(), support::changesSomething);
+    std::set<RegisterId> asked;
+    for (auto at = first; at != set; ++at)
+        for (std::size_t i = 2; i + 1 < at->size(); i += 2)
+            asked.insert(RegisterId{(*at)[i]} | RegisterId{(*at)[i + 1]} << 8);
+    QVERIFY(!asked.contains(kp));
+    QVERIFY(asked.contains(ki) && asked.contains(reference));
+}
 
 void TestMcpDriveWrites::aListGoesOutInAsFewRequestsAsFit()
 {
