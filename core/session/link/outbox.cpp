@@ -62,14 +62,14 @@ bool Outbox::takeAllSent(const Transport &transport, TimePoint now)
     return true;
 }
 
-std::optional<TimePoint> Outbox::nextDue() const
+std::optional<TimePoint> Outbox::nextDue(Duration patience) const
 {
     if (m_askAgain)
         return m_askAgain;
     if (!m_waiting.empty())
         return m_lineFree + m_waiting.front().gapBefore;
     if (m_unreported)
-        return m_lineFree;
+        return m_lineFree + patience;
     return std::nullopt;
 }
 

@@ -34,7 +34,8 @@ public:
     bool takeAllSent(const Transport &transport, TimePoint now);
 
     /// When pump() or takeAllSent() has something to do; empty while nothing is on its way.
-    std::optional<TimePoint> nextDue() const;
+    /// @param patience  how much later it may be told that all has left
+    std::optional<TimePoint> nextDue(Duration patience = {}) const;
 
     bool idle() const { return m_waiting.empty() && !m_unreported; }
 

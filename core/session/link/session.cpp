@@ -371,12 +371,11 @@ void Session::step(TimePoint now)
 /// Where nothing moves, nobody minds that samples are some milliseconds late.
 void Session::gather(TimePoint now)
 {
-    const bool still =
-        m_phase == Phase::Open && !m_driven.any() && !m_experiment && m_outbox.idle();
-    const Duration time = still ? m_drive->gathersFor() : Duration::zero();
+    const bool still = m_phase == Phase::Open && !m_driven.any() && !m_experiment;
+    m_gathers = still ? m_drive->gathersFor() : Duration::zero();
     if (linked())
-        m_transport->gather(time, now);
-    m_batcher.setCalm(time > Duration::zero());
+        m_transport->gather(m_gathers, now);
+    m_batcher.setCalm(m_gathers > Duration::zero());
 }
 
 void Session::reopen(TimePoint now)
@@ -682,7 +681,8 @@ void Session::tellStops()
 std::optional<TimePoint> Session::nextStep() const
 {
     std::optional<TimePoint> next;
-    earliest(next, m_batcher.due());
+    if (const auto due = m_batcher.due())
+        earliest(next, *due + m_gathers);
     if (m_phase != Phase::Closed && m_phase != Phase::Open)
         earliest(next, m_deadline);
     if (m_yieldBy)
@@ -691,7 +691,7 @@ std::optional<TimePoint> Session::nextStep() const
         if (m_driven.any() && m_parts.guardian)
             earliest(next, m_stampedAt + Guardian::kStampEvery);
         earliest(next, m_drive->nextTimeout());
-        earliest(next, m_outbox.nextDue());
+        earliest(next, m_outbox.nextDue(m_gathers));
         earliest(next, m_transport->nextWake());
         if (m_experiment)
             earliest(next, m_experiment->nextTimeout());

@@ -199,6 +199,7 @@ private:
     std::unique_ptr<Transport> m_transport;
     std::unique_ptr<drive::Drive> m_drive;
     Outbox m_outbox{1};
+    Duration m_gathers{}; ///< so late may be told what comes, and that all has left
     Batcher m_batcher;
     std::optional<PortError> m_failure; ///< reported by the transport, not yet acted upon
     std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening

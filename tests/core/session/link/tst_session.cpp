@@ -19,6 +19,7 @@ private Q_SLOTS:
     void bytesReachTheDriveAndItsEventsComeOut();
     void theDrivesTimeoutIsKept();
     void whileNothingMovesBytesMayComeTogether();
+    void whileBytesComeTogetherWhatHasLeftIsToldWithThem();
     void aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes();
     void aStopThatComesDuringATurnIsBeforeWhatLeavesInIt();
     void aStopIsHandedOnBeforeTheBytesThatCameWithIt();
@@ -137,9 +138,37 @@ void TestSession::whileNothingMovesBytesMayComeTogether()
     bench.drive().gathers = 10ms;
     bench.turn();
     QCOMPARE(bench.port.gathers, Duration(10ms));
+    bench.drive().outputs = {{bytes({1, 2, 3, 4}), {}}, {bytes({5}), 1500us}};
+    bench.turn();
+    QCOMPARE(bench.port.gathers, Duration(10ms)); // also while a request is under way
     bench.session.setArmed(true);
     bench.session.submit({.id = 1, .what = drive::Command{drive::MotorAction::Start, 1}});
     QCOMPARE(bench.port.gathers, Duration::zero()); // it may turn, whatever the drive knows
+}
+
+void TestSession::whileBytesComeTogetherWhatHasLeftIsToldWithThem()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().gathers = 10ms;
+    bench.turn();
+    const TimePoint start = bench.now;
+    bench.drive().outputs = {{Bytes(100), {}}, {bytes({5}), 1500us}};
+    bench.turn();
+    QCOMPARE(*bench.session.nextStep(), start + 1ms + 1500us); // what is to leave does so in time
+    bench.runUntil(start + 1ms + 1500us);
+    QCOMPARE(bench.port.written.size(), 2U);
+    QVERIFY(bench.board.sentAt.empty());
+    QCOMPARE(*bench.session.nextStep(), start + 1ms + 1500us + 10us + 10ms);
+    bench.now = start + 5ms;
+    bench.port.alive->hear("ab");
+    QCOMPARE(bench.board.sentAt, std::vector<TimePoint>{bench.now});
+
+    bench.drive().events.push_back(drive::LinkCounters{});
+    bench.turn();
+    bench.drive().events.push_back(drive::LinkCounters{}); // behind a batch, the next has its time
+    bench.turn();
+    QCOMPARE(*bench.session.nextStep(), bench.now + 66ms + 10ms);
 }
 
 void TestSession::aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes()
