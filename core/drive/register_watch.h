@@ -22,10 +22,14 @@ public:
 
     void watch(const Watch &watch, TimePoint now);
     void restart(TimePoint now); ///< a new connection: absent registers are asked again, once
+    /// Nothing is driven and nobody may write: numbers to be read by eye come five times a second, what is drawn as ever.
+    void setAtRest(bool atRest) { m_atRest = atRest; }
     /// When the next round begins; nothing if there is none.
     std::optional<TimePoint> due() const
     {
-        return m_active ? std::optional<TimePoint>(m_due) : std::nullopt;
+        if (!m_active)
+            return std::nullopt;
+        return m_atRest && !m_draws ? std::max(m_due, m_begun + kAtRest) : m_due;
     }
 
     std::optional<typename P::Request> nextRequest(TimePoint now) override
@@ -54,6 +58,9 @@ protected:
     TimePoint m_begun; ///< the round
 
 private:
+    /// A window takes what it shows for old after 300 ms, and is told up to 80 ms late.
+    static constexpr Duration kAtRest = std::chrono::milliseconds(200);
+
     std::vector<RegisterId> begin(TimePoint now);
     /// A period after this one, or later where the link needs longer.
     void planNext(TimePoint now)
@@ -68,6 +75,7 @@ private:
     std::vector<Reading> m_readings;
     TimePoint m_due;
     bool m_active = false;
+    bool m_atRest = false, m_draws = false;
 };
 
 template <class P>
@@ -78,6 +86,7 @@ void RegisterWatch<P>::watch(const Watch &watch, TimePoint now)
         if (std::ranges::find(m_registers, id) == m_registers.end())
             m_registers.push_back(id);
     m_period = std::max<Duration>(watch.period, std::chrono::milliseconds(1));
+    m_draws = !watch.drawn.empty();
     restart(now);
 }
 
@@ -89,6 +98,7 @@ void RegisterWatch<P>::restart(TimePoint now)
     m_readings.clear();
     m_active = !m_registers.empty();
     m_due = now;
+    m_begun = now - kAtRest; // the first round at once
 }
 
 /// The registers of a round that begins now, each once; empty: none is due.
@@ -96,7 +106,7 @@ template <class P>
 std::vector<RegisterId> RegisterWatch<P>::begin(TimePoint now)
 {
     std::vector<RegisterId> ids;
-    if (!m_active || now < m_due)
+    if (now < due().value_or(TimePoint::max()))
         return ids;
     for (const RegisterId id : m_registers)
         if (!m_missing.contains(id))

@@ -422,6 +422,8 @@ void TaskDrive<P>::work(TimePoint now)
         m_link.connect(now);
     }
     prepare(now);
+    if constexpr (requires { m_watch.setAtRest(true); })
+        m_watch.setAtRest(atRest());
     if (followStop(now))
         sendStop(now);
     if (linkIsFree())

@@ -326,7 +326,7 @@ private Q_SLOTS:
     void whatIsWatchedIsReadBesideMuchElse()
     {
         Bench bench(spoken());
-        QVERIFY(bench.meet());
+        QVERIFY(bench.meet() && bench.arm());
         const RegisterId id = bench.gain();
         constexpr int kReads = 12, kEach = 16;
         QVERIFY(bench.ask(Watch{{id}, 1ms}).outcome == Outcome::Ok);

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void startsRampsStreamsAndStops();
     void doesNothingThatActsUntilArmed();
     void bytesMayBeGatheredWhereNothingMoves();
+    void numbersAreReadLessOftenWhereNothingMoves();
     void aStartThatIsRefusedSaysWhy();
     void acknowledgesAFaultThatIsOver();
     void torqueAndCurrentGoOutInDigits();
@@ -207,6 +208,50 @@ void TestMcpDrive::bytesMayBeGatheredWhereNothingMoves()
     QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 10s));
     session.runFor(500ms);
     QVERIFY(session.drive->gathersFor() >= 5ms);
+}
+
+/// States, and what is drawn, come as often as ever.
+void TestMcpDrive::numbersAreReadLessOftenWhereNothingMoves()
+{
+    Session session(false);
+    const RegisterId kp = session.id("SPEED_KP");
+    int read = 0, states = 0;
+    session.onEvent = [&](const Event &event) {
+        if (const auto *batch = std::get_if<RegistersRead>(&event))
+            read += static_cast<int>(std::ranges::count(batch->readings, kp, &Reading::id));
+        states += std::holds_alternative<MotorStatus>(event) ? 1 : 0;
+    };
+    const auto readIn = [&](Duration time) {
+        read = states = 0;
+        session.runFor(time);
+        return read;
+    };
+    session.submit(Watch{{kp}, 50ms});
+    QVERIFY(readIn(30ms) > 0);
+    readIn(500ms);
+    const int atRest = readIn(2s);
+    QVERIFY2(atRest >= 9 && atRest <= 11, std::to_string(atRest).c_str());
+    QVERIFY2(states >= 19, std::to_string(states).c_str());
+
+    for (int i = 0; i < 4; ++i) { // wherever it is in its round
+        readIn(300ms + i * 50ms);
+        session.drive->arm();
+        session.drive->handleTimeout(session.now); // as a session does after each call
+        QVERIFY(readIn(60ms) > 0);
+        session.drive->disarm();
+    }
+    session.drive->arm();
+    QVERIFY(readIn(2s) >= 38);
+    QVERIFY(session.startMotor());
+    session.drive->disarm();
+    readIn(500ms);
+    QVERIFY(readIn(2s) >= 38); // it turns, whoever started it
+    session.drive->stop(session.now);
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 10s));
+    readIn(500ms);
+    QVERIFY(readIn(2s) <= 11);
+    session.submit(Watch{{kp}, 50ms, {kp}});
+    QVERIFY(readIn(2s) >= 38);
 }
 
 void TestMcpDrive::aStartThatIsRefusedSaysWhy()
