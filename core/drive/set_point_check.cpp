@@ -62,6 +62,13 @@ std::string refuseStart(const BoardFacts &board, int motor)
     return names.empty() ? names : unknown(names, motor);
 }
 
+std::string refuseCommand(const BoardFacts &board, const Command &command)
+{
+    auto why = refuseMotor(board, command.motor);
+    return why.empty() && command.action == MotorAction::Start ? refuseStart(board, command.motor)
+                                                               : why;
+}
+
 std::string refuseSpeed(const BoardFacts &board, int motor, double rpm)
 {
     const double bound = board.boundsOf(motor).rpm;

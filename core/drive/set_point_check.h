@@ -28,6 +28,8 @@ std::string refuseRampTime(std::chrono::milliseconds time);
 
 /// Why this motor must not be started: a limit that is not known, named; empty if it may.
 std::string refuseStart(const BoardFacts &board, int motor);
+/// Why a command is not for this motor: there is none, or it must not be started.
+std::string refuseCommand(const BoardFacts &board, const Command &command);
 
 /// Why this set-point must not be sent; empty if it may. A limit that is not known refuses too.
 std::string refuseSpeed(const BoardFacts &board, int motor, double rpm);

@@ -7,7 +7,7 @@
 
 namespace drive {
 
-/// @tparam P  with refusalIn(answer): the board's word if it is a refusal
+/// @tparam P  with endIn(answer): how it ends what was asked
 template <class P>
 class StepwiseWrite : public WriteTask<P> {
 public:
@@ -136,8 +136,8 @@ void StepwiseWrite<P>::onResponse(const Answer &answer, TimePoint now)
             return close(Outcome::Refused, why);
         return advance();
     case Kind::Write:
-        if (const auto why = P::refusalIn(answer))
-            return close(Outcome::Refused, *why);
+        if (const AnswerEnd said = P::endIn(answer); said.outcome != Outcome::Ok)
+            return close(said.outcome, said.reason);
         current().repeated = false;
         advance();
         if (m_steps[m_step].kind == Kind::After && acknowledgementCounts())

@@ -34,10 +34,21 @@ public:
 
 /// What has to be true for a wish to be carried out.
 enum class Permission : std::uint8_t { Always, Armed };
+template <class Act>
+constexpr Permission permissionOf(const Act &)
+{
+    return Permission::Armed;
+}
 constexpr Permission permissionOf(const Command &command)
 {
     return command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed;
 }
+
+/// How an answer ends what was asked.
+struct AnswerEnd {
+    Outcome outcome = Outcome::Ok;
+    std::string reason{}; ///< the board's word, if it is not Ok
+};
 
 /// The command that it is where ST has named it so. @tparam Id  the commands of the protocol
 template <class Id>

@@ -27,11 +27,7 @@ DEFECTS = [
         ("core/drive/wish_drive.cpp", "    m_workedAt = now;\n    setArmed(false);\n", "    m_workedAt = now;\n"),
         ("core/drive/task_drive.h", 'm_wishes.cutAll("stopped", m_wish);', "")]),
     ("a start is repeated when its answer is lost", CAMPAIGN, "asked for", [
-        ("core/drive/mcp/mcp_commands.cpp", "    if (finished() || sent())\n        return std::nullopt;\n    if (auto why = refuseMotor",
-         "    if (finished())\n        return std::nullopt;\n    if (auto why = refuseMotor"),
-        ("core/drive/mcp/mcp_commands.cpp",
-         '    endLost(executed);\n}\n\nSetPointTask',
-         '    static_cast<void>(executed);\n}\n\nSetPointTask')]),
+        ("core/drive/act_task.h", "        this->endLost(executed);\n", "        static_cast<void>(executed);\n")]),
     ("writes pass unarmed", CAMPAIGN, "armed", [
         ("core/drive/write_task.h", "WishTask<P>(id, Permission::Armed)", "WishTask<P>(id, Permission::Always)")]),
     ("a Stop is not repeated", "tst_mcp_drive_stop", "stop in time", [

@@ -50,24 +50,28 @@ std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &s
 
 } // namespace
 
-bool FcpActTask::looking()
+std::string FcpActTask::refuse() const
 {
-    if (!std::exchange(m_looked, true)) {
-        std::vector<RegisterId> ids;
-        const RegisterId stages = kFcpRevUp | static_cast<RegisterId>(m_motor);
-        if (m_board.user != UserLimits{}) {
-            ids.push_back(fcpId(kControlMode, m_motor));
-            ids.push_back(fcpId(kFinalSpeed, m_motor));
-            if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
-                ids.push_back(stages);
-        }
-        m_reader.start(ids);
-    }
-    return !m_reader.finished();
+    const auto *wanted = std::get_if<SetPoint>(&m_act);
+    return wanted != nullptr ? refuseSetPoint(m_board, *wanted)
+                             : refuseCommand(m_board, std::get<Command>(m_act));
+}
+
+/// Because of the user's own limits.
+std::vector<RegisterId> FcpActTask::needs() const
+{
+    const auto *command = std::get_if<Command>(&m_act);
+    if (command == nullptr || command->action != MotorAction::Start || m_board.user == UserLimits{})
+        return {};
+    std::vector<RegisterId> ids{fcpId(kControlMode, m_motor), fcpId(kFinalSpeed, m_motor)};
+    const RegisterId stages = kFcpRevUp | static_cast<RegisterId>(m_motor);
+    if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
+        ids.push_back(stages);
+    return ids;
 }
 
 /// What the board was set to before, against the user's own limits.
-std::string FcpActTask::refuseStart() const
+std::string FcpActTask::plan()
 {
     for (const Reading &reading : m_found) {
         std::string why;
@@ -86,51 +90,9 @@ std::string FcpActTask::refuseStart() const
         if (!why.empty())
             return m_board.catalog->nameOf(reading.id) + " is " + why;
     }
+    request(
+        fcpRequest(m_motor, std::visit([this](const auto &act) { return encode(act); }, m_act)));
     return {};
-}
-
-std::optional<fcp::Request> FcpActTask::nextRequest(TimePoint)
-{
-    if (finished() || sent())
-        return std::nullopt;
-    const auto *wanted = std::get_if<SetPoint>(&m_act);
-    const auto *command = std::get_if<Command>(&m_act);
-    if (auto why =
-            wanted != nullptr ? refuseSetPoint(m_board, *wanted) : refuseMotor(m_board, m_motor);
-        !why.empty())
-        return noRequest(Outcome::Refused, std::move(why));
-    if (command != nullptr && command->action == MotorAction::Start) {
-        if (auto why = drive::refuseStart(m_board, m_motor); !why.empty())
-            return noRequest(Outcome::Refused, std::move(why));
-        if (looking())
-            return m_reader.nextRequest();
-        if (m_reader.gaveUp())
-            return noRequest(Outcome::NotSent, "no answer about what it would start to");
-        if (auto why = refuseStart(); !why.empty())
-            return noRequest(Outcome::Refused, std::move(why));
-    }
-    markSent();
-    return fcpRequest(m_motor, std::visit([this](const auto &act) { return encode(act); }, m_act));
-}
-
-void FcpActTask::onResponse(const fcp::Reply &response, TimePoint now)
-{
-    if (!sent()) {
-        for (Reading &reading : m_reader.onResponse(response, now))
-            m_found.push_back(std::move(reading));
-    } else if (std::holds_alternative<fcp::Ack>(response)) {
-        end(Outcome::Ok);
-    } else {
-        end(Outcome::Refused, nackWord(response));
-    }
-}
-
-void FcpActTask::onNoResponse(std::optional<bool> executed, TimePoint)
-{
-    if (sent())
-        endLost(executed);
-    else
-        m_reader.onNoResponse();
 }
 
 fcp::Command FcpActTask::encode(const Command &command) const

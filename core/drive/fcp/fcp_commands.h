@@ -5,46 +5,30 @@
 // Writes are wishes with rules of their own.
 #pragma once
 
+#include "drive/act_task.h"
 #include "drive/fcp/fcp_protocol.h"
 #include "drive/set_point_check.h"
 #include "drive/stepwise_write.h"
-#include "drive/task.h"
 
 namespace drive {
 
-class FcpActTask : public WishTask<FcpProtocol> {
+class FcpActTask final : public ActTask<FcpProtocol> {
 public:
-    FcpActTask(WishId id, const Command &command, const FcpFacts &board)
-        : WishTask(id, permissionOf(command))
-        , m_board(board)
-        , m_act(command)
-        , m_motor(command.motor)
+    FcpActTask(WishId id, const auto &act, const FcpFacts &board)
+        : ActTask(id, act, board)
+        , m_act(act)
     {
     }
-    FcpActTask(WishId id, const SetPoint &wanted, const FcpFacts &board)
-        : WishTask(id, Permission::Armed)
-        , m_board(board)
-        , m_act(wanted)
-        , m_motor(wanted.motor)
-    {
-    }
-
-    std::optional<fcp::Request> nextRequest(TimePoint now) override;
-    void onResponse(const fcp::Reply &response, TimePoint now) override;
-    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    bool looking(); ///< at what a start would go to, because of the user's own limits
-    std::string refuseStart() const;
+    std::string refuse() const override;
+    std::vector<RegisterId> needs() const override; ///< what a start would go to
+    std::string unread() const override { return "no answer about what it would start to"; }
+    std::string plan() override;
     fcp::Command encode(const Command &command) const;
     fcp::Command encode(const SetPoint &wanted) const;
 
-    const FcpFacts &m_board;
     std::variant<Command, SetPoint> m_act;
-    int m_motor;
-    Reader<FcpProtocol> m_reader{m_board};
-    std::vector<Reading> m_found;
-    bool m_looked = false;
 };
 
 /// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What the

@@ -16,21 +16,15 @@ std::optional<std::uint8_t> nackCode(const fcp::Reply &reply)
     return nack != nullptr ? nack->error : std::nullopt;
 }
 
-std::string nackWord(const fcp::Reply &reply)
+AnswerEnd FcpProtocol::endIn(const fcp::Reply &reply)
 {
-    if (!std::holds_alternative<fcp::Nack>(reply))
+    if (std::holds_alternative<fcp::Ack>(reply))
         return {};
     const auto code = nackCode(reply);
     if (!code)
-        return "refused without a reason";
-    if (const auto name = fcp::errorName(*code); !name.empty())
-        return std::string(name);
-    return "unknown error 0x" + hexDigits(*code, 2);
-}
-
-std::optional<std::string> FcpProtocol::refusalIn(const fcp::Reply &reply)
-{
-    return std::holds_alternative<fcp::Ack>(reply) ? std::nullopt : std::optional(nackWord(reply));
+        return {Outcome::Refused, "refused without a reason"};
+    const std::string name(fcp::errorName(*code));
+    return {Outcome::Refused, name.empty() ? "unknown error 0x" + hexDigits(*code, 2) : name};
 }
 
 fcp::Request FcpReads::request(std::span<const RegisterId> ids, std::size_t &count) const

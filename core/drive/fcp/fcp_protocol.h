@@ -4,6 +4,7 @@
 #include "drive/board_facts.h"
 #include "drive/fcp/fcp_registers.h"
 #include "drive/reader.h"
+#include "drive/task.h"
 #include "fcp/protocol.h"
 #include "fcp/reply.h"
 
@@ -45,15 +46,13 @@ struct FcpProtocol {
     using Writes = FcpWriteTask;
     static constexpr int kAttempts = 3;
     static std::optional<ReadStatus> refuseRead(const FcpFacts &board, RegisterId id);
-    static std::optional<std::string> refusalIn(const fcp::Reply &reply);
+    static AnswerEnd endIn(const fcp::Reply &reply);
 };
 
 inline fcp::Request fcpRequest(int motor, fcp::Command command)
 {
     return {static_cast<std::uint8_t>(motor), std::move(command)};
 }
-/// Why not, if the answer is a refusal; empty if it is none.
-std::string nackWord(const fcp::Reply &reply);
 std::optional<std::uint8_t> nackCode(const fcp::Reply &reply);
 
 /// Reading by one GET after the other; the raw register of the rev-up takes one for each of its stages.

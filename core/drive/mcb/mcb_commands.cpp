@@ -1,7 +1,6 @@
 #include "drive/mcb/mcb_commands.h"
 
 #include "drive/mcb/mcb_identification.h"
-#include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
 #include "motor/ramp.h"
@@ -68,32 +67,20 @@ ControlMode mcbControlOf(std::int64_t mode)
                                  : ControlMode::Other;
 }
 
-McbActTask::McbActTask(WishId id, const McbAct &act, const McbFacts &board)
-    : WishTask(id,
-        std::holds_alternative<Command>(act) ? permissionOf(std::get<Command>(act))
-                                             : Permission::Armed)
-    , m_board(board)
-    , m_act(act)
-    , m_motor(std::visit([](const auto &one) { return one.motor; }, act))
+std::vector<RegisterId> McbActTask::needs() const
 {
     std::vector<RegisterId> ids;
-    for (const std::uint16_t address : std::visit([](auto &one) { return readsOf(one); }, act))
-        if (board.readable(address))
+    for (const std::uint16_t address : std::visit([](auto &one) { return readsOf(one); }, m_act))
+        if (m_board.readable(address))
             ids.push_back(mcbIdOf(address));
-    m_reader.start(ids);
-}
-
-std::optional<double> McbActTask::valueOf(std::uint16_t address) const
-{
-    const auto at = m_values.find(address);
-    return at == m_values.end() ? std::nullopt : std::optional(at->second);
+    return ids;
 }
 
 void McbActTask::write(std::uint16_t address, const Value &value)
 {
     auto words = mcbWordsOf(m_board, address, value);
     if (words)
-        m_steps.push_back({address, std::move(*words), 0, 0});
+        request(mcbWrite(address, std::move(*words)));
     else
         m_problem = m_board.catalog->nameOf(mcbIdOf(address)) + ": " + words.error();
 }
@@ -110,78 +97,32 @@ void McbActTask::setMode(std::uint16_t mode, std::uint16_t setPoint, const Value
         write(setPoint, value);
 }
 
-std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
+bool McbActTask::passes(const McbRequest &asked, const McbAnswer &answer, TimePoint now)
 {
-    if (finished())
-        return std::nullopt;
-    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
-        return noRequest(Outcome::Refused, std::move(why));
-    if (!m_reader.finished())
-        return m_reader.nextRequest();
-    if (!std::exchange(m_planned, true)) {
-        const auto planned = [this](const auto &act) { return plan(act); };
-        std::string why = m_unread ? std::string() : std::visit(planned, m_act);
-        if (why.empty())
-            why = m_problem;
-        if (m_unread)
-            end(Outcome::NotSent, "no answer about what it would change");
-        else if (!why.empty())
-            end(Outcome::Refused, std::move(why));
-        if (finished())
-            return std::nullopt;
-    }
-    if (m_steps.empty())
-        return noRequest(Outcome::Ok);
-    const Step &step = m_steps.front();
-    if (step.words.empty()) {
-        if (!m_waitingSince)
-            m_waitingSince = now;
-        return mcbRead(kStatus);
-    }
-    m_waitingSince.reset();
-    markSent();
-    return mcbWrite(step.address, step.words);
-}
-
-void McbActTask::onResponse(const McbAnswer &answer, TimePoint now)
-{
-    if (finished())
-        return;
-    if (!m_reader.finished()) {
-        for (const Reading &reading : m_reader.onResponse(answer, now))
-            if (const auto number = asNumber(reading.value);
-                reading.status == ReadStatus::Ok && number && std::isfinite(*number))
-                m_values[mcbAddressOf(reading.id)] = *number;
-        return;
-    }
-    const Step step = m_steps.front();
-    if (!answer.ok)
-        return end(Outcome::Refused,
-            m_board.catalog->nameOf(mcbIdOf(step.words.empty() ? kStatus : step.address)) + ": "
-                + mcbWordOf(answer.code));
-    if (!step.words.empty()) {
-        m_steps.pop_front();
-        if (m_steps.empty())
-            end(Outcome::Ok);
-        return;
+    if (plain(asked).command == mcb::Command::Write) {
+        m_written = now;
+        return true;
     }
     const std::uint16_t status = answer.words.empty() ? std::uint16_t{0} : answer.words.front();
-    if ((status & step.mask) == step.bits)
-        m_steps.pop_front();
-    else if (m_waitingSince && now - *m_waitingSince >= kStepWithin)
+    const auto [mask, bits] = m_awaited.front();
+    if ((status & mask) == bits) {
+        m_awaited.pop_front();
+        return true;
+    }
+    if (now - m_written >= kStepWithin)
         end(Outcome::Refused, "the drive stays in " + std::string(mcbStateOf(status).name));
+    return false;
 }
 
-void McbActTask::onNoResponse(std::optional<bool> executed, TimePoint)
+void McbActTask::conclude(const McbRequest &asked, AnswerEnd said)
 {
-    if (finished())
-        return;
-    if (!m_reader.finished()) {
-        m_unread = true;
-        m_reader.onNoResponse();
-        return;
-    }
-    endLost(executed);
+    end(said.outcome, m_board.catalog->nameOf(mcbIdOf(plain(asked).address)) + ": " + said.reason);
+}
+
+std::string McbActTask::plan()
+{
+    const std::string why = std::visit([this](const auto &act) { return plan(act); }, m_act);
+    return why.empty() ? m_problem : why;
 }
 
 std::string McbActTask::plan(const Command &command)

@@ -7,10 +7,11 @@
 // share a set-point the mode goes first, so that a ramp does not begin with a step.
 #pragma once
 
+#include "drive/act_task.h"
 #include "drive/control_mode.h"
 #include "drive/mcb/mcb_protocol.h"
+#include "drive/set_point_check.h"
 #include "drive/stepwise_write.h"
-#include "drive/task.h"
 
 #include <deque>
 
@@ -23,43 +24,49 @@ ControlMode mcbControlOf(std::int64_t mode);
 
 using McbAct = std::variant<Command, SpeedRamp, CurrentReference, PositionRamp>;
 
-class McbActTask : public WishTask<McbProtocol> {
+class McbActTask final : public ActTask<McbProtocol> {
 public:
-    McbActTask(WishId id, const McbAct &act, const McbFacts &board);
-
-    std::optional<McbRequest> nextRequest(TimePoint now) override;
-    void onResponse(const McbAnswer &answer, TimePoint now) override;
-    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
+    McbActTask(WishId id, const auto &act, const McbFacts &board)
+        : ActTask(id, act, board)
+        , m_act(act)
+    {
+    }
 
 private:
-    struct Step {
-        std::uint16_t address = 0;
-        mcb::Words words; ///< to be written; none: wait for the status word
-        std::uint16_t mask = 0, bits = 0;
-    };
+    std::string refuse() const override { return refuseMotor(m_board, m_motor); }
+    std::vector<RegisterId> needs() const override;
+    std::string unread() const override { return "no answer about what it would change"; }
+    std::string plan() override;
+    bool passes(const McbRequest &asked, const McbAnswer &answer, TimePoint now) override;
+    void conclude(const McbRequest &asked, AnswerEnd said) override;
 
-    // With all values read: each fills the steps, or says why not.
+    // With all values read: each gives the steps, or says why not.
     std::string plan(const Command &command);
     std::string plan(const SpeedRamp &ramp);
     std::string plan(const CurrentReference &reference);
     std::string plan(const PositionRamp &ramp);
     std::string planStart();
 
-    std::optional<double> valueOf(std::uint16_t address) const;
+    std::optional<double> valueOf(std::uint16_t address) const
+    {
+        return numberHeld(mcbIdOf(address));
+    }
     void write(std::uint16_t address, const Value &value);
-    void control(std::uint16_t word) { m_steps.push_back({0x010, {word}, 0, 0}); }
-    void await(std::uint16_t mask, std::uint16_t bits) { m_steps.push_back({0, {}, mask, bits}); }
+    void control(std::uint16_t word) { request(mcbWrite(mcbreg::kControl, {word})); }
+    void await(std::uint16_t mask, std::uint16_t bits)
+    {
+        request(mcbRead(mcbreg::kStatus));
+        m_awaited.push_back({mask, bits});
+    }
     void setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value);
 
-    const McbFacts &m_board;
+    struct Awaited {
+        std::uint16_t mask = 0, bits = 0;
+    };
     McbAct m_act;
-    int m_motor;
-    Reader<McbProtocol> m_reader{m_board};
-    std::map<std::uint16_t, double> m_values;
-    std::deque<Step> m_steps;
+    std::deque<Awaited> m_awaited; ///< of the status word
     std::string m_problem; ///< of a step that was to be planned
-    std::optional<TimePoint> m_waitingSince;
-    bool m_planned = false, m_unread = false;
+    TimePoint m_written; ///< the last step before one that is awaited
 };
 
 /// Write wishes: a register's type is asked first, because a drive may have another one than it had, and of a mode the

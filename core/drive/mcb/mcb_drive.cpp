@@ -177,7 +177,7 @@ McbDrive::McbDrive(const LineOptions &line)
 
 McbDrive::Made McbDrive::taskFor(const Wish &wish)
 {
-    const auto act = [&](const McbAct &wanted) -> Made {
+    const auto act = [&](const auto &wanted) -> Made {
         return std::make_unique<McbActTask>(wish.id, wanted, m_board);
     };
     const auto stream = [&](const auto &wanted) -> Made {

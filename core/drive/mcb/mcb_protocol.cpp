@@ -32,9 +32,9 @@ Bytes mcbChanges(const McbRequest &request)
     return bytes;
 }
 
-std::optional<std::string> McbProtocol::refusalIn(const McbAnswer &answer)
+AnswerEnd McbProtocol::endIn(const McbAnswer &answer)
 {
-    return answer.ok ? std::nullopt : std::optional(mcbWordOf(answer.code));
+    return answer.ok ? AnswerEnd{} : AnswerEnd{Outcome::Refused, mcbWordOf(answer.code)};
 }
 
 std::string mcbWordOf(std::uint32_t code)

@@ -4,6 +4,7 @@
 
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/reader.h"
+#include "drive/task.h"
 #include "mcb/master.h"
 
 #include <optional>
@@ -75,7 +76,7 @@ struct McbProtocol {
     using Writes = McbWriteTask;
     static constexpr int kAttempts = 1;
     static std::optional<ReadStatus> refuseRead(const McbFacts &board, RegisterId id);
-    static std::optional<std::string> refusalIn(const McbAnswer &answer);
+    static AnswerEnd endIn(const McbAnswer &answer);
 };
 
 /// In the place of a code, but ours: the drive took the value, and another one is read back.

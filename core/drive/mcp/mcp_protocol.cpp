@@ -96,7 +96,7 @@ std::string statusWord(std::uint8_t status)
     return "status 0x" + hexDigits(status, 2);
 }
 
-McpEnd endIn(ByteView response)
+AnswerEnd McpProtocol::endIn(ByteView response)
 {
     if (response.empty() || response.size() > 2)
         return {Outcome::Unknown, "an answer that fits nothing"};

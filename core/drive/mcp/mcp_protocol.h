@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "drive/board_facts.h"
 #include "drive/reader.h"
+#include "drive/task.h"
 #include "drive/values.h"
 #include "mcp/request.h"
 
@@ -75,6 +76,7 @@ struct McpProtocol {
     using Writes = McpWriteTask;
     using Reads = McpReads;
     static constexpr int kAttempts = 4;
+    static AnswerEnd endIn(ByteView response);
     static std::optional<ReadStatus> refuseRead(const McpFacts &board, RegisterId id);
 };
 
@@ -89,13 +91,6 @@ std::size_t wireWidth(RegisterId id);
 
 /// As a SET has it. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
 Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, const Value &value);
-
-/// How the answer to a command or a set-point ends its wish.
-struct McpEnd {
-    Outcome outcome = Outcome::Unknown;
-    std::string reason;
-};
-McpEnd endIn(ByteView response);
 
 /// The firmware's word for a status byte, or the byte in hex.
 std::string statusWord(std::uint8_t status);

@@ -98,9 +98,9 @@ struct Protocol {
     {
         return board.catalog->find(id) ? std::nullopt : std::optional(ReadStatus::NotSupported);
     }
-    static std::optional<std::string> refusalIn(const Frame &answer)
+    static AnswerEnd endIn(const Frame &answer)
     {
-        return answer.kind == 'N' ? std::optional<std::string>("no") : std::nullopt;
+        return answer.kind == 'N' ? AnswerEnd{Outcome::Refused, "no"} : AnswerEnd{};
     }
 };
 
