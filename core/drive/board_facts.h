@@ -33,7 +33,8 @@ inline std::vector<Capability> ableTo(const std::set<Feature> &features, const s
 }
 
 struct BoardFacts {
-    bool identified = false;
+    bool identified = false; ///< all that follows is known, as far as the board tells it
+    Identity identity; ///< without motors and knownFirmware, which are here
     bool knownFirmware = false;
     int motors = 1; ///< known of
     bool motorsCounted = false; ///< the board has told how many: there are no more
@@ -45,6 +46,7 @@ struct BoardFacts {
     StreamLimits streaming;
     std::vector<Capability> capabilities;
     LatelyRead lately; ///< in this connection
+    std::size_t requestBytes = 0, responseBytes = 0, streamBytes = 0; ///< negotiated sizes
 
     UserLimits user; ///< the user's; outlives the connection
     std::set<int> expert; ///< motors that the user moves without all limits known

@@ -12,7 +12,7 @@
 namespace drive {
 
 /// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks; Writes, the task of
-///            a write wish
+///            a write wish; stateSteps(), as in Identified
 template <class P>
 class TaskDrive : public WishDrive {
 public:
@@ -63,7 +63,6 @@ protected:
     /// For what commands and moves; nullptr: it is not there.
     virtual Made taskFor(const Wish &wish) = 0;
     virtual void onLinkEvents(TimePoint now) = 0;
-    virtual void onIdentified(TimePoint now) = 0;
     virtual bool connected() const = 0;
     /// Hands the request to the link. @param wish  that it is for; may be null
     /// @return  false: it is none that may leave
@@ -74,6 +73,7 @@ protected:
     virtual void closeLink() = 0;
 
     // What it may bring.
+    virtual void onIdentified(TimePoint) { } ///< it has been told
     virtual bool recovering() const { return false; } ///< what was connected is out of step
     virtual LinkCounters counters() const { return {}; }
     virtual TimePoint stopMayLeave() const
@@ -88,7 +88,7 @@ protected:
     /// True: the link is not there for anything else now.
     virtual bool sendFirst(TimePoint now)
     {
-        if (m_identification.done())
+        if (m_board.identified)
             return false;
         give(m_identification, now);
         return true;
@@ -113,7 +113,7 @@ protected:
     void work(TimePoint now) final;
     bool atRest() const
     {
-        return m_mode == Mode::Open && connected() && m_identification.done() && m_vitals.complete()
+        return m_mode == Mode::Open && connected() && m_board.identified && m_vitals.complete()
             && !m_vitals.motorDriven() && !m_stop.open() && !m_suspect && !armed();
     }
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
@@ -144,6 +144,16 @@ protected:
         m_vitals.hurry(now);
     }
     void cutAllWishes(const std::string &reason);
+    /// What is known of the board, also where it was told before.
+    void tellIdentified()
+    {
+        m_events.emplace_back(Identified{m_board.identity, m_board.catalog, m_board.limits,
+            m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
+            m_board.streamBytes, P::stateSteps()});
+        Identity &told = std::get<Identified>(m_events.back()).identity;
+        told.motors = m_board.motors;
+        told.knownFirmware = m_board.knownFirmware;
+    }
 
     void linkFound()
     {
@@ -211,6 +221,7 @@ private:
     void close(TimePoint now);
     void tellLinkState();
 
+    bool m_known = false; ///< the board, when it was looked at last
     TimePoint m_closeBy;
     TimePoint m_askedAt; ///< when m_task did last
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
@@ -414,8 +425,12 @@ void TaskDrive<P>::work(TimePoint now)
     auto statuses = m_vitals.takeStatuses();
     onStatuses(statuses);
     followStatuses(std::move(statuses), m_vitals.askedAt());
-    if (m_identification.takeNews())
+    const bool known = m_board.identified;
+    if (!std::exchange(m_known, known) && known) {
+        tellIdentified();
+        m_vitals.hurry(now); // there may be more to be read of them
         onIdentified(now);
+    }
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open
         && (reconnectsBlind() || !m_stop.blind(now))) {
         m_reconnectAt.reset();

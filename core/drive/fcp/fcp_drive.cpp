@@ -64,7 +64,6 @@ private:
     void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
     void on(const Link::Lost &event, TimePoint now);
     void onIdentified(TimePoint now) override;
-    void tellIdentified();
     bool connected() const override { return m_link.connected(); }
     bool recovering() const override
     {
@@ -137,12 +136,6 @@ void FcpDrive::on(const Link::Lost &event, TimePoint now)
         now);
 }
 
-void FcpDrive::tellIdentified()
-{
-    m_events.emplace_back(Identified{m_identification.identity(), m_board.catalog, m_board.limits,
-        m_board.streaming, m_board.capabilities, 0, 0, 0, fcpStateSteps()});
-}
-
 /// The board is told anew, so that no units of before are used on; it is asked nothing.
 std::string FcpDrive::setScale(const CurrentScale &scale, TimePoint)
 {
@@ -162,12 +155,9 @@ std::string FcpDrive::setScale(const CurrentScale &scale, TimePoint)
 
 void FcpDrive::onIdentified(TimePoint now)
 {
-    m_link.setDialect(m_board.dialect);
-    tellIdentified();
     if (auto readings = m_identification.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
     m_watch.restart(now);
-    m_vitals.hurry(now);
 }
 
 /// The same in both dialects. Fillers end a frame that firmware may still wait for: see fcp/client.h.

@@ -32,9 +32,7 @@ void FcpIdentification::restart(const fcp::BoardInfo &info)
     m_reader.clear();
     m_values.clear();
     m_readings.clear();
-    m_identity = {};
     m_losses = 0;
-    m_news = false;
     m_board.forget();
 }
 
@@ -50,11 +48,9 @@ std::optional<fcp::Request> FcpIdentification::nextRequest(TimePoint)
     case Phase::Motors:
         return fcpRequest(m_board.motors + 1, fcp::GetRegister{kStatus});
     case Phase::Registers:
-        return m_reader.nextRequest();
-    case Phase::Done:
         break;
     }
-    return std::nullopt;
+    return m_reader.nextRequest();
 }
 
 void FcpIdentification::onResponse(const fcp::Reply &response, TimePoint now)
@@ -96,9 +92,6 @@ void FcpIdentification::onResponse(const fcp::Reply &response, TimePoint now)
             }
         if (m_reader.finished())
             finish();
-        return;
-    case Phase::Done:
-        return;
     }
 }
 
@@ -108,7 +101,7 @@ void FcpIdentification::onNoResponse(std::optional<bool>, TimePoint)
         m_reader.onNoResponse();
         if (m_reader.finished())
             finish();
-    } else if (m_phase != Phase::Done && ++m_losses >= kMostLosses) {
+    } else if (++m_losses >= kMostLosses) {
         m_doubt = "it did not answer all that identifies it";
         probeRegisters();
     }
@@ -232,22 +225,19 @@ void FcpIdentification::finish()
             ? std::string()
             : "board " + std::to_string(static_cast<long>(asNumber(at->second).value_or(0.0)));
     };
-    m_identity.protocol = powerPc ? "MCP PowerPC" : "MCP legacy";
+    Identity &identity = m_board.identity;
+    identity.protocol = powerPc ? "MCP PowerPC" : "MCP legacy";
     if (!m_doubt.empty())
-        m_identity.protocol += " (read-only: " + m_doubt + ")";
-    m_identity.firmware = m_version ? m_version->name : m_info.name;
-    m_identity.version =
+        identity.protocol += " (read-only: " + m_doubt + ")";
+    identity.firmware = m_version ? m_version->name : m_info.name;
+    identity.version =
         m_version && !m_version->version.empty() ? m_version->version : m_info.version;
-    m_identity.evidence = m_version ? "it answers GET_FW_VERSION, as STM32 boards do"
+    identity.evidence = m_version ? "it answers GET_FW_VERSION, as STM32 boards do"
         : powerPc ? "it refuses GET_FW_VERSION and has registers of PowerPC boards only"
                   : "it refuses GET_FW_VERSION, but has registers of STM32 boards only";
-    m_identity.controlBoard = board(kControlBoard);
-    m_identity.powerBoards = {board(kPowerBoard)};
-    m_identity.motors = m_board.motors;
-    m_identity.knownFirmware = m_board.knownFirmware;
+    identity.controlBoard = board(kControlBoard);
+    identity.powerBoards = {board(kPowerBoard)};
     m_board.identified = true;
-    m_phase = Phase::Done;
-    m_news = true;
 }
 
 } // namespace drive

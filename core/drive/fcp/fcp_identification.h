@@ -24,10 +24,6 @@ public:
     }
 
     void restart(const fcp::BoardInfo &info);
-    bool done() const { return m_phase == Phase::Done; }
-    /// True once after each identification that has come to its end.
-    bool takeNews() { return std::exchange(m_news, false); }
-    const Identity &identity() const { return m_identity; }
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
     /// What the board can do by what is known of it; anew when more is known.
@@ -38,7 +34,7 @@ public:
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    enum class Phase : std::uint8_t { Version, OnlyPowerPc, OnlyStm32, Motors, Registers, Done };
+    enum class Phase : std::uint8_t { Version, OnlyPowerPc, OnlyStm32, Motors, Registers };
 
     void decideDialect();
     void probeRegisters();
@@ -49,15 +45,13 @@ private:
     std::optional<fcp::Dialect> m_chosen;
     fcp::BoardInfo m_info;
     std::optional<fcp::FirmwareVersion> m_version; ///< as GET_FW_VERSION was answered
-    Phase m_phase = Phase::Done;
+    Phase m_phase = Phase::Version;
     std::optional<bool> m_powerPcRegister, m_stm32Register; ///< there
     std::string m_doubt; ///< why nothing may be written
     Reader<FcpProtocol> m_reader{m_board};
     std::map<RegisterId, Value> m_values;
     std::vector<Reading> m_readings;
-    Identity m_identity;
     int m_losses = 0;
-    bool m_news = false;
 };
 
 } // namespace drive

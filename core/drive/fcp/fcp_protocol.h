@@ -46,6 +46,7 @@ struct FcpProtocol {
     using Writes = FcpWriteTask;
     static constexpr int kAttempts = 3;
     static std::optional<ReadStatus> refuseRead(const FcpFacts &board, RegisterId id);
+    static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(const fcp::Reply &reply);
 };
 

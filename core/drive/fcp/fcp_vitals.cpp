@@ -30,7 +30,7 @@ std::string nameOf(std::int64_t number)
 
 } // namespace
 
-std::vector<StateStep> fcpStateSteps() { return namedSteps(kSteps, nameOf); }
+std::vector<StateStep> FcpProtocol::stateSteps() { return namedSteps(kSteps, nameOf); }
 
 std::vector<RegisterId> FcpVitals::idsToRead()
 {

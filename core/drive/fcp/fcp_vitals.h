@@ -15,7 +15,4 @@ private:
     std::optional<MotorStatus> statusOf(int motor) const override;
 };
 
-/// The states of a run in their order, by the names that the statuses carry.
-std::vector<StateStep> fcpStateSteps();
-
 } // namespace drive

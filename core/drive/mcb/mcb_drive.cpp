@@ -85,7 +85,7 @@ private:
     void on(const Link::Back &event, TimePoint now);
     void on(const Link::Lost &event, TimePoint now);
     void beginAnew(LinkReason reason, TimePoint now);
-    void onIdentified(TimePoint now) override;
+    void onIdentified(TimePoint) override { streamAgain(); }
     void identifyAnew() override { m_identification.restart(); }
     void onStatuses(const std::vector<MotorStatus> &statuses) override;
     bool connected() const override
@@ -233,16 +233,6 @@ void McbDrive::on(const Link::Lost &event, TimePoint now)
     endSetPoints();
     if (m_stop.blind(now))
         m_reconnectAt = now + StopSequence::kRepeat;
-}
-
-void McbDrive::onIdentified(TimePoint now)
-{
-    m_board.capabilities = mcbCapabilitiesOf(m_board);
-    m_events.emplace_back(Identified{m_identification.identity(), m_board.catalog, m_board.limits,
-        m_board.streaming, m_board.capabilities, mcb::kConfigFrameBytes, mcb::kConfigFrameBytes,
-        mcb::kMostFrameBytes, mcbStateSteps()});
-    m_vitals.hurry(now);
-    streamAgain();
 }
 
 void McbDrive::streamAgain()

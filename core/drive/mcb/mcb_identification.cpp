@@ -37,31 +37,8 @@ constexpr std::array kStates{
     StateRow{0x4F, 0x08, {MotorState::FaultOver, "FAULT", 0x08}},
 };
 
-} // namespace
-
-McbState mcbStateOf(std::uint16_t statusWord)
-{
-    for (const StateRow &row : kStates)
-        if ((statusWord & row.mask) == row.bits)
-            return row.state;
-    return {MotorState::Unknown, "UNKNOWN", statusWord & 0x6F};
-}
-
-std::vector<StateStep> mcbStateSteps()
-{
-    std::vector<StateStep> steps;
-    for (const StateRow &row : kStates) {
-        if (row.state.state == MotorState::Unknown)
-            continue;
-        if (!steps.empty() && steps.back().state == row.state.state)
-            steps.back().names.emplace_back(row.state.name);
-        else
-            steps.push_back({row.state.state, {std::string(row.state.name)}});
-    }
-    return steps;
-}
-
-std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board)
+/// What a drive can do.
+std::vector<Capability> capabilitiesOf(const McbFacts &board)
 {
     using namespace mcbreg;
     std::vector<Capability> all;
@@ -100,6 +77,30 @@ std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board)
     return all;
 }
 
+} // namespace
+
+McbState mcbStateOf(std::uint16_t statusWord)
+{
+    for (const StateRow &row : kStates)
+        if ((statusWord & row.mask) == row.bits)
+            return row.state;
+    return {MotorState::Unknown, "UNKNOWN", statusWord & 0x6F};
+}
+
+std::vector<StateStep> McbProtocol::stateSteps()
+{
+    std::vector<StateStep> steps;
+    for (const StateRow &row : kStates) {
+        if (row.state.state == MotorState::Unknown)
+            continue;
+        if (!steps.empty() && steps.back().state == row.state.state)
+            steps.back().names.emplace_back(row.state.name);
+        else
+            steps.push_back({row.state.state, {std::string(row.state.name)}});
+    }
+    return steps;
+}
+
 void McbIdentification::restart()
 {
     m_phase = Phase::Infos;
@@ -109,8 +110,7 @@ void McbIdentification::restart()
     m_words.clear();
     m_infos.clear();
     m_losses = 0;
-    m_identity = {};
-    m_news = false;
+    m_board.identity = {};
     m_board.identified = false;
 }
 
@@ -199,7 +199,6 @@ std::string McbIdentification::textAt(std::uint16_t address) const
 
 void McbIdentification::finish()
 {
-    m_phase = Phase::Done;
     findTextOrder();
     m_board.motors = 1;
     m_board.catalog = mcbCatalogOf(m_board.infos);
@@ -231,18 +230,19 @@ void McbIdentification::finish()
         m_board.streaming.linkBytesPerSecond = kExchangeHz * mcb::kMostFrameBytes;
     }
 
-    m_identity.protocol = "MCB over SPI";
-    m_identity.firmware = "product 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kProduct)), 8)
+    Identity &identity = m_board.identity;
+    identity.protocol = "MCB over SPI";
+    identity.firmware = "product 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kProduct)), 8)
         + ", revision 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kRevision)), 8);
-    m_identity.version = textAt(mcbreg::kVersion);
-    m_identity.controlBoard = "vendor 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kVendor)), 8)
+    identity.version = textAt(mcbreg::kVersion);
+    identity.controlBoard = "vendor 0x" + hexDigits(std::uint64_t(numberAt(mcbreg::kVendor)), 8)
         + ", serial number " + std::to_string(std::uint64_t(numberAt(mcbreg::kSerial)));
-    m_identity.motors = 1;
-    m_identity.motorNames = {""};
-    m_identity.powerBoards = {""};
-    m_identity.knownFirmware = m_board.knownFirmware;
+    identity.motorNames = {""};
+    identity.powerBoards = {""};
+    m_board.requestBytes = m_board.responseBytes = mcb::kConfigFrameBytes;
+    m_board.streamBytes = mcb::kMostFrameBytes;
+    m_board.capabilities = capabilitiesOf(m_board);
     m_board.identified = true;
-    m_news = true;
 }
 
 } // namespace drive

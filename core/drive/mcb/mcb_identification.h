@@ -17,17 +17,13 @@ public:
     }
 
     void restart();
-    bool done() const { return m_phase == Phase::Done; }
-    const Identity &identity() const { return m_identity; }
-    /// True once after each identification that has come to its end.
-    bool takeNews() { return std::exchange(m_news, false); }
 
     std::optional<McbRequest> nextRequest(TimePoint now) override;
     void onResponse(const McbAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    enum class Phase : std::uint8_t { Infos, Values, Done };
+    enum class Phase : std::uint8_t { Infos, Values };
     void next();
     void finish();
     void findTextOrder();
@@ -41,12 +37,7 @@ private:
     std::map<std::uint16_t, mcb::Words> m_words;
     std::map<std::uint16_t, mcb::Info> m_infos;
     int m_losses = 0; ///< answers that never came, of the register in hand
-    Identity m_identity;
-    bool m_news = false;
 };
-
-/// What a drive that was identified can do.
-std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);
 
 /// Names of the states of DS402, from the bits of the status word.
 struct McbState {
@@ -55,6 +46,5 @@ struct McbState {
     std::int64_t bits = 0; ///< of the status word that make it
 };
 McbState mcbStateOf(std::uint16_t statusWord);
-std::vector<StateStep> mcbStateSteps();
 
 } // namespace drive

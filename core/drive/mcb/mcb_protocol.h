@@ -76,6 +76,7 @@ struct McbProtocol {
     using Writes = McbWriteTask;
     static constexpr int kAttempts = 1;
     static std::optional<ReadStatus> refuseRead(const McbFacts &board, RegisterId id);
+    static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(const McbAnswer &answer);
 };
 

@@ -102,7 +102,6 @@ private:
     void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
     void on(const Link::Async &event, TimePoint) { m_stream.receive(event.payload, event.at); }
     void onIdentified(TimePoint now) override;
-    void tellIdentity();
     bool connected() const override { return m_link.state() == Link::State::Connected; }
     bool recovering() const override { return m_link.state() == Link::State::Recovering; }
     LinkCounters counters() const override;
@@ -176,13 +175,13 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
     m_memory.agreed = event.agreed;
     if (event.afterReset)
         disarm();
-    m_board.requestBytes = event.agreed.rxMax();
-    m_board.responseBytes = event.agreed.txSyncMax();
-    m_board.streamBytes = event.agreed.txAsyncMax();
     m_board.linkId = m_link.linkId();
     m_heartbeat.restart(now);
     m_stream.connected();
     meet(event.afterReset ? LinkReason::BoardReset : LinkReason::None, now);
+    m_board.requestBytes = event.agreed.rxMax();
+    m_board.responseBytes = event.agreed.txSyncMax();
+    m_board.streamBytes = event.agreed.txAsyncMax();
 }
 
 void McpDrive::on(const Link::Response &event, TimePoint now)
@@ -196,20 +195,9 @@ void McpDrive::on(const Link::Response &event, TimePoint now)
         onStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
 }
 
-void McpDrive::tellIdentity()
-{
-    Identified event{m_identification.identity(), m_board.catalog, m_board.limits,
-        m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
-        m_board.streamBytes, stateSteps()};
-    event.identity.watchdog = m_board.watchdog;
-    m_events.emplace_back(std::move(event));
-}
-
-void McpDrive::onIdentified(TimePoint now)
+void McpDrive::onIdentified(TimePoint)
 {
     m_stream.restart();
-    tellIdentity();
-    m_vitals.hurry(now); // now the speed can be read too
     if (m_stream.wanted() && m_mode == Mode::Open)
         m_wishes.addFirst(std::make_unique<StreamTask>(0, m_stream.wish(), m_stream));
 }
@@ -218,8 +206,8 @@ void McpDrive::prepare(TimePoint now)
 {
     m_stream.handleTimeout(now);
     if (m_heartbeat.takeGivenUp()) {
-        m_board.watchdog.reset();
-        tellIdentity();
+        m_board.identity.watchdog.reset();
+        tellIdentified();
     }
     m_heartbeat.setWanted(!m_stop.active() && armed());
 }
@@ -257,10 +245,7 @@ bool McpDrive::sendFirst(TimePoint now)
         else if (give(m_vitals, now))
             return true;
     }
-    if (m_identification.done())
-        return give(m_heartbeat, now);
-    give(m_identification, now);
-    return true;
+    return TaskDrive::sendFirst(now) || give(m_heartbeat, now);
 }
 
 bool McpDrive::send(const McpRequest &request, WishTask<McpProtocol> *wish, TimePoint now)

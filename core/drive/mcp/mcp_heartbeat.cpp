@@ -31,7 +31,7 @@ std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareNam
 
 std::optional<TimePoint> Heartbeat::due() const
 {
-    const bool asked = m_wanted && m_board.identified && m_board.watchdog;
+    const bool asked = m_wanted && m_board.identified && m_board.identity.watchdog;
     return asked && m_refused < kRefusals ? std::optional<TimePoint>(m_due) : std::nullopt;
 }
 
@@ -40,9 +40,9 @@ std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
     const auto at = due();
     if (!at || now < *at)
         return std::nullopt;
-    m_due = now + *m_board.watchdog / 3;
+    m_due = now + *m_board.identity.watchdog / 3;
     return McpAct{kCommand, kMotor,
-        ByteWriter().u16(static_cast<std::uint32_t>(m_board.watchdog->count())).take()};
+        ByteWriter().u16(static_cast<std::uint32_t>(m_board.identity.watchdog->count())).take()};
 }
 
 void Heartbeat::onResponse(const ByteView &response, TimePoint)

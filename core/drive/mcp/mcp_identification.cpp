@@ -56,16 +56,13 @@ void Identification::restart()
     m_values.clear();
     m_doubtful.clear();
     m_rounds = 0;
-    m_identity = {};
     m_global = {};
     m_sizesKnown = true;
-    m_news = false;
     m_stopLosses = 0;
     m_board.forget();
     m_board.structureSizes.clear();
     m_board.hso = false;
     m_board.version = 0;
-    m_board.watchdog.reset();
     m_unanswered = {mcp::reg::kGlobalConfig.bits};
     m_reader.start({mcp::reg::kGlobalConfig.bits});
 }
@@ -182,6 +179,7 @@ std::optional<T> Identification::structure(
 
 void Identification::finish()
 {
+    Identity &identity = m_board.identity;
     std::vector<MotorDescription> motors;
     for (int motor = 1; motor <= m_board.motors; ++motor) {
         MotorDescription found;
@@ -190,9 +188,9 @@ void Identification::finish()
             structure(mcp::decodeApplicationConfig, mcp::reg::kApplicationConfig, motor);
         found.firmware = structure(mcp::decodeFirmwareConfig, mcp::reg::kFocFwConfig, motor);
         found.scale = structure(mcp::decodeScaleConfig, mcp::reg::kScaleConfig, motor);
-        m_identity.powerBoards.push_back(text(mcp::reg::kPwrStageName, motor));
-        m_identity.motorNames.push_back(text(mcp::reg::kMotorName, motor));
-        if (std::string &name = m_identity.motorNames.back(); name.empty() && found.motor)
+        identity.powerBoards.push_back(text(mcp::reg::kPwrStageName, motor));
+        identity.motorNames.push_back(text(mcp::reg::kMotorName, motor));
+        if (std::string &name = identity.motorNames.back(); name.empty() && found.motor)
             name = found.motor->name;
         motors.push_back(std::move(found));
     }
@@ -205,8 +203,6 @@ void Identification::finish()
     m_board.hso = first && !first->sixStep
         && (first->primarySensor == kSensorHso || first->primarySensor == kSensorZest);
 
-    m_board.scales.clear();
-    m_board.limits.clear();
     for (const MotorDescription &motor : motors) {
         m_board.scales.push_back(
             m_board.knownFirmware ? scalesOf(motor, m_board.version) : catalog::Scales{});
@@ -226,20 +222,15 @@ void Identification::finish()
     m_board.catalog = std::make_shared<const catalog::Catalog>(
         std::move(registers), m_board.motors, m_board.scales);
     m_board.capabilities = capabilitiesOf(m_board, motors.front());
-    m_board.identified = true;
 
-    m_identity.version = versionText(m_board.version);
-    m_identity.protocol = "MCP over ASPEP " + m_identity.version;
-    m_identity.firmware = text(mcp::reg::kFwName, 0);
-    m_identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
-    m_board.watchdog = m_identity.watchdog = watchdogIn(m_identity.firmware);
-    m_identity.speedSignals.clear();
+    identity.version = versionText(m_board.version);
+    identity.protocol = "MCP over ASPEP " + identity.version;
+    identity.firmware = text(mcp::reg::kFwName, 0);
+    identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
+    identity.watchdog = watchdogIn(identity.firmware);
     for (const MotorDescription &motor : motors)
-        m_identity.speedSignals.push_back(speedSignalOf(motor, *m_board.catalog));
-    m_identity.motors = m_board.motors;
-    m_identity.knownFirmware = m_board.knownFirmware;
-    m_phase = Phase::Done;
-    m_news = true;
+        identity.speedSignals.push_back(speedSignalOf(motor, *m_board.catalog));
+    m_board.identified = true;
 }
 
 } // namespace drive

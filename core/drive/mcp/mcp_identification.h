@@ -23,20 +23,16 @@ public:
     {
     }
 
-    enum class Phase : std::uint8_t { Count, States, StopDatalog, Describe, Done };
+    enum class Phase : std::uint8_t { Count, States, StopDatalog, Describe };
 
     void restart();
     Phase phase() const { return m_phase; }
-    bool done() const { return m_phase == Phase::Done; }
     /// The state of every motor has been read (not by this task): go on from Phase::States.
     void statesRead()
     {
         if (m_phase == Phase::States)
             m_phase = Phase::StopDatalog;
     }
-    const Identity &identity() const { return m_identity; }
-    /// True once after each identification that has come to its end.
-    bool takeNews() { return std::exchange(m_news, false); }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
@@ -62,9 +58,7 @@ private:
     std::set<RegisterId> m_unanswered; ///< asked for, and the answers were lost
     int m_rounds = 0;
     mcp::GlobalConfig m_global;
-    Identity m_identity;
     bool m_sizesKnown = true;
-    bool m_news = false;
     int m_stopLosses = 0;
 };
 

@@ -28,14 +28,11 @@ namespace drive {
 struct McpFacts : BoardFacts {
     bool hso = false; ///< register family: HSO/ZeST instead of the standard one
     std::uint32_t version = 0; ///< 0xMMmmpp
-    std::optional<std::chrono::milliseconds> watchdog; ///< what its name promises
 
     std::map<RegisterId, std::size_t> structureSizes; ///< as read twice when it was met
 
     std::uint32_t baud = 1843200;
     std::uint8_t linkId = 0; ///< decides which datalog register is ours
-    std::size_t requestBytes = 32, responseBytes = 32,
-                streamBytes = 0; ///< negotiated payload sizes
 };
 
 class Identification;
@@ -76,6 +73,7 @@ struct McpProtocol {
     using Writes = McpWriteTask;
     using Reads = McpReads;
     static constexpr int kAttempts = 4;
+    static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(ByteView response);
     static std::optional<ReadStatus> refuseRead(const McpFacts &board, RegisterId id);
 };

@@ -25,7 +25,8 @@ constexpr double kLeastBytesPerSecond =
 
 } // namespace
 
-std::vector<StateStep> stateSteps()
+/// Those before the start, and those that are rare, share a step.
+std::vector<StateStep> McpProtocol::stateSteps()
 {
     return namedSteps(
         kSteps, [](std::int64_t number) { return catalog::valueName("STATUS", number); });

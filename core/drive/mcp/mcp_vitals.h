@@ -17,9 +17,6 @@ private:
     std::optional<MotorStatus> statusOf(int motor) const override;
 };
 
-/// The states of a run in their order; those before the start, and those that are rare, share a step.
-std::vector<StateStep> stateSteps();
-
 /// Watched registers beside a stream: a round leaves the line the time that stream and commands need.
 class McpWatch final : public RegisterWatch<McpProtocol> {
 public:

@@ -98,6 +98,7 @@ struct Protocol {
     {
         return board.catalog->find(id) ? std::nullopt : std::optional(ReadStatus::NotSupported);
     }
+    static std::vector<StateStep> stateSteps() { return {}; }
     static AnswerEnd endIn(const Frame &answer)
     {
         return answer.kind == 'N' ? AnswerEnd{Outcome::Refused, "no"} : AnswerEnd{};
@@ -128,9 +129,7 @@ public:
         : m_board(board)
     {
     }
-    void restart() { m_done = m_board.identified = false; }
-    bool done() const { return m_done; }
-    bool takeNews() { return std::exchange(m_news, false); }
+    void restart() { m_board.identified = false; }
 
     std::optional<Frame> nextRequest(TimePoint) override { return Frame{'R', MaxSpeed, 0}; }
     void onNoResponse(std::optional<bool>, TimePoint) override { }
@@ -150,13 +149,14 @@ public:
         m_board.catalog = std::make_shared<const catalog::Catalog>(
             std::move(registers), 1, std::vector<catalog::Scales>{{}});
         m_board.limits = {{double(answer.value), 1.0, 1.0}};
+        m_board.identity.protocol = "toy";
+        m_board.capabilities = ableTo(
+            {Feature::Start, Feature::Stop, Feature::SpeedRamp, Feature::WriteRegisters}, "no");
         m_board.motorsCounted = m_board.knownFirmware = m_board.identified = true;
-        m_done = m_news = true;
     }
 
 private:
     BoardFacts &m_board;
-    bool m_done = false, m_news = false;
 };
 
 class States : public Vitals<Protocol> {
@@ -264,14 +264,6 @@ private:
                 onStopAnswer(event.what == Link::What::Answer, now);
             }
         }
-    }
-    void onIdentified(TimePoint) override
-    {
-        m_board.capabilities = ableTo(
-            {Feature::Start, Feature::Stop, Feature::SpeedRamp, Feature::WriteRegisters}, "no");
-        Identified event{{}, m_board.catalog, m_board.limits, {}, m_board.capabilities};
-        event.identity.protocol = "toy";
-        m_events.emplace_back(std::move(event));
     }
     bool connected() const override { return m_link.met(); }
     bool send(const Frame &request, WishTask<Protocol> *wish, TimePoint now) override

@@ -15,7 +15,7 @@ private Q_SLOTS:
     void everyNamedStateIsInOneStep()
     {
         std::set<std::string> seen;
-        for (const StateStep &step : stateSteps()) {
+        for (const StateStep &step : McpProtocol::stateSteps()) {
             QVERIFY(step.state != MotorState::Unknown);
             QVERIFY(!step.names.empty());
             for (const std::string &name : step.names)
