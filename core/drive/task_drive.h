@@ -69,7 +69,7 @@ protected:
     virtual bool send(const Request &request, WishTask<P> *wish, TimePoint now) = 0;
     /// A link that holds requests back gives this one up if it has not left. @return  whether it had not
     virtual bool recall(TimePoint) { return false; }
-    virtual void sendStop(TimePoint now) = 0; ///< if one is due and may leave
+    virtual void sendStop(int motor, TimePoint now) = 0; ///< one that is due and may leave
     virtual void closeLink() = 0;
 
     // What it may bring.
@@ -119,9 +119,12 @@ protected:
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     /// Sends the next request of the task; false: it has nothing to ask now.
     bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);
-    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
+    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once. Without one it is
+    /// that to the STOP that is under way.
     void passAnswer(const Answer &answer, TimePoint now)
     {
+        if (m_task == nullptr)
+            return onStopAnswer(P::endIn(answer).outcome == Outcome::Ok, now);
         m_task->onResponse(answer, now);
         if (m_task == &m_watch)
             m_board.lately.take(m_watch.readings(), m_askedAt);
@@ -439,8 +442,9 @@ void TaskDrive<P>::work(TimePoint now)
     prepare(now);
     if constexpr (requires { m_watch.setAtRest(true); })
         m_watch.setAtRest(atRest());
-    if (followStop(now))
-        sendStop(now);
+    if (followStop(now) && now >= stopMayLeave())
+        if (const auto motor = m_stop.stopDue(now, connected()))
+            sendStop(*motor, now);
     if (linkIsFree())
         sendNext(now);
     collect(now);

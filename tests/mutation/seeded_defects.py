@@ -75,7 +75,7 @@ DEFECTS = [
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
         ("core/drive/stop_sequence.cpp", "{ return rests(status.state) || ", "{ return rests(status.state) || status.state == MotorState::Running || ")]),
     ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
-        ("core/drive/fcp/fcp_drive.cpp", "request = stopOf(*motor);", "request = stopOf(*motor & 0);")]),
+        ("core/drive/fcp/fcp_drive.cpp", "request = stopOf(motor);", "request = stopOf(motor & 0);")]),
     ("late wishes are sent", "tst_late_wishes", "asked for", [
         ("core/drive/task.h", "return m_fresh + kWishExpiresAfter;", "return m_fresh + 100 * kWishExpiresAfter;")]),
     ("a restore writes what moves a motor", "tst_what_may_be_written", "asked for", [

@@ -54,7 +54,11 @@ private:
             std::visit([&](const auto &what) { on(what, now); }, event);
     }
     void on(const Link::Connected &event, TimePoint now);
-    void on(const Link::Answer &event, TimePoint now);
+    void on(const Link::Answer &event, TimePoint now)
+    {
+        m_suspect = false;
+        passAnswer(event.reply, now);
+    }
     void on(const Link::NoAnswer &event, TimePoint now)
     {
         if (m_task != nullptr)
@@ -78,7 +82,7 @@ private:
         m_link.setMotorDriven(m_vitals.motorDriven());
     }
     bool send(const fcp::Request &request, WishTask<FcpProtocol> *wish, TimePoint now) override;
-    void sendStop(TimePoint now) override;
+    void sendStop(int motor, TimePoint now) override;
     TimePoint stopMayLeave() const override;
     void closeLink() override { m_link.close(); }
 
@@ -103,15 +107,6 @@ void FcpDrive::on(const Link::Connected &event, TimePoint now)
     m_reidentify = false;
     meet(std::exchange(m_restarted, false) ? LinkReason::BoardReset : LinkReason::None, now,
         event.board);
-}
-
-void FcpDrive::on(const Link::Answer &event, TimePoint now)
-{
-    m_suspect = false;
-    if (m_task != nullptr)
-        passAnswer(event.reply, now);
-    else
-        onStopAnswer(std::holds_alternative<fcp::Ack>(event.reply), now);
 }
 
 /// Whatever was known of it is void, and this board is not armed.
@@ -183,18 +178,13 @@ TimePoint FcpDrive::stopMayLeave() const
     return m_link.canSend() ? TimePoint{} : m_stopSince + kBetweenBlind;
 }
 
-void FcpDrive::sendStop(TimePoint now)
+void FcpDrive::sendStop(int motor, TimePoint now)
 {
-    if (now < stopMayLeave())
-        return;
-    const auto motor = m_stop.stopDue(now, connected());
-    if (!motor)
-        return;
     const bool clean = m_link.canSend() || m_link.state() == Link::State::Waiting;
-    m_stopMotor = *motor;
+    m_stopMotor = motor;
     m_stopSince = now;
-    const fcp::Request request = stopOf(*motor);
-    noteStop(*motor, fcp::encodeRequest(request).value_or(Bytes()), now);
+    const fcp::Request request = stopOf(motor);
+    noteStop(motor, fcp::encodeRequest(request).value_or(Bytes()), now);
     m_stopUnderWay = clean;
     m_link.sendUrgent(request, now);
     onLinkEvents(now);

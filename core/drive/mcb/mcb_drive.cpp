@@ -105,7 +105,7 @@ private:
         onLinkEvents(now);
         return recalled;
     }
-    void sendStop(TimePoint now) override;
+    void sendStop(int motor, TimePoint now) override;
     std::optional<TimePoint> nextStop() const override;
     bool travels(const Link::Request &request) const;
     Bytes frameWith(const Link::Request &request) const;
@@ -296,10 +296,8 @@ std::optional<TimePoint> McbDrive::nextStop() const
     return next;
 }
 
-void McbDrive::sendStop(TimePoint now)
+void McbDrive::sendStop(int motor, TimePoint now)
 {
-    if (now < stopMayLeave() || !m_stop.stopDue(now, connected()))
-        return;
     if (connected() && !m_link.canSend()) {
         m_link.cancel(now);
         onLinkEvents(now);
@@ -312,7 +310,7 @@ void McbDrive::sendStop(TimePoint now)
     if (!blind && !m_link.canSend())
         return; // the length of frames is changing: in a moment it is known
     const Link::Request stop{mcb::Command::Write, mcbreg::kControl, {kShutdown}};
-    noteStop(1, mcbChanges(stop), now);
+    noteStop(motor, mcbChanges(stop), now);
     m_stopSince = now;
     m_stopUnderWay = !blind;
     if (!blind)

@@ -110,7 +110,7 @@ private:
     void prepare(TimePoint now) override;
     bool sendFirst(TimePoint now) override;
     bool send(const McpRequest &request, WishTask<McpProtocol> *wish, TimePoint now) override;
-    void sendStop(TimePoint now) override;
+    void sendStop(int motor, TimePoint now) override;
     TimePoint stopMayLeave() const override
     {
         if (m_link.urgentWaits())
@@ -189,10 +189,7 @@ void McpDrive::on(const Link::Response &event, TimePoint now)
     if (m_task == &m_identification
         && m_identification.phase() == Identification::Phase::StopDatalog)
         m_stream.stopSent();
-    if (m_task != nullptr)
-        passAnswer(event.payload, now);
-    else
-        onStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
+    passAnswer(event.payload, now);
 }
 
 void McpDrive::onIdentified(TimePoint)
@@ -220,19 +217,16 @@ std::vector<Output> McpDrive::stopScript() const
     return m_link.blindScript(stops);
 }
 
-void McpDrive::sendStop(TimePoint now)
+void McpDrive::sendStop(int motor, TimePoint now)
 {
-    if (now < stopMayLeave())
-        return;
-    const auto motor = m_stop.stopDue(now, connected());
-    const Bytes request = stopOf(motor.value_or(0));
+    const Bytes request = stopOf(motor);
     if (request.empty())
         return;
-    noteStop(*motor, request, now);
+    noteStop(motor, request, now);
     m_link.sendUrgent(request, now);
     onLinkEvents(now); // the end of what was open before, perhaps of the last STOP
     m_stopUnderWay = true;
-    m_stopMotor = *motor;
+    m_stopMotor = motor;
     m_stopSince = now;
 }
 

@@ -273,13 +273,11 @@ private:
         m_link.send(request, now);
         return true;
     }
-    void sendStop(TimePoint now) override
+    void sendStop(int motor, TimePoint now) override
     {
-        if (now < stopMayLeave() || !m_stop.stopDue(now, connected()))
-            return;
         if (m_task != nullptr)
             passLoss(std::nullopt, now); // whatever comes, the STOP has overtaken it
-        noteStop(1, encode(kStop), now);
+        noteStop(motor, encode(kStop), now);
         m_stopUnderWay = connected();
         m_stopSince = now;
         m_link.send(kStop, now);
