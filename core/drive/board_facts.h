@@ -61,6 +61,16 @@ struct BoardFacts {
 
     bool hasMotor(int motor) const { return motor >= 1 && motor <= motors; }
 
+    /// Why this register is not there; empty if it is.
+    std::string reasonWithout(RegisterId id) const
+    {
+        const auto *info = catalog->find(id);
+        return info == nullptr                                  ? "no such register"
+            : info->perMotor && !hasMotor(catalog->motorOf(id)) ? "no such motor"
+            : missing.contains(id)                              ? "this motor does not have it"
+                                                                : "";
+    }
+
     MotorLimits limitsOf(int motor) const { return of(motor, limits); }
 
     MotionBounds boundsOf(int motor) const

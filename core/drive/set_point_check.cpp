@@ -3,6 +3,8 @@
 #include "base/overloaded.h"
 #include "base/text.h"
 #include "drive/values.h"
+#include "motor/ramp.h"
+#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,8 @@ namespace drive {
 namespace {
 
 constexpr double kGreatestDigits = 32767.0;
+constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radian there
+constexpr double kShortest_s = 0.001, kLongest_s = 65.535;
 
 double roundedDigits(const BoardFacts &board, int motor, double amps)
 {
@@ -32,10 +36,21 @@ std::string unknown(const std::string &what, int motor)
         + "; to move it all the same takes " + kExpertMode;
 }
 
-std::string beyond(double bound, std::string_view unit, bool own)
+struct Bound {
+    const char *quantity, *unit;
+    double most, own; ///< own: the user's limit
+};
+
+std::string refuseBeyond(const Bound &bound, int motor, double value)
 {
-    return "beyond " + std::string(own ? "your own limit of " : "the limit of ")
-        + shortNumber(bound) + std::string(unit);
+    if (!std::isfinite(value))
+        return "not a finite number";
+    if (!(bound.most > 0.0))
+        return unknown(bound.quantity, motor);
+    if (std::abs(value) > bound.most)
+        return "beyond " + std::string(bound.most == bound.own ? "your own" : "the") + " limit of "
+            + shortNumber(bound.most) + bound.unit;
+    return {};
 }
 
 } // namespace
@@ -71,26 +86,14 @@ std::string refuseCommand(const BoardFacts &board, const Command &command)
 
 std::string refuseSpeed(const BoardFacts &board, int motor, double rpm)
 {
-    const double bound = board.boundsOf(motor).rpm;
-    if (!std::isfinite(rpm))
-        return "not a finite number";
-    if (!(bound > 0.0))
-        return unknown("speed limit", motor);
-    if (std::abs(rpm) > bound)
-        return beyond(bound, " rpm", bound == board.user.maxSpeedRpm);
-    return {};
+    const double most = board.boundsOf(motor).rpm;
+    return refuseBeyond({"speed limit", " rpm", most, board.user.maxSpeedRpm}, motor, rpm);
 }
 
 std::string refuseCurrent(const BoardFacts &board, int motor, double amps)
 {
-    const double bound = board.boundsOf(motor).amps;
-    if (!std::isfinite(amps))
-        return "not a finite number";
-    if (!(bound > 0.0))
-        return unknown("current limit", motor);
-    if (std::abs(amps) > bound)
-        return beyond(bound, " A", bound == board.user.maxCurrentAmps);
-    return {};
+    const double most = board.boundsOf(motor).amps;
+    return refuseBeyond({"current limit", " A", most, board.user.maxCurrentAmps}, motor, amps);
 }
 
 std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
@@ -99,6 +102,42 @@ std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
         return why;
     return std::abs(rpm) > kGreatestWireRpm ? "beyond the 32767 rpm that this protocol can hold"
                                             : "";
+}
+
+std::string refuseStages(const BoardFacts &board, int motor, ByteView raw)
+{
+    const auto stages = motor::revUpOfBytes(raw);
+    const double amps = board.ampsPerDigit(motor); // 0: six-step, whose stages hold no current
+    if (!stages)
+        return {};
+    for (const motor::RevUpStage &stage : *stages) {
+        if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
+            return why;
+        if (amps > 0.0)
+            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
+                return why;
+    }
+    return {};
+}
+
+std::string refusePosition(const BoardFacts &board, int motor, const Move &wanted)
+{
+    constexpr double kRounding = 1e-6; // of a float
+    if (auto why = board.reasonAgainst(Feature::PositionRamp); !why.empty())
+        return why;
+    if (!(std::abs(wanted.radians) <= kFarthest_rad))
+        return "an angle is at most 10000 rad";
+    // Without a time firmware follows at once, however far it is.
+    if (!(wanted.seconds >= kShortest_s - kRounding && wanted.seconds <= kLongest_s + kRounding))
+        return "a move lasts 1 to 65535 ms";
+    return refuseSpeed(board, motor, 0.0); // a limit that is not known
+}
+
+std::string refuseWay(const BoardFacts &board, int motor, const Move &wanted, double position_rad)
+{
+    const double rpm = motor::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
+    const std::string why = refuseSpeed(board, motor, rpm);
+    return why.empty() ? why : "the speed on the way is " + why;
 }
 
 std::optional<SetPoint> setPointOf(const Wish &wish)

@@ -38,6 +38,18 @@ std::string refuseCurrent(const BoardFacts &board, int motor, double amps);
 /// Why this speed must not be asked for by a protocol that holds 16 bits of rpm; empty if it may.
 std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
 
+/// Why stages of a start-up are beyond what the user allows or a protocol of 16 bits can hold; empty if they are not.
+std::string refuseStages(const BoardFacts &board, int motor, ByteView raw);
+
+/// Where a position ramp goes.
+struct Move {
+    double radians = 0.0, seconds = 0.0;
+};
+/// Why the shaft must not go there, wherever it is now; empty if it may.
+std::string refusePosition(const BoardFacts &board, int motor, const Move &wanted);
+/// The same from where it is, because of the speed on the way.
+std::string refuseWay(const BoardFacts &board, int motor, const Move &wanted, double position_rad);
+
 /// A speed ramp, torque ramp or current reference, as protocols have it that hold whole rpm and currents in 16 bits.
 struct SetPoint {
     Feature feature = Feature::SpeedRamp;

@@ -79,13 +79,11 @@ std::string refuseTorqueControl(const BoardFacts &board)
 std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach,
     ControlMode (*controlOf)(std::int64_t))
 {
+    if (auto why = board.reasonWithout(write.id); !why.empty())
+        return why;
     const RegisterInfo *info = board.catalog->find(write.id);
-    if (info == nullptr)
-        return "no such register";
     if (!info->writable())
         return "cannot be written";
-    if (info->perMotor && !board.hasMotor(board.catalog->motorOf(write.id)))
-        return "no such motor";
     if (auto why = catalog::refuseValue(*info, write.value); !why.empty())
         return why;
     if (auto why = refuseEffect(board, *info, write, reach, controlOf); !why.empty())

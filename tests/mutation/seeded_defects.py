@@ -39,7 +39,7 @@ DEFECTS = [
     ("motor 0", CAMPAIGN, "motors that are there", [
         ("core/mcp/request.cpp", "<< 3 | (motor & 7U);", "<< 3 | (motor & 0U);")]),
     ("speeds beyond the limit", CAMPAIGN, "bounded", [
-        ("core/drive/set_point_check.cpp", "    if (std::abs(rpm) > bound)\n", "    if (std::abs(rpm) > 100 * bound)\n")]),
+        ("core/drive/set_point_check.cpp", "    if (std::abs(value) > bound.most)\n", "    if (std::abs(value) > 100 * bound.most)\n")]),
     ("a second request in flight", "tst_mcp_drive", "one in flight", [
         ("core/aspep/controller.cpp", "    return m_state == State::Connected && m_step == Step::None && !m_urgent;",
          "    return m_state == State::Connected && !m_urgent;"),

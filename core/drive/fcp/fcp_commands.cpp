@@ -21,33 +21,6 @@ std::string refuseTorqueStart(const FcpFacts &board)
         : "";
 }
 
-/// Why the register cannot be asked for; empty if it can.
-std::string refuseAddress(const FcpFacts &board, RegisterId id)
-{
-    const auto *info = board.catalog->find(id);
-    if (info == nullptr)
-        return "no such register";
-    if (info->perMotor && !board.hasMotor(board.catalog->motorOf(id)))
-        return "no such motor";
-    if (board.missing.contains(id))
-        return "this motor does not have it";
-    return {};
-}
-
-/// Beyond what a stage may ask for: its speed, and where the scale is known its current; empty if it is not.
-std::string refuseStages(const FcpFacts &board, int motor, const motor::RevUp &stages)
-{
-    const double amps = board.ampsPerDigit(motor);
-    for (const motor::RevUpStage &stage : stages) {
-        if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
-            return why;
-        if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
-                return why;
-    }
-    return {};
-}
-
 } // namespace
 
 std::string FcpActTask::refuse() const
@@ -65,7 +38,7 @@ std::vector<RegisterId> FcpActTask::needs() const
         return {};
     std::vector<RegisterId> ids{fcpId(kControlMode, m_motor), fcpId(kFinalSpeed, m_motor)};
     const RegisterId stages = kFcpRevUp | static_cast<RegisterId>(m_motor);
-    if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
+    if (m_board.reasonWithout(stages).empty())
         ids.push_back(stages);
     return ids;
 }
@@ -77,8 +50,7 @@ std::string FcpActTask::plan()
         std::string why;
         const auto number = asNumber(reading.value);
         if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
-            if (const auto stages = motor::revUpOfBytes(*raw))
-                why = refuseStages(m_board, m_motor, *stages);
+            why = refuseStages(m_board, m_motor, *raw);
         } else if (number && fcpNumber(reading.id) == kControlMode) {
             if (*number != static_cast<double>(kTorqueModeNumber))
                 continue;
@@ -117,9 +89,9 @@ fcp::Command FcpActTask::encode(const SetPoint &wanted) const
 std::optional<ReadStatus> FcpProtocol::refuseRead(const FcpFacts &board, RegisterId id)
 {
     const auto *info = board.catalog->find(id);
-    const bool readable = info != nullptr && info->readable();
-    return readable && refuseAddress(board, id).empty() ? std::nullopt
-                                                        : std::optional(ReadStatus::NotSupported);
+    return board.reasonWithout(id).empty() && info->readable()
+        ? std::nullopt
+        : std::optional(ReadStatus::NotSupported);
 }
 
 std::string FcpWriteTask::plan(const RegisterWrite &write)
@@ -127,8 +99,6 @@ std::string FcpWriteTask::plan(const RegisterWrite &write)
     const RegisterId id = write.id;
     const int motor = m_board.catalog->motorOf(id);
     const double number = asNumber(write.value).value_or(0.0);
-    if (auto why = refuseAddress(m_board, id); !why.empty())
-        return why;
     if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())
         return why;
     readBefore();
@@ -140,7 +110,7 @@ std::string FcpWriteTask::plan(const RegisterWrite &write)
         std::uint8_t stage = 0;
         for (const auto &[speed_rpm, torque, duration_ms] : *stages)
             this->write({fcpMotor(id), fcp::SetRevUp{stage++, {speed_rpm, torque, duration_ms}}});
-        return refuseStages(m_board, motor, *stages);
+        return refuseStages(m_board, motor, *raw);
     }
     const fcp::Register *which = fcp::findRegister(m_board.dialect, fcpNumber(id));
     if (which == nullptr || which->writeBytes == 0)

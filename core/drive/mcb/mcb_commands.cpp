@@ -22,7 +22,6 @@ constexpr std::uint16_t kModeCurrent = 2, kModeVelocity = 3, kModeProfileVelocit
                         kModeProfilePosition = 20;
 constexpr Duration kStepWithin = 500ms; ///< of the state machine, without a motor that turns
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
-constexpr double kFarthest_rad = 1e4;
 /// Added to the set-points of velocity, Iq and Id.
 constexpr std::array<std::uint16_t, 3> kOffsets{0x07B, 0x07C, 0x07D};
 
@@ -233,21 +232,18 @@ std::string McbActTask::plan(const CurrentReference &reference)
 
 std::string McbActTask::plan(const PositionRamp &ramp)
 {
-    if (auto why = m_board.reasonAgainst(Feature::PositionRamp); !why.empty())
+    const Move wanted{ramp.radians, toSeconds(ramp.duration)};
+    if (auto why = refusePosition(m_board, m_motor, wanted); !why.empty())
         return why;
-    if (!(std::abs(ramp.radians) <= kFarthest_rad))
-        return "an angle is at most 10000 rad";
-    if (ramp.duration.count() < 1 || ramp.duration > kLongestRamp)
-        return "a move lasts 1 to 65535 ms";
     const auto now = valueOf(kPositionNow);
     if (!now)
         return "the drive does not tell where the shaft is";
     const double counts = ramp.radians / kTurn_rad * m_board.countsPerTurn;
-    const double way_rad = ramp.radians - *now / m_board.countsPerTurn * kTurn_rad;
-    const double seconds = std::chrono::duration<double>(ramp.duration).count();
-    const double rpm = std::abs(motor::positionPeakSpeed_rpm(way_rad, seconds));
-    if (auto why = refuseSpeed(m_board, m_motor, rpm); !why.empty())
-        return "the speed on the way is " + why;
+    const double now_rad = *now / m_board.countsPerTurn * kTurn_rad;
+    if (auto why = refuseWay(m_board, m_motor, wanted, now_rad); !why.empty())
+        return why;
+    const double way_rad = ramp.radians - now_rad;
+    const double rpm = std::abs(motor::positionPeakSpeed_rpm(way_rad, wanted.seconds));
     constexpr double kLeast = 1e-3; // turns a second: no drive takes 0 for a profile
     write(kProfileVelocity, std::max(rpm / kSecondsPerMinute, kLeast));
     setMode(kModeProfilePosition, kPosition, static_cast<std::int64_t>(std::llround(counts)));

@@ -63,7 +63,7 @@ class PositionTask final : public ActTask<McpProtocol> {
 public:
     PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board)
         : ActTask(id, ramp, board)
-        , m_wanted{ramp.radians, std::chrono::duration<double>(ramp.duration).count()}
+        , m_wanted{ramp.radians, toSeconds(ramp.duration)}
     {
     }
 
@@ -73,7 +73,7 @@ private:
     std::string unread() const override { return "the board does not tell where the shaft is"; }
     std::string plan() override;
 
-    RawPosition m_wanted;
+    Move m_wanted;
 };
 
 } // namespace drive

@@ -1,11 +1,8 @@
 #include "drive/mcp/mcp_limits.h"
 
-#include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
-#include "motor/ramp.h"
-#include "motor/rev_up.h"
 
 #include <cmath>
 
@@ -13,8 +10,6 @@ namespace drive {
 
 namespace {
 
-constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radian there
-constexpr double kShortest_s = 0.001, kLongest_s = 65.535;
 constexpr double kGreatestDigits = 32767.0;
 
 std::string refuseDigits(const McpFacts &board, int motor, double digits)
@@ -80,51 +75,12 @@ std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Rea
         : refuseRaw(board, static_cast<std::uint16_t>(info.id), motor, *bytes);
 }
 
-std::string refuseStages(const McpFacts &board, int motor, ByteView raw)
-{
-    const auto stages = motor::revUpOfBytes(raw);
-    const double amps = board.ampsPerDigit(motor); // 0: six-step, whose stages hold no current
-    if (!stages)
-        return {};
-    for (const motor::RevUpStage &stage : *stages) {
-        if (std::abs(static_cast<double>(stage.speed_rpm)) > kGreatestWireRpm)
-            return "beyond the 32767 rpm that this protocol can hold";
-        if (auto why = refuseSpeed(board, motor, stage.speed_rpm); !why.empty())
-            return why;
-        if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
-                return why;
-    }
-    return {};
-}
-
-std::optional<RawPosition> positionIn(const Bytes &bytes)
+std::optional<Move> positionIn(const Bytes &bytes)
 {
     if (bytes.size() != lengthOf(mcp::reg::kPositionRamp.bits))
         return std::nullopt;
     ByteReader reader(bytes);
-    return RawPosition{reader.f32(), reader.f32()};
-}
-
-std::string refusePosition(const McpFacts &board, int motor, const RawPosition &wanted)
-{
-    constexpr double kRounding = 1e-6; // of a float
-    if (auto why = board.reasonAgainst(Feature::PositionRamp); !why.empty())
-        return why;
-    if (!(std::abs(wanted.radians) <= kFarthest_rad))
-        return "an angle is at most 10000 rad";
-    // Without a time the firmware follows at once, however far it is.
-    if (!(wanted.seconds >= kShortest_s - kRounding && wanted.seconds <= kLongest_s + kRounding))
-        return "a move lasts 1 to 65535 ms";
-    return refuseSpeed(board, motor, 0.0); // a limit that is not known
-}
-
-std::string refuseWay(
-    const McpFacts &board, int motor, const RawPosition &wanted, double position_rad)
-{
-    const double rpm = motor::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
-    const std::string why = refuseSpeed(board, motor, rpm);
-    return why.empty() ? why : "the speed on the way is " + why;
+    return Move{reader.f32(), reader.f32()};
 }
 
 } // namespace drive

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drive/mcp/mcp_protocol.h"
+#include "drive/set_point_check.h"
 #include "drive/wish.h"
 
 #include <optional>
@@ -14,21 +15,9 @@ namespace drive {
 /// protocols (drive/write_check.h), and the bytes of raw registers.
 std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Reach reach);
 
-/// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
-std::string refuseStages(const McpFacts &board, int motor, ByteView raw);
-
 constexpr const char *kPosition = "CURRENT_POSITION"; ///< the register of where a shaft is
 
-/// Where a position ramp goes.
-struct RawPosition {
-    double radians = 0.0, seconds = 0.0;
-};
 /// Of POSITION_RAMP; empty if it has another length.
-std::optional<RawPosition> positionIn(const Bytes &bytes);
-/// Why the shaft must not go there, wherever it is now; empty if it may.
-std::string refusePosition(const McpFacts &board, int motor, const RawPosition &wanted);
-/// The same from where it is, because of the speed on the way.
-std::string refuseWay(
-    const McpFacts &board, int motor, const RawPosition &wanted, double position_rad);
+std::optional<Move> positionIn(const Bytes &bytes);
 
 } // namespace drive
