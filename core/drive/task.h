@@ -165,28 +165,4 @@ public:
     using OpenWish::OpenWish;
 };
 
-/// A wish that ends without a question.
-template <class P>
-class EndedTask : public WishTask<P> {
-public:
-    EndedTask(WishId id, Permission permission, Outcome outcome, std::string reason)
-        : WishTask<P>(id, permission)
-        , m_outcome(outcome)
-        , m_reason(std::move(reason))
-    {
-    }
-    std::optional<typename P::Request> nextRequest(TimePoint) override
-    {
-        if (!this->finished())
-            this->end(m_outcome, m_reason);
-        return std::nullopt;
-    }
-    void onResponse(const typename P::Answer &, TimePoint) override { }
-    void onNoResponse(std::optional<bool>, TimePoint) override { }
-
-private:
-    Outcome m_outcome;
-    std::string m_reason;
-};
-
 } // namespace drive

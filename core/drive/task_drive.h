@@ -213,6 +213,7 @@ private:
     template <class Which>
     void cutActing(const std::string &reason, Which which);
     Made make(const Wish &wish);
+    void endMissing(const Wish &wish, TimePoint now);
     void afterTask(TimePoint now);
     bool recallArmed(TimePoint now)
     {
@@ -229,7 +230,7 @@ private:
     TimePoint m_askedAt; ///< when m_task did last
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
     /// Takes the answer that belongs to a wish which has ended meanwhile.
-    EndedTask<P> m_ended{0, Permission::Always, Outcome::Ok, {}};
+    ReadTask<P> m_ended{0, Read{}, m_board};
     std::string m_cutAfterAnswer; ///< why m_wish ends when its answer has come; empty: it goes on
 };
 
@@ -360,7 +361,6 @@ void TaskDrive<P>::cutAllWishes(const std::string &reason)
     m_wishes.collect(m_events, m_workedAt);
 }
 
-/// What is not there is refused with the reason; to end a stream that is not there is no failure.
 template <class P>
 typename TaskDrive<P>::Made TaskDrive<P>::make(const Wish &wish)
 {
@@ -368,17 +368,18 @@ typename TaskDrive<P>::Made TaskDrive<P>::make(const Wish &wish)
         return std::make_unique<ReadTask<P>>(wish.id, *read, m_board);
     if (const auto *write = std::get_if<Write>(&wish.what))
         return std::make_unique<typename P::Writes>(wish.id, *write, m_board);
-    if (Made task = taskFor(wish))
-        return task;
-    const auto feature = featureOf(wish);
+    return taskFor(wish);
+}
+
+/// What is not there is refused with the reason; to end a stream that is not there is no failure.
+template <class P>
+void TaskDrive<P>::endMissing(const Wish &wish, TimePoint now)
+{
     const auto *stream = std::get_if<Stream>(&wish.what);
-    const bool harmless = stream != nullptr || std::holds_alternative<CyclicSetPoints>(wish.what);
-    const bool ends = stream != nullptr && stream->fast.empty() && stream->slow.empty();
-    return std::make_unique<EndedTask<P>>(wish.id,
-        harmless ? Permission::Always : Permission::Armed, ends ? Outcome::Ok : Outcome::Refused,
-        ends          ? ""
-            : feature ? m_board.reasonAgainst(*feature)
-                      : "is not there");
+    if (stream != nullptr && stream->fast.empty() && stream->slow.empty())
+        return endNow(wish, Outcome::Ok, {}, now);
+    const auto feature = featureOf(wish);
+    endNow(wish, Outcome::Refused, feature ? m_board.reasonAgainst(*feature) : "is not there", now);
 }
 
 template <class P>
@@ -387,9 +388,13 @@ void TaskDrive<P>::submit(Wish wish, TimePoint now)
     if (handleAtOnce(wish, now))
         return;
     Made task = make(wish);
-    if (task->permission() == Permission::Armed && !armed())
+    const auto feature = featureOf(wish);
+    const bool records = feature == Feature::Stream || feature == Feature::CyclicSetPoints;
+    if ((task ? task->permission() == Permission::Armed : !records) && !armed())
         return endNow(wish, Outcome::NotSent,
             m_stop.active() ? "stopped; arm again first" : "not armed", now);
+    if (!task)
+        return endMissing(wish, now);
     task->freshen(std::min(wish.madeAt.value_or(now), now));
     if (task->expired(now))
         return endNow(wish, Outcome::NotSent, kTooLate, now);

@@ -90,62 +90,55 @@ void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, Ti
             Ended{wish.id, outcome, std::move(reason), {}, outcome == Outcome::Refused});
 }
 
-void WishDrive::setLimits(const Wish &wish, const UserLimits &limits, TimePoint now)
+std::string WishDrive::take(const UserLimits &limits)
 {
     if (!isPlausible(limits))
-        return endNow(wish, Outcome::Refused, "no limit is like that", now);
+        return "no limit is like that";
     if (std::exchange(m_facts.user, limits) != limits)
         limitsChanged();
-    endNow(wish, Outcome::Ok, {}, now);
+    return {};
 }
 
-void WishDrive::setExpert(const Wish &wish, const ExpertMode &expert, TimePoint now)
+std::string WishDrive::take(const ExpertMode &expert)
 {
     if (!m_facts.identified || !m_facts.hasMotor(expert.motor))
-        return endNow(wish, Outcome::Refused, "there is no such motor", now);
+        return "there is no such motor";
     if (gapsIn(m_facts.limitsOf(expert.motor)).empty())
-        return endNow(wish, Outcome::Refused, "every limit of this motor is known", now);
+        return "every limit of this motor is known";
     m_facts.expert.insert(expert.motor);
-    endNow(wish, Outcome::Ok, {}, now);
+    return {};
 }
 
-void WishDrive::setScale(const Wish &wish, const CurrentScale &scale, TimePoint now)
+std::string WishDrive::take(const CurrentScale &scale)
 {
-    std::string why;
     if (!m_facts.identified || !m_facts.hasMotor(scale.motor))
-        why = "there is no such motor";
-    else if (!isPlausible(scale))
-        why = "no full-scale current is like that";
-    else
-        why = setScale(scale, now);
-    endNow(wish, why.empty() ? Outcome::Ok : Outcome::Refused, why, now);
-}
-
-std::string WishDrive::setScale(const CurrentScale &, TimePoint)
-{
-    return m_facts.reasonAgainst(Feature::CurrentScale);
+        return "there is no such motor";
+    return isPlausible(scale) ? takeScale(scale) : "no full-scale current is like that";
 }
 
 bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
 {
-    if (const auto *watched = std::get_if<Watch>(&wish.what)) {
+    const auto *watched = std::get_if<Watch>(&wish.what);
+    Outcome otherwise = Outcome::Refused; // than Ok, with a reason
+    std::string why;
+    if (watched != nullptr) {
         watch(*watched, now);
-        endNow(wish, Outcome::Ok, {}, now);
-        work(now);
     } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
-        setLimits(wish, *limits, now);
+        why = take(*limits);
     } else if (m_mode != Mode::Open || m_lost
         || (m_toldState == LinkState::Connecting && isOfTheBoard(wish))) {
-        endNow(wish, Outcome::NotSent, "not connected", now);
+        why = "not connected";
+        otherwise = Outcome::NotSent;
     } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
-        setExpert(wish, *expert, now);
+        why = take(*expert);
     } else if (const auto *scale = std::get_if<CurrentScale>(&wish.what)) {
-        setScale(wish, *scale, now);
-    } else if (auto why = refuseAcknowledge(wish); !why.empty()) {
-        endNow(wish, Outcome::Refused, std::move(why), now);
-    } else {
+        why = take(*scale);
+    } else if (why = refuseAcknowledge(wish); why.empty()) {
         return false;
     }
+    endNow(wish, why.empty() ? Outcome::Ok : otherwise, why, now);
+    if (watched != nullptr)
+        work(now);
     return true;
 }
 

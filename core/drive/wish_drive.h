@@ -27,7 +27,10 @@ public:
 
 protected:
     /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
-    virtual std::string setScale(const CurrentScale &scale, TimePoint now);
+    virtual std::string takeScale(const CurrentScale &)
+    {
+        return m_facts.reasonAgainst(Feature::CurrentScale);
+    }
 
     /// What the owner wants of the link.
     enum class Mode : std::uint8_t { Closed, Open, Closing };
@@ -86,9 +89,10 @@ protected:
 
 private:
     std::string refuseAcknowledge(const Wish &wish) const; ///< while the fault is there
-    void setLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
-    void setExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
-    void setScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
+    // Each takes what it is given, or says why not.
+    std::string take(const UserLimits &limits);
+    std::string take(const ExpertMode &expert);
+    std::string take(const CurrentScale &scale);
 
     TimePoint m_stopAsked; ///< by the user
     std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told

@@ -45,7 +45,7 @@ public:
 
 private:
     Made taskFor(const Wish &wish) override;
-    std::string setScale(const CurrentScale &scale, TimePoint now) override;
+    std::string takeScale(const CurrentScale &scale) override;
 
     // what the link tells
     void onLinkEvents(TimePoint now) override
@@ -132,7 +132,7 @@ void FcpDrive::on(const Link::Lost &event, TimePoint now)
 }
 
 /// The board is told anew, so that no units of before are used on; it is asked nothing.
-std::string FcpDrive::setScale(const CurrentScale &scale, TimePoint)
+std::string FcpDrive::takeScale(const CurrentScale &scale)
 {
     if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())
         return why;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/drive/toy_board.h"
+#include "drive/act_task.h"
 #include "drive/drawn_watch.h"
 #include "drive/set_point_check.h"
 #include "drive/stepwise_write.h"
@@ -196,29 +197,25 @@ private:
 };
 
 /// A write that leaves once.
-class Act : public WishTask<Protocol> {
+class Act : public ActTask<Protocol> {
 public:
-    Act(WishId id, Permission permission, Frame frame)
-        : WishTask(id, permission)
+    Act(WishId id, const auto &act, const BoardFacts &board, Frame frame, std::string why = {})
+        : ActTask(id, act, board)
         , m_frame(frame)
+        , m_why(std::move(why))
     {
-    }
-    std::optional<Frame> nextRequest(TimePoint) override
-    {
-        markSent();
-        return m_frame;
-    }
-    void onResponse(const Frame &answer, TimePoint) override
-    {
-        end(answer.kind == 'N' ? Outcome::Refused : Outcome::Ok);
-    }
-    void onNoResponse(std::optional<bool>, TimePoint) override
-    {
-        end(Outcome::Unknown, "no answer");
     }
 
 private:
+    std::string refuse() const override { return m_why; }
+    std::string plan() override
+    {
+        request(m_frame);
+        return {};
+    }
+
     Frame m_frame;
+    std::string m_why;
 };
 
 class ToyDrive final : public TaskDrive<Protocol> {
@@ -232,21 +229,17 @@ public:
 private:
     Made taskFor(const Wish &wish) override
     {
-        const auto act = [&](Permission permission, Frame frame, std::string why = {}) -> Made {
-            if (why.empty())
-                return std::make_unique<Act>(wish.id, permission, frame);
-            return std::make_unique<EndedTask<Protocol>>(
-                wish.id, permission, Outcome::Refused, std::move(why));
+        const auto make = [&](const auto &act, Frame frame, std::string why = {}) -> Made {
+            return std::make_unique<Act>(wish.id, act, m_board, frame, std::move(why));
         };
         if (const auto *ramp = std::get_if<SpeedRamp>(&wish.what))
-            return act(Permission::Armed, {'W', Target, static_cast<std::int16_t>(ramp->rpm)},
+            return make(*ramp, {'W', Target, static_cast<std::int16_t>(ramp->rpm)},
                 refuseSpeed(m_board, ramp->motor, ramp->rpm));
         const auto *command = std::get_if<Command>(&wish.what);
         if (command != nullptr && command->action == MotorAction::Start)
-            return act(Permission::Armed, {'W', Control, toy::Start},
-                refuseStart(m_board, command->motor));
+            return make(*command, {'W', Control, toy::Start}, refuseStart(m_board, command->motor));
         if (command != nullptr && command->action == MotorAction::StopMotor)
-            return act(Permission::Always, kStop);
+            return make(*command, kStop);
         return nullptr;
     }
     void onLinkEvents(TimePoint now) override
