@@ -1,5 +1,7 @@
 #include "drive/motion_caution.h"
 
+#include "drive/set_point_check.h"
+
 #include <cmath>
 
 namespace drive {
@@ -32,18 +34,6 @@ struct Judge {
         if (against || unknown)
             found.push_back(MotionCaution::Reversal);
     }
-    /// @param most  that both set-points were agreed to up to
-    void towards(std::optional<double> from, double to, double limit, double most)
-    {
-        step(from ? std::optional(std::abs(to - *from)) : std::nullopt, limit,
-            from && std::abs(*from) <= most && std::abs(to) <= most);
-        reversal(to);
-    }
-    void noLimit(bool torque)
-    {
-        if (torque && scene.ownSpeedLimitRpm > 0.0)
-            found.push_back(MotionCaution::NoSpeedLimit);
-    }
     void mode(bool torque)
     {
         if (!rests(scene.state) && scene.torqueMode != torque)
@@ -51,55 +41,23 @@ struct Judge {
                 scene.torqueMode ? MotionCaution::OtherMode : MotionCaution::UnknownMode);
     }
 
-    void takesOver()
+    void setPoint(const SetPoint &to)
     {
-        if (scene.experiment)
-            found.push_back(MotionCaution::EndsExperiment);
-    }
-
-    void operator()(const Command &command)
-    {
-        if (command.action != MotorAction::Start)
-            return;
-        if (!scene.startedBefore)
-            found.push_back(MotionCaution::FirstStart);
-        takesOver();
-    }
-    void operator()(const SpeedRamp &ramp)
-    {
-        towards(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm, scene.agreedRpm);
-        mode(false);
-        takesOver();
-    }
-    void operator()(const TorqueRamp &ramp)
-    {
-        towards(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps, scene.agreedAmps);
-        noLimit(ramp.amps != 0.0);
-        mode(true);
-        takesOver();
-    }
-    void operator()(const CurrentReference &reference)
-    {
-        const std::optional<double> iq = scene.iqReferenceAmps, id = scene.idReferenceAmps;
-        const bool known = iq && id;
-        step(known ? std::optional(std::hypot(reference.iqAmps - *iq, reference.idAmps - *id))
+        const bool torque = to.feature != Feature::SpeedRamp;
+        const bool vector = to.feature == Feature::CurrentReference;
+        const auto first = torque ? scene.iqReferenceAmps : scene.speedReferenceRpm;
+        const auto second = vector ? scene.idReferenceAmps : std::optional(0.0);
+        const bool known = first && second;
+        const double agreed = torque ? scene.agreedAmps : scene.agreedRpm;
+        step(known ? std::optional(std::hypot(to.first - *first, to.second - *second))
                    : std::nullopt, // how far the vector moves
-            scene.bounds.amps,
-            known && std::hypot(*iq, *id) <= scene.agreedAmps
-                && std::hypot(reference.iqAmps, reference.idAmps) <= scene.agreedAmps);
-        reversal(reference.iqAmps);
-        noLimit(reference.iqAmps != 0.0);
-        mode(true);
-        takesOver();
-    }
-    void operator()(const PositionRamp &)
-    {
-        found.push_back(MotionCaution::Position); // it goes there by itself, and stays
-        takesOver();
-    }
-    template <class Other>
-    void operator()(const Other &)
-    {
+            torque ? scene.bounds.amps : scene.bounds.rpm,
+            known && std::hypot(*first, *second) <= agreed
+                && std::hypot(to.first, to.second) <= agreed);
+        reversal(to.first);
+        if (torque && to.first != 0.0 && scene.ownSpeedLimitRpm > 0.0)
+            found.push_back(MotionCaution::NoSpeedLimit);
+        mode(torque);
     }
 };
 
@@ -108,7 +66,18 @@ struct Judge {
 std::vector<MotionCaution> cautionsOf(const WishContent &act, const MotionScene &scene)
 {
     Judge judge{scene, {}};
-    std::visit(judge, act);
+    const auto *command = std::get_if<Command>(&act);
+    if (const auto wanted = setPointOf(act)) {
+        judge.setPoint(*wanted);
+    } else if (std::holds_alternative<PositionRamp>(act)) {
+        judge.found.push_back(MotionCaution::Position); // it goes there by itself, and stays
+    } else if (command == nullptr || command->action != MotorAction::Start) {
+        return {};
+    } else if (!scene.startedBefore) {
+        judge.found.push_back(MotionCaution::FirstStart);
+    }
+    if (scene.experiment)
+        judge.found.push_back(MotionCaution::EndsExperiment);
     return std::move(judge.found);
 }
 

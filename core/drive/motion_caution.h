@@ -40,7 +40,6 @@ struct MotionScene {
 constexpr double kGreatestQuietStep = 0.2; ///< of the limit
 constexpr double kTurningRpm = 10.0; ///< below that a rotor counts as standing
 
-using WishContent = decltype(Wish::what);
 std::vector<MotionCaution> cautionsOf(const WishContent &act, const MotionScene &scene);
 
 } // namespace drive

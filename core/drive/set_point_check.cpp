@@ -1,6 +1,5 @@
 #include "drive/set_point_check.h"
 
-#include "base/overloaded.h"
 #include "base/text.h"
 #include "drive/values.h"
 #include "motor/ramp.h"
@@ -140,25 +139,15 @@ std::string refuseWay(const BoardFacts &board, int motor, const Move &wanted, do
     return why.empty() ? why : "the speed on the way is " + why;
 }
 
-std::optional<SetPoint> setPointOf(const Wish &wish)
+std::optional<SetPoint> setPointOf(const WishContent &act)
 {
-    using Found = std::optional<SetPoint>;
-    return std::visit(
-        Overloaded{
-            [](const SpeedRamp &ramp) -> Found {
-                return SetPoint{
-                    Feature::SpeedRamp, ramp.motor, double(ramp.rpm), 0.0, ramp.duration};
-            },
-            [](const TorqueRamp &ramp) -> Found {
-                return SetPoint{Feature::TorqueRamp, ramp.motor, ramp.amps, 0.0, ramp.duration};
-            },
-            [](const CurrentReference &reference) -> Found {
-                return SetPoint{Feature::CurrentReference, reference.motor, reference.iqAmps,
-                    reference.idAmps, {}};
-            },
-            [](const auto &) -> Found { return std::nullopt; },
-        },
-        wish.what);
+    if (const auto *ramp = std::get_if<SpeedRamp>(&act))
+        return SetPoint{Feature::SpeedRamp, ramp->motor, double(ramp->rpm), 0.0, ramp->duration};
+    if (const auto *ramp = std::get_if<TorqueRamp>(&act))
+        return SetPoint{Feature::TorqueRamp, ramp->motor, ramp->amps, 0.0, ramp->duration};
+    if (const auto *one = std::get_if<CurrentReference>(&act))
+        return SetPoint{Feature::CurrentReference, one->motor, one->iqAmps, one->idAmps, {}};
+    return std::nullopt;
 }
 
 std::string refuseSetPoint(const BoardFacts &board, const SetPoint &wanted)

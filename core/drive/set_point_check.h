@@ -57,7 +57,7 @@ struct SetPoint {
     double first = 0.0, second = 0.0; ///< rpm, A, or A of Iq and A of Id
     std::chrono::milliseconds duration{};
 };
-std::optional<SetPoint> setPointOf(const Wish &wish); ///< nothing: it is none of these
+std::optional<SetPoint> setPointOf(const WishContent &act); ///< nothing: it is none of these
 std::string refuseSetPoint(const BoardFacts &board, const SetPoint &wanted);
 /// A current of a set-point that was not refused.
 std::int16_t digitsOf(const BoardFacts &board, int motor, double amps);

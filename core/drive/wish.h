@@ -130,11 +130,11 @@ struct Watch {
 constexpr Duration kWishExpiresAfter = std::chrono::milliseconds(500);
 inline constexpr char kTooLate[] = "too late: it was asked for more than half a second ago";
 
+using WishContent = std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference,
+    PositionRamp, Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode, CurrentScale>;
 struct Wish {
     WishId id = 0;
-    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, PositionRamp,
-        Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode, CurrentScale>
-        what;
+    WishContent what;
     Source source = Source::Person;
     /// When the act that it comes from happened, e.g. the key press; empty: when it is submitted.
     std::optional<TimePoint> madeAt = {};

@@ -92,7 +92,7 @@ private:
 
 FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
 {
-    if (const auto setPoint = setPointOf(wish))
+    if (const auto setPoint = setPointOf(wish.what))
         return std::make_unique<FcpActTask>(wish.id, *setPoint, m_board);
     if (const auto *command = std::get_if<Command>(&wish.what))
         return std::make_unique<FcpActTask>(wish.id, *command, m_board);

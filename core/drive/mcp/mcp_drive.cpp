@@ -152,7 +152,7 @@ Duration McpDrive::gathersFor() const
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
-    if (const auto setPoint = setPointOf(wish))
+    if (const auto setPoint = setPointOf(wish.what))
         return std::make_unique<SetPointTask>(wish.id, *setPoint, m_board);
     return std::visit(Overloaded{
                           [&](const Command &command) -> Made {

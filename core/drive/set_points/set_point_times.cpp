@@ -1,6 +1,6 @@
 #include "drive/set_points/set_point_times.h"
 
-#include "base/overloaded.h"
+#include "drive/set_point_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,45 +49,32 @@ double SampleAxis::ahead_s() const
 void SetPointTimes::onWish(const Wish &wish)
 {
     using Kind = SentSetPoint::Kind;
-    const auto setPoint = [](Kind kind, int motor, double value,
-                              std::chrono::milliseconds ramp = {}) -> std::optional<SetPointNews> {
-        return SentSetPoint{.kind = kind, .motor = motor, .value = value, .ramp = ramp};
-    };
-    const auto end = [](int motor, bool held = false) -> std::optional<SetPointNews> {
-        return SetPointsEnd{.motor = motor, .held = held};
-    };
-    auto wished = std::visit(
-        Overloaded{
-            [&](const SpeedRamp &ramp) {
-                return setPoint(Kind::Speed, ramp.motor, ramp.rpm, ramp.duration);
-            },
-            [&](const TorqueRamp &ramp) {
-                return setPoint(Kind::Current, ramp.motor, ramp.amps, ramp.duration);
-            },
-            [&](const CurrentReference &reference) {
-                return setPoint(Kind::Current, reference.motor, reference.iqAmps);
-            },
-            [&](const PositionRamp &ramp) {
-                return setPoint(Kind::Position, ramp.motor, ramp.radians, ramp.duration);
-            },
-            [&](const Command &command) -> std::optional<SetPointNews> {
-                if (command.action == MotorAction::Start)
-                    m_motors[command.motor].state = MotorState::Unknown; // until it is read again
-                const bool ramp = command.action == MotorAction::StopRamp;
-                if (ramp || command.action == MotorAction::StopMotor)
-                    return end(command.motor, ramp);
-                return std::nullopt;
-            },
-            [&](const Write &write) -> std::optional<SetPointNews> {
-                const bool kept = std::ranges::all_of(write.writes, [&](const auto &one) {
-                    const auto *info = m_catalog ? m_catalog->find(one.id) : nullptr;
-                    return info != nullptr && info->effect == catalog::Effect::Kept;
-                });
-                return kept ? std::nullopt : end(0);
-            },
-            [](const auto &) -> std::optional<SetPointNews> { return std::nullopt; },
-        },
-        wish.what);
+    std::optional<SetPointNews> wished;
+    if (const auto wanted = setPointOf(wish.what)) {
+        const bool speed = wanted->feature == Feature::SpeedRamp;
+        wished = SentSetPoint{.kind = speed ? Kind::Speed : Kind::Current,
+            .motor = wanted->motor,
+            .value = wanted->first,
+            .ramp = wanted->duration};
+    } else if (const auto *position = std::get_if<PositionRamp>(&wish.what)) {
+        wished = SentSetPoint{.kind = Kind::Position,
+            .motor = position->motor,
+            .value = position->radians,
+            .ramp = position->duration};
+    } else if (const auto *command = std::get_if<Command>(&wish.what)) {
+        const bool ramp = command->action == MotorAction::StopRamp;
+        if (command->action == MotorAction::Start)
+            m_motors[command->motor].state = MotorState::Unknown; // until it is read again
+        else if (ramp || command->action == MotorAction::StopMotor)
+            wished = SetPointsEnd{.motor = command->motor, .held = ramp};
+    } else if (const auto *write = std::get_if<Write>(&wish.what)) {
+        const bool kept = std::ranges::all_of(write->writes, [&](const auto &one) {
+            const auto *info = m_catalog ? m_catalog->find(one.id) : nullptr;
+            return info != nullptr && info->effect == catalog::Effect::Kept;
+        });
+        if (!kept)
+            wished = SetPointsEnd{};
+    }
     if (!wished || m_wished.size() >= kMostWished)
         return;
     std::visit([&](auto &news) { news.wish = wish.id; }, *wished);

@@ -264,7 +264,7 @@ void TestSetPoints::whatAWishSetsIsReadFromIt()
         {TorqueRamp{2, 1.5, 40ms}, Feature::TorqueRamp, 1.5, 0.0, 40ms},
         {CurrentReference{2, 1.5, -2.5}, Feature::CurrentReference, 1.5, -2.5, 0ms}};
     for (const Row &row : rows) {
-        const auto found = setPointOf({.id = 1, .what = row.what});
+        const auto found = setPointOf(row.what);
         QVERIFY(found.has_value());
         QCOMPARE(found->feature, row.feature);
         QCOMPARE(found->motor, 2);
@@ -272,8 +272,8 @@ void TestSetPoints::whatAWishSetsIsReadFromIt()
         QCOMPARE(found->second, row.second);
         QCOMPARE(found->duration.count(), row.duration.count());
     }
-    QVERIFY(!setPointOf({.id = 1, .what = Command{}}));
-    QVERIFY(!setPointOf({.id = 1, .what = PositionRamp{}}));
+    QVERIFY(!setPointOf(Command{}));
+    QVERIFY(!setPointOf(PositionRamp{}));
 }
 
 void TestSetPoints::aWordOnTheWireHolds16Bits()
