@@ -102,6 +102,24 @@ struct BoardFacts {
         return at == capabilities.end() || at->available ? std::string() : at->reason;
     }
 
+    /// Why these signals cannot be streamed; empty if they can. @param tick  what the fast rate counts
+    std::string reasonAgainst(const Stream &stream, const std::string &tick) const
+    {
+        if (auto why = reasonAgainst(Feature::Stream); !why.empty())
+            return why;
+        if (stream.fastEvery < 1 || stream.fastEvery > 256)
+            return "the fast rate is every 1st to 256th " + tick;
+        for (const auto *list : {&stream.fast, &stream.slow}) {
+            for (const RegisterId id : *list) {
+                if (auto why = reasonWithout(id); !why.empty())
+                    return catalog->nameOf(id) + ": " + why;
+                if (catalog->find(id)->streaming == catalog::Streaming::Polled)
+                    return catalog->nameOf(id) + ": cannot be streamed, only read";
+            }
+        }
+        return {};
+    }
+
 private:
     template <class T>
     T of(int motor, const std::vector<T> &all) const

@@ -7,7 +7,6 @@
 // write is ever sent that a wish of this session did not ask for, but the return to the config state of a drive that is
 // found cycling. Output is exchanges: as many bytes come in as go out, and handleReady() tells the ready line where there
 // is one.
-#include "base/overloaded.h"
 #include "drive/mcb/mcb_commands.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"
@@ -177,21 +176,15 @@ McbDrive::McbDrive(const LineOptions &line)
 
 McbDrive::Made McbDrive::taskFor(const Wish &wish)
 {
-    const auto act = [&](const auto &wanted) -> Made {
-        return std::make_unique<McbActTask>(wish.id, wanted, m_board);
-    };
-    const auto stream = [&](const auto &wanted) -> Made {
-        return std::make_unique<McbStreamTask>(wish.id, wanted, m_stream, m_setPoints);
-    };
-    return std::visit(Overloaded{
-                          [&](const Command &wanted) { return act(wanted); },
-                          [&](const SpeedRamp &wanted) { return act(wanted); },
-                          [&](const CurrentReference &wanted) { return act(wanted); },
-                          [&](const PositionRamp &wanted) { return act(wanted); },
-                          [&](const Stream &wanted) { return stream(wanted); },
-                          [&](const CyclicSetPoints &wanted) { return stream(wanted); },
-                          [](const auto &) { return Made(); },
-                      },
+    return std::visit(
+        [&]<class Act>(const Act &wanted) -> Made {
+            if constexpr (std::is_constructible_v<McbAct, const Act &>)
+                return std::make_unique<McbActTask>(wish.id, wanted, m_board);
+            else if constexpr (std::is_same_v<Act, Stream> || std::is_same_v<Act, CyclicSetPoints>)
+                return std::make_unique<McbStreamTask>(wish.id, wanted, m_stream, m_setPoints);
+            else
+                return nullptr;
+        },
         wish.what);
 }
 

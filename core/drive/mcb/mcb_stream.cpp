@@ -33,24 +33,6 @@ std::int32_t storedOf(const mcb::Info &info, mcb::WordView words)
 
 } // namespace
 
-std::string McbStreamControl::refuse(const Stream &stream) const
-{
-    if (auto why = m_board.reasonAgainst(Feature::Stream); !why.empty())
-        return why;
-    if (stream.fastEvery < 1 || stream.fastEvery > 256)
-        return "the fast rate is every 1st to 256th exchange";
-    for (const auto *list : {&stream.fast, &stream.slow}) {
-        for (const RegisterId id : *list) {
-            const auto *info = m_board.catalog->find(id);
-            if (info == nullptr)
-                return m_board.catalog->nameOf(id) + ": no such register";
-            if (info->streaming == catalog::Streaming::Polled)
-                return info->name + ": cannot be streamed, only read";
-        }
-    }
-    return {};
-}
-
 void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId> &ids,
     const std::map<std::uint16_t, mcb::Info> &told)
 {
@@ -177,7 +159,7 @@ std::string McbStreamTask::refuse() const
             return why;
     if (m_ids.empty())
         return {};
-    if (auto why = m_control.refuse(m_stream); !why.empty())
+    if (auto why = m_control.m_board.reasonAgainst(m_stream, "exchange"); !why.empty())
         return why;
     if (m_ids.size() > mcb::kMostMapped)
         return "at most " + std::to_string(mcb::kMostMapped) + " signals at a time";

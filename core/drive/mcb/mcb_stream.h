@@ -46,7 +46,6 @@ public:
 private:
     friend class McbStreamTask;
 
-    std::string refuse(const Stream &stream) const;
     /// @param told  the type of each signal
     void begin(const Stream &stream, const std::vector<RegisterId> &ids,
         const std::map<std::uint16_t, mcb::Info> &told);

@@ -7,7 +7,6 @@
 // anything else. No motion, no write and no acknowledgement is ever sent that a wish of this session did not ask for;
 // the heartbeat of a drive with a watchdog moves nothing.
 #include "aspep/controller.h"
-#include "base/overloaded.h"
 #include "drive/mcp/mcp_commands.h"
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_identification.h"
@@ -154,19 +153,13 @@ McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
     if (const auto setPoint = setPointOf(wish.what))
         return std::make_unique<SetPointTask>(wish.id, *setPoint, m_board);
-    return std::visit(Overloaded{
-                          [&](const Command &command) -> Made {
-                              return std::make_unique<CommandTask>(wish.id, command, m_board);
-                          },
-                          [&](const PositionRamp &position) -> Made {
-                              return std::make_unique<PositionTask>(wish.id, position, m_board);
-                          },
-                          [&](const Stream &stream) -> Made {
-                              return std::make_unique<StreamTask>(wish.id, stream, m_stream);
-                          },
-                          [](const auto &) -> Made { return nullptr; },
-                      },
-        wish.what);
+    if (const auto *command = std::get_if<Command>(&wish.what))
+        return std::make_unique<CommandTask>(wish.id, *command, m_board);
+    if (const auto *position = std::get_if<PositionRamp>(&wish.what))
+        return std::make_unique<PositionTask>(wish.id, *position, m_board);
+    if (const auto *stream = std::get_if<Stream>(&wish.what))
+        return std::make_unique<StreamTask>(wish.id, *stream, m_stream);
+    return nullptr;
 }
 
 void McpDrive::on(const Link::Connected &event, TimePoint now)

@@ -151,12 +151,6 @@ void Identification::describe()
     m_reader.start(ids);
 }
 
-const Bytes *Identification::raw(mcp::RegisterId id, int motor) const
-{
-    const auto at = m_values.find(idOf(id, motor));
-    return at == m_values.end() ? nullptr : std::get_if<Bytes>(&at->second);
-}
-
 std::string Identification::text(mcp::RegisterId id, int motor) const
 {
     const auto at = m_values.find(idOf(id, motor));
@@ -169,7 +163,8 @@ template <class T>
 std::optional<T> Identification::structure(
     Result<T, mcp::CodecError> (*decode)(ByteView), mcp::RegisterId id, int motor)
 {
-    const Bytes *bytes = raw(id, motor);
+    const auto at = m_values.find(idOf(id, motor));
+    const auto *bytes = at == m_values.end() ? nullptr : std::get_if<Bytes>(&at->second);
     if (bytes == nullptr)
         return std::nullopt;
     auto decoded = decode(*bytes);

@@ -44,7 +44,6 @@ private:
     void afterCount();
     void describe();
     void finish();
-    const Bytes *raw(mcp::RegisterId id, int motor) const;
     std::string text(mcp::RegisterId id, int motor) const;
     template <class T>
     std::optional<T> structure(

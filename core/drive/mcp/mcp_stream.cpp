@@ -70,27 +70,14 @@ void StreamControl::close()
 
 std::string StreamControl::refuse(const Stream &stream) const
 {
-    if (auto why = m_board.reasonAgainst(Feature::Stream); !why.empty())
+    if (auto why = m_board.reasonAgainst(stream, "control period"); !why.empty())
         return why;
     if (stream.fast.size() + stream.slow.size() > m_board.streaming.maxSignals)
         return "at most " + std::to_string(m_board.streaming.maxSignals) + " signals at a time";
-    if (stream.fastEvery < 1 || stream.fastEvery > 256)
-        return "the fast rate is every 1st to 256th control period";
     if (stream.slowEvery < 1 || stream.slowEvery > Stream::kSlowOncePerPacket)
         return "the slow rate is every 1st to 254th fast sample, or once a packet";
     if (stream.slowEvery == Stream::kSlowOncePerPacket && stream.fast.empty())
         return "without fast signals no packet ever fills";
-    for (const auto *list : {&stream.fast, &stream.slow}) {
-        for (const RegisterId id : *list) {
-            const auto *info = m_board.catalog->find(id);
-            if (info == nullptr)
-                return m_board.catalog->nameOf(id) + ": no such register";
-            if (!m_board.hasMotor(m_board.catalog->motorOf(id)))
-                return info->name + ": no such motor";
-            if (info->streaming == catalog::Streaming::Polled)
-                return info->name + ": cannot be streamed, only read";
-        }
-    }
     return {};
 }
 
@@ -116,30 +103,24 @@ Result<mcp::DatalogConfig, std::string> StreamControl::configure(const Stream &s
 
 void StreamControl::sending(const Stream &stream, const mcp::DatalogConfig &config)
 {
-    Active next{config, layoutOf(stream)};
+    Active next{config, {}};
     next.layout.id = ++m_lastStream;
+    next.layout.tickHz = m_board.streaming.tickHz;
+    next.layout.fastStep = stream.fastEvery;
     mcp::Signedness signs;
-    for (const RegisterId id : stream.fast)
+    for (const RegisterId id : stream.fast) {
+        next.layout.fast.push_back(signalOf(m_board, id, true));
         signs.fastUnsigned.push_back(isUnsigned(m_board, id));
-    for (const RegisterId id : stream.slow)
+    }
+    for (const RegisterId id : stream.slow) {
+        next.layout.slow.push_back(signalOf(m_board, id, false));
         signs.slowUnsigned.push_back(isUnsigned(m_board, id));
+    }
     m_decoder->expect(next.layout.id, config, std::move(signs));
     if (m_sent.size() >= kMaxInFlight)
         m_sent.erase(m_sent.begin() + 1);
     m_sent.push_back(std::move(next));
     m_stoppedAt.reset();
-}
-
-capture::StreamLayout StreamControl::layoutOf(const Stream &stream) const
-{
-    capture::StreamLayout layout;
-    layout.tickHz = m_board.streaming.tickHz;
-    layout.fastStep = stream.fastEvery;
-    for (const RegisterId id : stream.fast)
-        layout.fast.push_back(signalOf(m_board, id, true));
-    for (const RegisterId id : stream.slow)
-        layout.slow.push_back(signalOf(m_board, id, false));
-    return layout;
 }
 
 void StreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now)

@@ -61,7 +61,6 @@ private:
     Result<mcp::DatalogConfig, std::string> configure(const Stream &stream);
     void sending(const Stream &stream, const mcp::DatalogConfig &config);
     void agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now);
-    capture::StreamLayout layoutOf(const Stream &stream) const;
     bool announce(const capture::SampleBlock &block, TimePoint now);
     void addStats();
 
