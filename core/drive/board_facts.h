@@ -17,6 +17,8 @@ namespace drive {
 
 inline constexpr const char *kNoCurrentScale =
     "The board does not tell its current scale: enter it first.";
+inline constexpr const char *kNoCycle =
+    "Boards of this protocol take each set-point as a request of its own.";
 /// Digits of the full-scale current: those of firmware's 16-bit fractions.
 inline constexpr double kFullScaleDigits = 32768.0;
 
@@ -95,6 +97,11 @@ struct BoardFacts {
             : "the current scale of motor " + std::to_string(motor) + " is not known";
     }
 
+    /// @param reason  why it is not there; empty: it is
+    void tell(Feature feature, std::string reason)
+    {
+        capabilities.push_back({feature, reason.empty(), std::move(reason)});
+    }
     /// Why a feature is not there; empty if it is.
     std::string reasonAgainst(Feature feature) const
     {

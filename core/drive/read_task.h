@@ -6,7 +6,6 @@
 
 namespace drive {
 
-/// @tparam P  with refuseRead(facts, id): how a register that is not asked ends; nothing if it is
 template <class P>
 class ReadTask : public WishTask<P> {
 public:
@@ -24,7 +23,7 @@ public:
         if (!std::exchange(m_started, true)) {
             std::vector<RegisterId> ids;
             for (const RegisterId id : m_ids) {
-                if (const auto status = P::refuseRead(m_board, id))
+                if (const auto status = P::Reads::refuse(m_board, id))
                     m_readings.push_back({id, *status, {}, now});
                 else
                     ids.push_back(id);

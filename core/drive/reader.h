@@ -1,7 +1,7 @@
 // Reads a list of registers, as many a request as the protocol can. What is lost is asked for again, until it is given up.
 #pragma once
 
-#include "drive/event.h"
+#include "drive/board_facts.h"
 
 #include <optional>
 #include <vector>
@@ -12,6 +12,16 @@ namespace drive {
 struct PlainReads {
     void begin(std::vector<RegisterId> & /*ids*/) { } ///< may bring them into another order
     void drop() { } ///< the first ones are given up
+    /// How a register that is not asked ends; nothing if it is, as what is in no catalogue.
+    static std::optional<ReadStatus> refuse(const BoardFacts &board, RegisterId id)
+    {
+        const auto *info = board.catalog->find(id);
+        if (info != nullptr && !info->readable())
+            return ReadStatus::NotSupported;
+        return info == nullptr || board.reasonWithout(id).empty()
+            ? std::nullopt
+            : std::optional(ReadStatus::Refused);
+    }
 };
 
 /// @tparam P  kAttempts for each request; Reads, made with the facts, a PlainReads with

@@ -86,14 +86,6 @@ fcp::Command FcpActTask::encode(const SetPoint &wanted) const
     }
 }
 
-std::optional<ReadStatus> FcpProtocol::refuseRead(const FcpFacts &board, RegisterId id)
-{
-    const auto *info = board.catalog->find(id);
-    return board.reasonWithout(id).empty() && info->readable()
-        ? std::nullopt
-        : std::optional(ReadStatus::NotSupported);
-}
-
 std::string FcpWriteTask::plan(const RegisterWrite &write)
 {
     const RegisterId id = write.id;

@@ -150,22 +150,15 @@ void FcpIdentification::addLimits()
 
 void FcpIdentification::addCapabilities()
 {
-    const std::string noStream = "Boards of this protocol record nothing by themselves: signals "
-                                 "are read one after the other.";
-    const std::string noPosition = "This protocol moves no shaft to a position.";
-    const std::string noCycle =
-        "Boards of this protocol take each set-point as a request of its own.";
     m_board.capabilities.clear();
-    const bool writes = m_board.knownFirmware;
-    const std::string readOnly = writes ? "" : "Read-only: " + m_doubt + ".";
-    const auto add = [&](Feature feature, const std::string &reason) {
-        const std::string why = writes ? reason : readOnly;
-        m_board.capabilities.push_back({feature, why.empty(), why});
+    const std::string readOnly = "Read-only: " + m_doubt + ".";
+    const auto tell = [&](Feature feature, const std::string &reason) {
+        m_board.tell(feature, m_board.knownFirmware ? reason : readOnly);
     };
-    for (const Feature feature :
-        {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp, Feature::WriteRegisters})
-        add(feature, {});
-    m_board.capabilities.push_back({Feature::Stop, true, {}});
+    for (const Feature feature : {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp,
+             Feature::WriteRegisters, Feature::CurrentScale})
+        tell(feature, {});
+    m_board.tell(Feature::Stop, {});
     // One motor with a scale is enough; of the others each set-point is refused by itself.
     std::string noAmps = kNoCurrentScale;
     for (int motor = 1; motor <= m_board.motors; ++motor)
@@ -173,12 +166,14 @@ void FcpIdentification::addCapabilities()
             noAmps.clear();
     const bool torqueRamp =
         m_board.dialect == Dialect::Stm32 && m_version && m_version->version >= "5.4.2";
-    add(Feature::TorqueRamp, torqueRamp ? noAmps : "Only firmware from 5.4.2 on has torque ramps.");
-    add(Feature::CurrentReference, noAmps);
-    m_board.capabilities.push_back({Feature::Stream, false, noStream});
-    m_board.capabilities.push_back({Feature::PositionRamp, false, noPosition});
-    m_board.capabilities.push_back({Feature::CyclicSetPoints, false, noCycle});
-    add(Feature::CurrentScale, {});
+    tell(
+        Feature::TorqueRamp, torqueRamp ? noAmps : "Only firmware from 5.4.2 on has torque ramps.");
+    tell(Feature::CurrentReference, noAmps);
+    m_board.tell(Feature::Stream,
+        "Boards of this protocol record nothing by themselves: signals are read one after the "
+        "other.");
+    m_board.tell(Feature::PositionRamp, "This protocol moves no shaft to a position.");
+    m_board.tell(Feature::CyclicSetPoints, kNoCycle);
 }
 
 void FcpIdentification::finish()

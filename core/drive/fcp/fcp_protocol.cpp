@@ -27,6 +27,14 @@ AnswerEnd FcpProtocol::endIn(const fcp::Reply &reply)
     return {Outcome::Refused, name.empty() ? "unknown error 0x" + hexDigits(*code, 2) : name};
 }
 
+std::optional<ReadStatus> FcpReads::refuse(const FcpFacts &board, RegisterId id)
+{
+    const auto *info = board.catalog->find(id);
+    return board.reasonWithout(id).empty() && info->readable()
+        ? std::nullopt
+        : std::optional(ReadStatus::NotSupported);
+}
+
 fcp::Request FcpReads::request(std::span<const RegisterId> ids, std::size_t &count) const
 {
     const RegisterId id = ids.front();

@@ -45,7 +45,6 @@ struct FcpProtocol {
     using Reads = FcpReads;
     using Writes = FcpWriteTask;
     static constexpr int kAttempts = 3;
-    static std::optional<ReadStatus> refuseRead(const FcpFacts &board, RegisterId id);
     static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(const fcp::Reply &reply);
 };
@@ -66,6 +65,7 @@ public:
 
     void begin(std::vector<RegisterId> & /*ids*/) { drop(); }
     void drop() { m_stages.clear(); }
+    static std::optional<ReadStatus> refuse(const FcpFacts &board, RegisterId id);
     fcp::Request request(std::span<const RegisterId> ids, std::size_t &count) const;
     std::optional<std::vector<Reading>> readings(
         std::span<const RegisterId> ids, const fcp::Reply &answer, TimePoint now);

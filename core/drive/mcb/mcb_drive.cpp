@@ -147,7 +147,6 @@ private:
         m_stream.close();
         endSetPoints();
         m_link.close();
-        m_board.expert.clear();
     }
     void collect(TimePoint now) override;
     std::optional<TimePoint> nextOwn() const override { return m_stream.nextFlush(); }
@@ -214,14 +213,12 @@ void McbDrive::on(const Link::Back &event, TimePoint now)
     if (!event.afterReset)
         return;
     disarm();
-    m_board.expert.clear();
     beginAnew(LinkReason::BoardReset, now);
 }
 
 void McbDrive::on(const Link::Lost &event, TimePoint now)
 {
     linkLost(reasonOf(event.cause), now);
-    m_board.expert.clear();
     m_stream.ended();
     endSetPoints();
     if (m_stop.blind(now))

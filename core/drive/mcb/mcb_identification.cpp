@@ -38,13 +38,10 @@ constexpr std::array kStates{
 };
 
 /// What a drive can do.
-std::vector<Capability> capabilitiesOf(const McbFacts &board)
+void addCapabilities(McbFacts &board)
 {
     using namespace mcbreg;
-    std::vector<Capability> all;
-    const auto add = [&all](Feature feature, std::string reason) {
-        all.push_back({feature, reason.empty(), std::move(reason)});
-    };
+    board.capabilities.clear();
     const std::string strange = board.knownFirmware
         ? ""
         : "This drive has no control word and status word; it is shown read-only.";
@@ -53,28 +50,29 @@ std::vector<Capability> capabilitiesOf(const McbFacts &board)
             addresses, [&](std::uint16_t address) { return board.writable(address); });
         return !strange.empty() ? strange : there ? std::string() : std::string(reason);
     };
-    add(Feature::Start, needs({kMode}, "This drive has no modes."));
-    add(Feature::Stop, "");
-    add(Feature::AcknowledgeFaults, strange);
-    add(Feature::SpeedRamp, needs({kMode, kVelocity}, "This drive has no velocity set-point."));
-    add(Feature::TorqueRamp, "This drive has no ramp for currents; set the current reference.");
-    add(Feature::CurrentReference,
+    board.tell(Feature::Start, needs({kMode}, "This drive has no modes."));
+    board.tell(Feature::Stop, "");
+    board.tell(Feature::AcknowledgeFaults, strange);
+    board.tell(
+        Feature::SpeedRamp, needs({kMode, kVelocity}, "This drive has no velocity set-point."));
+    board.tell(
+        Feature::TorqueRamp, "This drive has no ramp for currents; set the current reference.");
+    board.tell(Feature::CurrentReference,
         needs({kMode, kIq, kId}, "This drive has no current set-point."));
-    add(Feature::Stream,
+    board.tell(Feature::Stream,
         board.streaming.maxSignals > 0 ? "" : "This drive has no registers that can be mapped.");
-    add(Feature::WriteRegisters, strange);
+    board.tell(Feature::WriteRegisters, strange);
     std::string position =
         needs({kMode, kPosition, kProfileVelocity}, "This drive has no position set-point.");
     if (position.empty() && !(board.countsPerTurn > 0.0))
         position = "The drive does not say how many counts a turn has.";
-    add(Feature::PositionRamp, position);
+    board.tell(Feature::PositionRamp, position);
     const bool travels = !McbSetPoints(board).entries().empty();
-    add(Feature::CyclicSetPoints,
+    board.tell(Feature::CyclicSetPoints,
         !strange.empty() ? strange
             : travels    ? ""
                          : "This drive has no set-points that can be mapped.");
-    add(Feature::CurrentScale, "The drive tells its current scale itself.");
-    return all;
+    board.tell(Feature::CurrentScale, "The drive tells its current scale itself.");
 }
 
 } // namespace
@@ -111,6 +109,7 @@ void McbIdentification::restart()
     m_infos.clear();
     m_losses = 0;
     m_board.identity = {};
+    m_board.expert.clear();
     m_board.identified = false;
 }
 
@@ -241,7 +240,7 @@ void McbIdentification::finish()
     identity.powerBoards = {""};
     m_board.requestBytes = m_board.responseBytes = mcb::kConfigFrameBytes;
     m_board.streamBytes = mcb::kMostFrameBytes;
-    m_board.capabilities = capabilitiesOf(m_board);
+    addCapabilities(m_board);
     m_board.identified = true;
 }
 

@@ -80,14 +80,6 @@ Result<mcb::Words, std::string> mcbWordsOf(
     return fail(std::string("the register has a type of another size"));
 }
 
-std::optional<ReadStatus> McbProtocol::refuseRead(const McbFacts &board, RegisterId id)
-{
-    const std::uint16_t address = mcbAddressOf(id);
-    return board.infoOf(address) == nullptr || board.readable(address)
-        ? std::nullopt
-        : std::optional(ReadStatus::NotSupported);
-}
-
 McbRequest McbReads::request(std::span<const RegisterId> ids, std::size_t &count) const
 {
     count = 1;

@@ -75,7 +75,6 @@ struct McbProtocol {
     using Reads = McbReads;
     using Writes = McbWriteTask;
     static constexpr int kAttempts = 1;
-    static std::optional<ReadStatus> refuseRead(const McbFacts &board, RegisterId id);
     static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(const McbAnswer &answer);
 };

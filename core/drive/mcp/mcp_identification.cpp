@@ -216,7 +216,7 @@ void Identification::finish()
         makeRaw(registers);
     m_board.catalog = std::make_shared<const catalog::Catalog>(
         std::move(registers), m_board.motors, m_board.scales);
-    m_board.capabilities = capabilitiesOf(m_board, motors.front());
+    addCapabilities(m_board, motors.front());
 
     identity.version = versionText(m_board.version);
     identity.protocol = "MCP over ASPEP " + identity.version;

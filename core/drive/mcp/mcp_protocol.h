@@ -75,7 +75,6 @@ struct McpProtocol {
     static constexpr int kAttempts = 4;
     static std::vector<StateStep> stateSteps();
     static AnswerEnd endIn(ByteView response);
-    static std::optional<ReadStatus> refuseRead(const McpFacts &board, RegisterId id);
 };
 
 /// The register of one motor.

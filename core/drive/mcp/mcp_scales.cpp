@@ -86,12 +86,8 @@ StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigne
     return limits;
 }
 
-std::vector<Capability> capabilitiesOf(const McpFacts &board, const MotorDescription &first)
+void addCapabilities(McpFacts &board, const MotorDescription &first)
 {
-    std::vector<Capability> all;
-    const auto add = [&](Feature feature, std::string reason) {
-        all.push_back({feature, reason.empty(), std::move(reason)});
-    };
     const std::string readOnly =
         board.knownFirmware ? "" : "This firmware is not known; it is shown read-only.";
     const auto needs = [&](const char *registerName, const char *reason) {
@@ -99,35 +95,33 @@ std::vector<Capability> capabilitiesOf(const McpFacts &board, const MotorDescrip
             : board.catalog->find(registerName) == nullptr ? reason
                                                            : "";
     };
-    add(Feature::Start, readOnly);
-    add(Feature::Stop, "");
-    add(Feature::AcknowledgeFaults, readOnly);
-    add(Feature::SpeedRamp, needs("SPEED_RAMP", "This build has no speed ramp."));
+    board.tell(Feature::Start, readOnly);
+    board.tell(Feature::Stop, "");
+    board.tell(Feature::AcknowledgeFaults, readOnly);
+    board.tell(Feature::SpeedRamp, needs("SPEED_RAMP", "This build has no speed ramp."));
     std::string torque = needs("TORQUE_RAMP", "This build has no torque control.");
     if (torque.empty() && isSixStep(first))
         torque = "Six-step firmware has no torque control.";
     if (torque.empty() && !(board.ampsPerDigit(1) > 0.0))
         torque = "The board does not say its current scale.";
-    add(Feature::TorqueRamp, torque);
-    add(Feature::CurrentReference, torque);
+    board.tell(Feature::TorqueRamp, torque);
+    board.tell(Feature::CurrentReference, torque);
     std::string stream;
     if (board.streamBytes == 0)
         stream = "The board sends no datalog on this link. If it did before, reset it.";
     else if (board.streaming.maxSignals == 0 || !(board.streaming.tickHz > 0.0))
         stream = "This build has no datalog.";
-    add(Feature::Stream, stream);
-    add(Feature::WriteRegisters, readOnly);
+    board.tell(Feature::Stream, stream);
+    board.tell(Feature::WriteRegisters, readOnly);
     constexpr unsigned kPositionFlag = 0x0100;
     std::string position = needs("POSITION_RAMP", "This build has no position control.");
     if (position.empty()
         && (board.catalog->find("CURRENT_POSITION") == nullptr || !first.firmware
             || (first.firmware->flags1 & kPositionFlag) == 0))
         position = "This build has no position control.";
-    add(Feature::PositionRamp, position);
-    add(Feature::CyclicSetPoints,
-        "Boards of this protocol take each set-point as a request of its own.");
-    add(Feature::CurrentScale, "The board tells its current scale itself.");
-    return all;
+    board.tell(Feature::PositionRamp, position);
+    board.tell(Feature::CyclicSetPoints, kNoCycle);
+    board.tell(Feature::CurrentScale, "The board tells its current scale itself.");
 }
 
 void makeRaw(std::vector<catalog::RegisterInfo> &registers)

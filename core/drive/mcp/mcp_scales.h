@@ -29,7 +29,7 @@ MotorLimits limitsOf(const MotorDescription &motor);
 StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
     std::size_t maxPacket, std::uint32_t baud);
 
-std::vector<Capability> capabilitiesOf(const McpFacts &board, const MotorDescription &first);
+void addCapabilities(McpFacts &board, const MotorDescription &first);
 
 /// For unknown firmware: nothing is writable, numbers stay digits.
 void makeRaw(std::vector<catalog::RegisterInfo> &registers);

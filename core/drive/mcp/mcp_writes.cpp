@@ -44,16 +44,6 @@ std::size_t sizeOf(const mcp::Value &value, RegisterId id)
 
 } // namespace
 
-std::optional<ReadStatus> McpProtocol::refuseRead(const McpFacts &board, RegisterId id)
-{
-    const auto *info = board.catalog->find(id);
-    if (info != nullptr && !info->readable())
-        return ReadStatus::NotSupported;
-    if (info != nullptr && info->perMotor && !board.hasMotor(board.catalog->motorOf(id)))
-        return ReadStatus::Refused; // no such motor
-    return std::nullopt;
-}
-
 /// What reads back otherwise than it was written: TORQUE_RAMP is shorter, speeds are kept in 0.1 Hz.
 bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
 {

@@ -95,10 +95,6 @@ struct Protocol {
     using Reads = toy::Reads;
     using Writes = WriteOne;
     static constexpr int kAttempts = 2;
-    static std::optional<ReadStatus> refuseRead(const BoardFacts &board, RegisterId id)
-    {
-        return board.catalog->find(id) ? std::nullopt : std::optional(ReadStatus::NotSupported);
-    }
     static std::vector<StateStep> stateSteps() { return {}; }
     static AnswerEnd endIn(const Frame &answer)
     {
@@ -111,6 +107,10 @@ constexpr RegisterId idOf(Address address) { return RegisterId{address} << 3 | 1
 class Reads : public PlainReads {
 public:
     explicit Reads(const BoardFacts &) { }
+    static std::optional<ReadStatus> refuse(const BoardFacts &board, RegisterId id)
+    {
+        return board.catalog->find(id) ? std::nullopt : std::optional(ReadStatus::NotSupported);
+    }
     static Frame request(std::span<const RegisterId> ids, std::size_t &count)
     {
         count = 1;

@@ -315,7 +315,8 @@ void TestMcpDrive::unknownFirmwareIsShownReadOnly()
     }
     McpFacts board;
     board.motors = 1;
-    for (const Capability &capability : capabilitiesOf(board, {}))
+    addCapabilities(board, {});
+    for (const Capability &capability : board.capabilities)
         QCOMPARE(capability.available, capability.feature == Feature::Stop);
 }
 
