@@ -58,7 +58,6 @@ public:
         m_reason = LinkReason::None;
         m_toldLost.reset();
         m_toldConnecting.reset();
-        m_silent = false;
         m_stop.end();
         m_turnEnds.reset();
         m_proven.reset();
@@ -196,14 +195,13 @@ private:
     std::optional<std::size_t> m_proven; ///< whose board it is
     bool m_followed = false; ///< in this round a proof has led to another one
     bool m_hasty = true; ///< the candidate comes once more in this round
-    bool m_silent = false; ///< a round has failed: what is tried again is no news
     std::optional<LinkReason> m_toldConnecting; ///< with what was tried
     StopSequence m_stop; ///< asked for before any board had answered: its times and its alarm
     TimePoint m_stopAsked;
     std::optional<TimePoint> m_turnEnds; ///< of a candidate that stops blind
     bool m_stopBefore = false; ///< of the candidate before: it may not have left yet
     bool m_repeating = false; ///< that a stop is wanted has been told
-    std::optional<LinkReason> m_toldLost; ///< of the round before
+    std::optional<LinkReason> m_toldLost; ///< of the round before: what is tried again is no news
     LinkReason m_reason = LinkReason::None; ///< the most telling one of this round's failures
     UserLimits m_limits;
     std::optional<TimePoint> m_tryAgainAt;
@@ -310,7 +308,7 @@ std::optional<LinkReason> AutoDrive::siftLink(const LinkChanged &change)
         return change.reason;
     case LinkState::Connecting:
         if (const LinkReason asking = m_candidates[m_which]->asking;
-            !m_silent && !m_turnEnds && std::exchange(m_toldConnecting, asking) != asking)
+            !m_toldLost && !m_turnEnds && std::exchange(m_toldConnecting, asking) != asking)
             m_events.emplace_back(LinkChanged{change.state, asking});
         return std::nullopt;
     case LinkState::Connected:
@@ -323,7 +321,6 @@ std::optional<LinkReason> AutoDrive::siftLink(const LinkChanged &change)
         break;
     }
     m_toldConnecting.reset();
-    m_silent = false;
     m_events.emplace_back(change);
     return std::nullopt;
 }
@@ -391,7 +388,6 @@ void AutoDrive::afterFailure(LinkReason reason, TimePoint now)
     if (!m_plan.empty())
         return tryNext(now);
     // No answer in any protocol: told once a round, and tried again.
-    m_silent = true;
     const LinkReason told = std::exchange(m_reason, LinkReason::None);
     if (m_toldLost != told)
         m_events.emplace_back(LinkChanged{LinkState::Lost, told});

@@ -86,8 +86,7 @@ private:
     TimePoint stopMayLeave() const override;
     void closeLink() override { m_link.close(); }
 
-    bool m_restarted = false; ///< the board said so; it is met anew
-    bool m_reidentify = false;
+    std::optional<LinkReason> m_anew; ///< why the board is to be met again
 };
 
 FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
@@ -102,18 +101,15 @@ FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
 void FcpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
-    if (event.again && m_board.identified && !m_reidentify)
+    if (event.again && m_board.identified && !m_anew)
         return; // a recovery: the same board, in step again
-    m_reidentify = false;
-    meet(std::exchange(m_restarted, false) ? LinkReason::BoardReset : LinkReason::None, now,
-        event.board);
+    meet(std::exchange(m_anew, std::nullopt).value_or(LinkReason::None), now, event.board);
 }
 
 /// Whatever was known of it is void, and this board is not armed.
 void FcpDrive::on(const Link::Restarted &, TimePoint now)
 {
-    m_restarted = true;
-    m_reidentify = true;
+    m_anew = LinkReason::BoardReset;
     setArmed(false);
     cutAllWishes("the board was reset");
     m_task = nullptr;
@@ -123,7 +119,7 @@ void FcpDrive::on(const Link::Restarted &, TimePoint now)
 
 void FcpDrive::on(const Link::Lost &event, TimePoint now)
 {
-    m_reidentify = true;
+    m_anew = m_anew.value_or(LinkReason::None);
     linkLost(event.otherProtocol ? LinkReason::OtherProtocol
             : !event.connecting  ? LinkReason::RecoveryFailed
             : event.heardBytes   ? LinkReason::OnlyGarbage

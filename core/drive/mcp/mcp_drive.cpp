@@ -195,7 +195,7 @@ void McpDrive::onIdentified(TimePoint)
 void McpDrive::prepare(TimePoint now)
 {
     m_stream.handleTimeout(now);
-    if (m_heartbeat.takeGivenUp()) {
+    if (m_heartbeat.givenUp() && m_board.identity.watchdog) {
         m_board.identity.watchdog.reset();
         tellIdentified();
     }

@@ -32,7 +32,7 @@ std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareNam
 std::optional<TimePoint> Heartbeat::due() const
 {
     const bool asked = m_wanted && m_board.identified && m_board.identity.watchdog;
-    return asked && m_refused < kRefusals ? std::optional<TimePoint>(m_due) : std::nullopt;
+    return asked && !givenUp() ? std::optional<TimePoint>(m_due) : std::nullopt;
 }
 
 std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
@@ -50,7 +50,6 @@ void Heartbeat::onResponse(const ByteView &response, TimePoint)
     const bool ok =
         response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
     m_refused = ok ? 0 : m_refused + 1;
-    m_givenUp = m_refused >= kRefusals;
 }
 
 } // namespace drive

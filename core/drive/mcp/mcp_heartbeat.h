@@ -26,15 +26,15 @@ public:
     /// A new connection.
     void restart(TimePoint now)
     {
-        m_wanted = m_givenUp = false;
+        m_wanted = false;
         m_refused = 0;
         m_due = now;
     }
     void setWanted(bool wanted) { m_wanted = wanted; }
     /// When the next one is due; nothing if none is to be sent.
     std::optional<TimePoint> due() const;
-    /// True once after the board has refused too many: it has no watchdog that we could feed.
-    bool takeGivenUp() { return std::exchange(m_givenUp, false); }
+    /// The board has refused too many: it has no watchdog that we could feed.
+    bool givenUp() const { return m_refused >= kRefusals; }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
@@ -43,7 +43,6 @@ public:
 private:
     const McpFacts &m_board;
     bool m_wanted = false;
-    bool m_givenUp = false;
     int m_refused = 0;
     TimePoint m_due;
 };
