@@ -28,13 +28,13 @@ constexpr Duration kTryAgainAfter = std::chrono::milliseconds(500);
 /// How long a candidate may talk while a stop is sent blind: time for a STOP, and for the answer of a board.
 constexpr Duration kTurn = StopSequence::kRepeat;
 
-/// Whether the event tells this word of a stop to the user or to the motion log.
-bool tells(const Event &event, StopWord word)
+/// The word of a stop that the event tells to the user or to the motion log.
+std::optional<StopWord> wordIn(const Event &event)
 {
-    const auto *progress = std::get_if<StopProgress>(&event);
+    if (const auto *progress = std::get_if<StopProgress>(&event))
+        return progress->word;
     const auto *record = std::get_if<MotionRecord>(&event);
-    return (progress != nullptr && progress->word == word)
-        || (record != nullptr && record->stop == word);
+    return record != nullptr ? record->stop : std::nullopt;
 }
 
 /// Whether this failure proves that a board of the row is there.
@@ -348,8 +348,9 @@ void AutoDrive::sift(TimePoint now)
             if (identity.evidence.empty())
                 identity.evidence = m_candidates[m_which]->evidence;
         }
-        const bool toldAlready = (m_repeating && tells(event, StopWord::Requested))
-            || (m_stop.active() && tells(event, StopWord::NotConfirmed));
+        const auto word = wordIn(event);
+        const bool toldAlready = (m_repeating && word == StopWord::Requested)
+            || (m_stop.active() && word == StopWord::NotConfirmed);
         if (!toldAlready)
             m_events.push_back(std::move(event));
     }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 namespace drive {
@@ -22,8 +23,7 @@ constexpr std::array<std::string_view, 4> kSpeeds{
     "CL_VEL_SET_POINT_VALUE", "RAMP_FINAL_SPEED", "FOC_SPEEDREF_FREQ_PU", "SPEED_REF"};
 constexpr std::array<std::string_view, 3> kCurrents{"CL_CUR_Q_SET_POINT", "FOC_IQREF", "I_Q_REF"};
 
-template <std::size_t N>
-const RegisterInfo *first(const Catalog &catalog, const std::array<std::string_view, N> &names)
+const RegisterInfo *first(const Catalog &catalog, std::span<const std::string_view> names)
 {
     for (const std::string_view name : names)
         if (const RegisterInfo *info = catalog.find(name); info != nullptr && info->readable())
@@ -52,10 +52,7 @@ StartTarget startTarget(
     };
     const auto numberOf = [&](const RegisterInfo *info) -> std::optional<double> {
         const auto value = valueOf(info);
-        const auto number = value ? asNumber(*value) : std::nullopt;
-        if (!number)
-            return std::nullopt;
-        return *number * catalog.readScale(catalog.withMotor(*info, motor)).factor;
+        return value ? asNumber(*value) : std::nullopt;
     };
     const RegisterInfo *mode = first(catalog, kModes);
     const auto number = numberOf(mode);
@@ -64,12 +61,12 @@ StartTarget startTarget(
     target.control = mode->name == kModes.front() ? mcbControlOf(std::lround(*number))
                                                   : controlModeOf(std::lround(*number));
     const auto reference = [&](const RegisterInfo *info) -> std::optional<double> {
-        const auto shown = numberOf(info);
-        if (!shown)
+        const auto digits = numberOf(info);
+        if (!digits)
             return std::nullopt;
-        const auto id = catalog.withMotor(*info, motor);
-        const double each = setPointPerDigit(*info, {1.0, catalog.readScale(id).unit}, limits);
-        return each > 0.0 ? std::optional(*shown * each) : std::nullopt;
+        const catalog::Scale scale = catalog.readScale(catalog.withMotor(*info, motor));
+        const double each = setPointPerDigit(*info, scale, limits);
+        return each > 0.0 ? std::optional(*digits * each) : std::nullopt;
     };
     if (target.control == ControlMode::Speed) {
         const auto ramp = valueOf(first(catalog, kRamps));

@@ -1,17 +1,10 @@
 #include "drive/wish_drive.h"
 
-#include "base/overloaded.h"
+#include "drive/set_point_check.h"
 
 namespace drive {
 
 namespace {
-
-/// What is said of a board that was met: of the next one nothing is known before it is.
-bool isOfTheBoard(const Wish &wish)
-{
-    return std::holds_alternative<ExpertMode>(wish.what)
-        || std::holds_alternative<CurrentScale>(wish.what);
-}
 
 constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
@@ -19,17 +12,15 @@ constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
 std::optional<Feature> featureOf(const Wish &wish)
 {
-    return std::visit(
-        Overloaded{
-            [](const SpeedRamp &) { return std::optional(Feature::SpeedRamp); },
-            [](const TorqueRamp &) { return std::optional(Feature::TorqueRamp); },
-            [](const CurrentReference &) { return std::optional(Feature::CurrentReference); },
-            [](const PositionRamp &) { return std::optional(Feature::PositionRamp); },
-            [](const Stream &) { return std::optional(Feature::Stream); },
-            [](const CyclicSetPoints &) { return std::optional(Feature::CyclicSetPoints); },
-            [](const auto &) { return std::optional<Feature>(); },
-        },
-        wish.what);
+    if (const auto setPoint = setPointOf(wish.what))
+        return setPoint->feature;
+    if (std::holds_alternative<PositionRamp>(wish.what))
+        return Feature::PositionRamp;
+    if (std::holds_alternative<Stream>(wish.what))
+        return Feature::Stream;
+    return std::holds_alternative<CyclicSetPoints>(wish.what)
+        ? std::optional(Feature::CyclicSetPoints)
+        : std::nullopt;
 }
 
 void WishDrive::beginStop(TimePoint now)
@@ -119,6 +110,10 @@ std::string WishDrive::take(const CurrentScale &scale)
 bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
 {
     const auto *watched = std::get_if<Watch>(&wish.what);
+    const auto *expert = std::get_if<ExpertMode>(&wish.what);
+    const auto *scale = std::get_if<CurrentScale>(&wish.what);
+    // What is said of a board that was met: of the next one nothing is known before it is.
+    const bool ofTheBoard = expert != nullptr || scale != nullptr;
     Outcome otherwise = Outcome::Refused; // than Ok, with a reason
     std::string why;
     if (watched != nullptr) {
@@ -126,12 +121,12 @@ bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
     } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
         why = take(*limits);
     } else if (m_mode != Mode::Open || m_lost
-        || (m_toldState == LinkState::Connecting && isOfTheBoard(wish))) {
+        || (m_toldState == LinkState::Connecting && ofTheBoard)) {
         why = "not connected";
         otherwise = Outcome::NotSent;
-    } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
+    } else if (expert != nullptr) {
         why = take(*expert);
-    } else if (const auto *scale = std::get_if<CurrentScale>(&wish.what)) {
+    } else if (scale != nullptr) {
         why = take(*scale);
     } else if (why = refuseAcknowledge(wish); why.empty()) {
         return false;

@@ -12,7 +12,6 @@ using catalog::Gain;
 using catalog::RegisterId;
 using catalog::RegisterInfo;
 using catalog::Value;
-using drive::RegisterWrite;
 
 constexpr std::string_view kExponentSuffix = "_DIV";
 constexpr double kGreatestGainStep = 2.0;
@@ -21,12 +20,6 @@ std::optional<double> numberOf(const std::optional<Value> &value)
 {
     const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
     return whole != nullptr ? std::optional(static_cast<double>(*whole)) : std::nullopt;
-}
-
-const RegisterInfo *gainAt(const catalog::Catalog &catalog, RegisterId id)
-{
-    const RegisterInfo *info = catalog.find(id);
-    return info != nullptr && info->gain != Gain::None ? info : nullptr;
 }
 
 std::vector<RegisterWrite>::const_iterator writeOf(
@@ -56,8 +49,8 @@ Caution cautionOfQuotient(
 
 std::optional<RegisterId> otherHalf(const catalog::Catalog &catalog, RegisterId id)
 {
-    const RegisterInfo *info = gainAt(catalog, id);
-    if (info == nullptr)
+    const RegisterInfo *info = catalog.find(id);
+    if (info == nullptr || info->gain == Gain::None)
         return std::nullopt;
     std::string name = info->name;
     if (info->gain == Gain::Numerator)

@@ -27,15 +27,6 @@ std::string refuseUnbounded(const BoardFacts &board, int motor, Reach reach)
                                       : "no limit of your own holds for it; take yours away first";
 }
 
-/// Why a motor's control must not follow this; empty if it may.
-std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach)
-{
-    if (mode == ControlMode::Speed)
-        return {};
-    return mode == ControlMode::Torque ? refuseTorqueControl(board)
-                                       : refuseUnbounded(board, motor, reach);
-}
-
 std::string refuseEffect(const BoardFacts &board, const RegisterInfo &info,
     const RegisterWrite &write, Reach reach, ControlMode (*controlOf)(std::int64_t))
 {
@@ -59,7 +50,11 @@ std::string refuseEffect(const BoardFacts &board, const RegisterInfo &info,
             ? refuseTorqueControl(board)
             : "";
     case Effect::Mode:
-        return refuseControl(board, motor, controlOf(static_cast<std::int64_t>(number)), reach);
+        if (const ControlMode mode = controlOf(static_cast<std::int64_t>(number));
+            mode != ControlMode::Speed)
+            return mode == ControlMode::Torque ? refuseTorqueControl(board)
+                                               : refuseUnbounded(board, motor, reach);
+        break;
     case Effect::Kept:
         break;
     }

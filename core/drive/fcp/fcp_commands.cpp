@@ -6,22 +6,7 @@
 
 namespace drive {
 
-namespace {
-
 using namespace fcp::number;
-
-/// At rest the references of torque and flux read as 0, whatever a start goes to.
-std::string refuseTorqueStart(const FcpFacts &board)
-{
-    if (auto why = refuseTorqueControl(board); !why.empty())
-        return why;
-    return board.user.maxCurrentAmps > 0.0
-        ? "in torque control this board does not tell to which current a start goes; take your own "
-          "limit of current away first"
-        : "";
-}
-
-} // namespace
 
 std::string FcpActTask::refuse() const
 {
@@ -54,26 +39,27 @@ std::string FcpActTask::plan()
         } else if (number && fcpNumber(reading.id) == kControlMode) {
             if (*number != static_cast<double>(kTorqueModeNumber))
                 continue;
-            if (why = refuseTorqueStart(m_board); !why.empty())
+            if (why = refuseTorqueControl(m_board); !why.empty())
                 return why;
+            // At rest the references of torque and flux read as 0, whatever a start goes to.
+            if (m_board.user.maxCurrentAmps > 0.0)
+                return "in torque control this board does not tell to which current a start goes; "
+                       "take your own limit of current away first";
         } else if (number) {
             why = refuseSpeed(m_board, m_motor, *number);
         }
         if (!why.empty())
             return m_board.catalog->nameOf(reading.id) + " is " + why;
     }
-    request(
-        fcpRequest(m_motor, std::visit([this](const auto &act) { return encode(act); }, m_act)));
+    request(fcpRequest(m_motor, encode()));
     return {};
 }
 
-fcp::Command FcpActTask::encode(const Command &command) const
+fcp::Command FcpActTask::encode() const
 {
-    return fcp::Execute{static_cast<std::uint8_t>(commandOf<fcp::CommandId>(command.action))};
-}
-
-fcp::Command FcpActTask::encode(const SetPoint &wanted) const
-{
+    if (const auto *command = std::get_if<Command>(&m_act))
+        return fcp::Execute{static_cast<std::uint8_t>(commandOf<fcp::CommandId>(command->action))};
+    const auto &wanted = std::get<SetPoint>(m_act);
     const auto time = static_cast<std::uint16_t>(wanted.duration.count());
     const auto digits = [this](double amps) { return digitsOf(m_board, m_motor, amps); };
     switch (wanted.feature) {

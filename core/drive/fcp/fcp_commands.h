@@ -25,8 +25,7 @@ private:
     std::vector<RegisterId> needs() const override; ///< what a start would go to
     std::string unread() const override { return "no answer about what it would start to"; }
     std::string plan() override;
-    fcp::Command encode(const Command &command) const;
-    fcp::Command encode(const SetPoint &wanted) const;
+    fcp::Command encode() const;
 
     std::variant<Command, SetPoint> m_act;
 };

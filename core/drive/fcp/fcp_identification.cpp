@@ -14,11 +14,6 @@ constexpr int kMostLosses = 4; ///< of one question; the link itself gives up ea
 constexpr auto kBadMotor = static_cast<std::uint8_t>(fcp::ErrorCode::BadMotor);
 constexpr auto kNoTarget = static_cast<std::uint8_t>(fcp::ErrorCode::NoTargetDrive);
 
-bool namesStm32(const std::string &name)
-{
-    return name.starts_with("STM32") || name.starts_with("ST MC");
-}
-
 } // namespace
 
 void FcpIdentification::restart(const fcp::BoardInfo &info)
@@ -110,8 +105,9 @@ void FcpIdentification::onNoResponse(std::optional<bool>, TimePoint)
 void FcpIdentification::decideDialect()
 {
     const bool powerPc = !m_version && m_powerPcRegister == true && m_stm32Register == false;
-    const bool stm32 = m_version || (m_stm32Register == true && m_powerPcRegister == false)
-        || (namesStm32(m_info.name) && m_powerPcRegister == false);
+    const bool named = m_info.name.starts_with("STM32") || m_info.name.starts_with("ST MC");
+    const bool stm32 =
+        m_version || (m_powerPcRegister == false && (m_stm32Register == true || named));
     const Dialect found = powerPc ? Dialect::PowerPc : Dialect::Stm32;
     m_board.dialect = m_chosen.value_or(found);
     if (powerPc == stm32 && !m_chosen)
@@ -191,12 +187,13 @@ void FcpIdentification::finish()
     m_board.knownFirmware = m_doubt.empty();
     std::vector<catalog::RegisterInfo> registers;
     for (catalog::RegisterInfo &info : fcpRegisters(m_board.dialect, revUp)) {
-        bool there = !info.readable() || isFcpRevUp(info.id);
+        const bool asked = info.readable() && !isFcpRevUp(info.id);
+        bool there = !asked;
         for (int motor = 1; motor <= m_board.motors; ++motor) {
             const RegisterId id = catalog::Catalog::withMotor(info, motor);
-            const bool has = m_values.contains(id);
-            there = there || has;
-            if (!has && info.readable() && !isFcpRevUp(info.id))
+            if (m_values.contains(id))
+                there = true;
+            else if (asked)
                 m_board.missing.insert(id);
         }
         if (!there)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace drive {
 
@@ -42,8 +43,7 @@ constexpr std::array<std::uint16_t, 10> kGains{
 constexpr std::array<std::uint16_t, 5> kSpeeds{0x021, 0x025, 0x07B, 0x453, 0x454};
 constexpr std::array<std::uint16_t, 6> kCurrents{0x01A, 0x01B, 0x01C, 0x01D, 0x07C, 0x07D};
 
-template <std::size_t N>
-bool isIn(const std::array<std::uint16_t, N> &list, std::uint16_t address)
+bool isIn(std::span<const std::uint16_t> list, std::uint16_t address)
 {
     return std::ranges::find(list, address) != list.end();
 }

@@ -28,11 +28,7 @@ public:
     void restart();
     Phase phase() const { return m_phase; }
     /// The state of every motor has been read (not by this task): go on from Phase::States.
-    void statesRead()
-    {
-        if (m_phase == Phase::States)
-            m_phase = Phase::StopDatalog;
-    }
+    void statesRead() { m_phase = Phase::StopDatalog; }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;

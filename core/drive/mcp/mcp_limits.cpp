@@ -12,21 +12,17 @@ namespace {
 
 constexpr double kGreatestDigits = 32767.0;
 
-std::string refuseDigits(const McpFacts &board, int motor, double digits)
+std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, double id)
 {
+    const double digits = std::hypot(iq, id);
+    if (digits != 0.0)
+        if (auto why = refuseTorqueControl(board); !why.empty())
+            return why;
     if (auto why = board.reasonAgainstAmps(motor); !why.empty())
         return why;
     if (auto why = refuseCurrent(board, motor, digits * board.ampsPerDigit(motor)); !why.empty())
         return why;
-    return std::abs(digits) > kGreatestDigits ? "beyond what 16 bits hold" : "";
-}
-
-std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, double id)
-{
-    if (auto why = iq == 0.0 && id == 0.0 ? std::string() : refuseTorqueControl(board);
-        !why.empty())
-        return why;
-    return refuseDigits(board, motor, std::hypot(iq, id));
+    return digits > kGreatestDigits ? "beyond what 16 bits hold" : "";
 }
 
 /// How long the bytes of a set-point are; 0: it is none.
