@@ -5,6 +5,7 @@
 #include "capture/channel.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace scope {
@@ -21,10 +22,8 @@ struct Half {
     bool misses(T min, T max) const { return up ? max < bound : min > bound; }
 };
 
-/// Codes outside every 16-bit value: a half-line from there on is empty or everything.
-constexpr std::int32_t kBeyondCodes = 1 << 20;
-
-/// The codes of which `holds(shown value)` is true; it must be monotone.
+/// The codes of which `holds(shown value)` is true; it must be monotone. The bound is a code of 16 bits, or the one above all of
+/// them where no code is in it.
 template <class Holds>
 Half<std::int32_t> halfOfCodes(const capture::Channel &channel, Holds holds)
 {
@@ -34,7 +33,7 @@ Half<std::int32_t> halfOfCodes(const capture::Channel &channel, Holds holds)
     const bool atLow = of(low);
     const bool atHigh = of(high);
     if (atLow == atHigh)
-        return {true, atLow ? -kBeyondCodes : kBeyondCodes};
+        return atLow ? Half<std::int32_t>{false, high} : Half<std::int32_t>{true, high + 1};
     while (high - low > 1) {
         const std::int32_t middle = low + (high - low) / 2;
         (of(middle) == atLow ? low : high) = middle;
@@ -104,7 +103,12 @@ struct Crossing {
         armed = !fire.holds(value);
         return !armed;
     }
-    bool quiet(T min, T max) const { return (armed ? fire : arm).misses(min, max); }
+    /// Which samples would change it; see trigger_machines.h.
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return in(armed ? fire : arm);
+    }
 };
 
 } // namespace scope

@@ -5,7 +5,7 @@
 //   begin(time)         nothing is known before the next sample, which is at `time`
 //   wrapped()           the next sample is the same angle, counted from the other end
 //   step(at, value)     the hit that this sample makes, if any
-//   quiet(min, max)     no sequence of samples in that range would change it or make a hit
+//   moves(in)           which samples would change it or make a hit. in(half) says which of them lie in a half-line, a bit each
 //   due()               when it fires by itself if nothing comes before
 #pragma once
 
@@ -63,10 +63,11 @@ struct Edges {
         const bool fell = slope != Slope::Rising && falling.step(value);
         return rose || fell;
     }
-    bool quiet(T min, T max) const
+    template <class In>
+    std::uint32_t moves(In in) const
     {
-        return (slope == Slope::Falling || rising.quiet(min, max))
-            && (slope == Slope::Rising || falling.quiet(min, max));
+        return (slope == Slope::Falling ? 0 : rising.moves(in))
+            | (slope == Slope::Rising ? 0 : falling.moves(in));
     }
     void disarm() { rising.armed = falling.armed = false; }
 };
@@ -87,7 +88,11 @@ struct EdgeMachine : PlainMachine {
         return edges.step(value) && at.counts() ? MaybeHit(at.crossing(edges.level()))
                                                 : std::nullopt;
     }
-    bool quiet(T min, T max) const { return edges.quiet(min, max); }
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return edges.moves(in);
+    }
 };
 
 template <class T>
@@ -107,7 +112,11 @@ struct LevelMachine : PlainMachine {
     {
         return side.holds(value) ? MaybeHit(at.hit()) : std::nullopt;
     }
-    bool quiet(T min, T max) const { return side.misses(min, max); }
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return in(side);
+    }
 };
 
 template <class T>
@@ -144,10 +153,10 @@ struct LeavingMachine : PlainMachine {
         armed = false;
         return at.crossing(isOver ? high : low);
     }
-    bool quiet(T min, T max) const
+    template <class In>
+    std::uint32_t moves(In in) const
     {
-        return armed ? over.misses(min, max) && under.misses(min, max)
-                     : armLow.misses(min, max) || armHigh.misses(min, max);
+        return armed ? in(over) | in(under) : in(armLow)&in(armHigh);
     }
 };
 
@@ -187,17 +196,12 @@ struct EnteringMachine : PlainMachine {
             from = From::Over;
         return std::nullopt;
     }
-    bool quiet(T min, T max) const
+    template <class In>
+    std::uint32_t moves(In in) const
     {
-        switch (from) {
-        case From::Nowhere:
-            return armUnder.misses(min, max) && armOver.misses(min, max);
-        case From::Under:
-            return atLow.misses(min, max);
-        case From::Over:
-            return atHigh.misses(min, max);
-        }
-        return false;
+        if (from == From::Nowhere)
+            return in(armUnder) | in(armOver);
+        return in(from == From::Under ? atLow : atHigh);
     }
 };
 
@@ -234,7 +238,11 @@ struct PulseMachine : PlainMachine {
         started.reset();
         return wanted ? MaybeHit(end) : std::nullopt;
     }
-    bool quiet(T min, T max) const { return first.quiet(min, max) && second.quiet(min, max); }
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return first.moves(in) | second.moves(in);
+    }
 };
 
 /// One direction of a slew: from the crossing of the first level to the second one.
@@ -259,9 +267,10 @@ struct Ramp {
         started.reset();
         return wanted ? MaybeHit(end) : std::nullopt;
     }
-    bool quiet(T min, T max) const
+    template <class In>
+    std::uint32_t moves(In in) const
     {
-        return start.quiet(min, max) && (!started || arrived.misses(min, max));
+        return start.moves(in) | (started ? in(arrived) : 0);
     }
     void begin()
     {
@@ -304,10 +313,11 @@ struct SlewMachine : PlainMachine {
         }
         return hit;
     }
-    bool quiet(T min, T max) const
+    template <class In>
+    std::uint32_t moves(In in) const
     {
-        return (slope == Slope::Falling || rise.quiet(min, max))
-            && (slope == Slope::Rising || fall.quiet(min, max));
+        return (slope == Slope::Falling ? 0 : rise.moves(in))
+            | (slope == Slope::Rising ? 0 : fall.moves(in));
     }
 };
 
@@ -343,7 +353,11 @@ struct DropoutMachine : PlainMachine {
             dueAt = edge->time + time;
         return hit;
     }
-    bool quiet(T min, T max) const { return edges.quiet(min, max); }
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return edges.moves(in);
+    }
     std::optional<Nanos> due() const { return dueAt; }
 };
 
@@ -387,7 +401,11 @@ struct NthEdgeMachine : PlainMachine {
         counting = idle == 0;
         return edge;
     }
-    bool quiet(T min, T max) const { return edges.quiet(min, max); }
+    template <class In>
+    std::uint32_t moves(In in) const
+    {
+        return edges.moves(in);
+    }
 };
 
 } // namespace scope

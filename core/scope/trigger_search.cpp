@@ -51,6 +51,14 @@ public:
         return index >= m_dueIndex;
     }
 
+    /// The same of sixteen samples, a bit each.
+    std::uint32_t reachedOf16(Index index, const std::optional<Nanos> &when)
+    {
+        if (!when || !reached(index + kMaskedCodes - 1, *when))
+            return 0;
+        return (kEachMasked << (std::max(m_dueIndex, index) - index)) & kEachMasked;
+    }
+
     TriggerHit crossing(Index index, double level) const
     {
         const Nanos there = timeOf(index);
@@ -107,23 +115,26 @@ MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &
     return std::nullopt;
 }
 
-/// The same for codes: sixteen whose extremes show that nothing can happen are passed over.
+/// The same for codes: of sixteen at a time those alone are stepped through that would move the machine as it is.
 template <class AnyMachine>
 MaybeHit scan(const Codes &values, AnyMachine &machine, Reader &reader, Index &from, Index to)
 {
-    constexpr Index kTogether = 16;
-    while (from + kTogether <= to) {
-        const capture::CodeRange range =
-            capture::extremesOf16(&values.codes[static_cast<std::size_t>(from - values.first)]);
-        const auto due = machine.due();
-        if (machine.quiet(range.min, range.max)
-            && !(due && reader.reached(from + kTogether - 1, *due))) {
-            from += kTogether;
-            continue;
+    for (; from + kMaskedCodes <= to; from += kMaskedCodes) {
+        const std::int16_t *const codes =
+            &values.codes[static_cast<std::size_t>(from - values.first)];
+        const auto in = [codes](const Half<Codes::Value> &half) { return maskOf(half, codes); };
+        std::uint32_t ahead = kEachMasked;
+        while (const std::uint32_t moving =
+                   (machine.moves(in) | reader.reachedOf16(from, machine.due())) & ahead) {
+            const int at = std::countr_zero(moving);
+            ahead = ~std::uint32_t{1} << at;
+            const MaybeHit hit = machine.step(
+                At<Reader>{reader, from + static_cast<Index>(at)}, Codes::Value{codes[at]});
+            if (hit) {
+                from += static_cast<Index>(at) + 1;
+                return hit;
+            }
         }
-        if (const MaybeHit hit =
-                scan<Codes, AnyMachine>(values, machine, reader, from, from + kTogether))
-            return hit;
     }
     return scan<Codes, AnyMachine>(values, machine, reader, from, to);
 }
@@ -136,13 +147,13 @@ MaybeHit scan(
     if (edges.slope == Slope::Either)
         return scan<EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
     Crossing<std::int32_t> &crossing = edges.slope == Slope::Rising ? edges.rising : edges.falling;
-    const CodeMask arms(crossing.arm);
-    const CodeMask fires(crossing.fire);
+    const Half<std::int32_t> arms = crossing.arm;
+    const Half<std::int32_t> fires = crossing.fire;
     for (; from + kMaskedCodes <= to; from += kMaskedCodes) {
         const std::int16_t *const codes =
             &values.codes[static_cast<std::size_t>(from - values.first)];
-        std::uint32_t arm = arms.of(codes);
-        std::uint32_t fire = fires.of(codes);
+        std::uint32_t arm = maskOf(arms, codes);
+        std::uint32_t fire = maskOf(fires, codes);
         // Bits that lie behind are cleared; arming and firing take turns.
         while ((crossing.armed ? fire : arm) != 0) {
             if (!crossing.armed) {
@@ -274,7 +285,10 @@ struct CodeWork final : Work {
     bool passesOver(const FastColumn &column, Reader &reader, Index stop, double halfTurn) const
     {
         const capture::CodeRange range = column.blockExtremes(next);
-        if (!machine.quiet(range.min, range.max))
+        const auto touches = [range](const Half<std::int32_t> &half) {
+            return std::uint32_t{!half.misses(range.min, range.max)};
+        };
+        if (machine.moves(touches) != 0)
             return false;
         if (condition.turn > 0
             && std::max<double>(range.max, before) - std::min<double>(range.min, before) > halfTurn)
