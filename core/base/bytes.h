@@ -102,6 +102,7 @@ public:
         return *this;
     }
 
+    void reserve(std::size_t more) { m_bytes.reserve(m_bytes.size() + more); }
     std::size_t size() const { return m_bytes.size(); }
     Bytes take() { return std::move(m_bytes); }
 

@@ -71,7 +71,7 @@ Bytes fileHead(std::int64_t startSeconds, std::string_view program)
     return out.take();
 }
 
-Bytes packetBlock(const BlockHead &head, ByteView data)
+Bytes packetBlock(const BlockHead &head, Bytes data)
 {
     const auto length = static_cast<std::uint32_t>(blockSize(data.size()));
     const auto time = static_cast<std::uint64_t>(head.at);
@@ -80,19 +80,17 @@ Bytes packetBlock(const BlockHead &head, ByteView data)
     out.u32(kPacketBlock).u32(length).u32(static_cast<std::uint32_t>(head.interface));
     out.u32(static_cast<std::uint32_t>(time >> 32)).u32(static_cast<std::uint32_t>(time));
     const Bytes fixed = out.u32(size).u32(size).take();
-    Bytes block;
-    block.reserve(length);
-    block = fixed;
-    block.insert(block.end(), data.begin(), data.end());
-    block.resize(kFixedHead + (data.size() + 3) / 4 * 4);
     ByteWriter tail;
     option(tail, kOptionFlags, ByteWriter().u32(head.direction).take());
     const std::uint64_t check = headCrc(fixed, head.direction, head.number);
     option(tail, kOptionPacketId, ByteWriter().u64(check << 32 | head.number).take());
     option(tail, kOptionHash, ByteWriter().u8(kHashCrc32).u32(crc32(data)).take());
     const Bytes end = tail.u32(0).u32(length).take();
-    block.insert(block.end(), end.begin(), end.end());
-    return block;
+    data.reserve(length);
+    data.insert(data.begin(), fixed.begin(), fixed.end());
+    data.resize(length - end.size());
+    data.insert(data.end(), end.begin(), end.end());
+    return data;
 }
 
 Claim claimOf(ByteView bytes)

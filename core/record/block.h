@@ -38,8 +38,8 @@ constexpr std::size_t kFixedHead = 28;
 /// @param startSeconds  UTC of the session's 0 s
 Bytes fileHead(std::int64_t startSeconds, std::string_view program);
 
-/// head.dataBytes is not looked at.
-Bytes packetBlock(const BlockHead &head, ByteView data);
+/// The data with its frame around it; in place if it has room for kBlockOverhead more. head.dataBytes is not looked at.
+Bytes packetBlock(const BlockHead &head, Bytes data);
 
 /// Bytes of the whole block with so much data.
 constexpr std::size_t blockSize(std::size_t dataBytes)

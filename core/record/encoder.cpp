@@ -13,6 +13,7 @@ using capture::SampleBlock;
 using capture::StreamLayout;
 using capture::Tick;
 
+constexpr std::size_t kAround = 256; ///< bytes of a block of samples beside the fast ones
 constexpr std::size_t kReserve = 256; ///< bytes of data in the place kept for the end
 constexpr std::size_t kMostSampleBytes = kMostPayload / 2; ///< of one block that is added
 constexpr std::size_t kMostDescribed = 4096; ///< registers that are described again
@@ -51,17 +52,17 @@ Block Encoder::head()
     return {std::move(head), 0};
 }
 
-bool Encoder::add(Nanos at, Entry entry)
+bool Encoder::add(Nanos at, const Entry &entry)
 {
-    if (auto *block = std::get_if<SampleBlock>(&entry)) {
+    if (const auto *block = std::get_if<SampleBlock>(&entry)) {
         if (bytesOf(*block) > kMostSampleBytes || !isWhole(*block))
             return false;
         m_overview.add(*block);
-        addSamples(at, std::move(*block));
+        addSamples(at, *block);
         return true;
     }
-    if (auto *link = std::get_if<LinkBytes>(&entry)) {
-        addLink(at, std::move(*link));
+    if (const auto *link = std::get_if<LinkBytes>(&entry)) {
+        addLink(at, *link);
         return true;
     }
     if (std::holds_alternative<StreamLayout>(entry))
@@ -95,7 +96,7 @@ bool Encoder::continues(const SampleBlock &block) const
     return block.firstTick == m_gathered->firstTick + Tick{m_gathered->count} * step;
 }
 
-void Encoder::addSamples(Nanos at, SampleBlock block)
+void Encoder::addSamples(Nanos at, const SampleBlock &block)
 {
     if (!continues(block))
         flushSamples();
@@ -113,7 +114,7 @@ void Encoder::addSamples(Nanos at, SampleBlock block)
         m_columns[s].insert(m_columns[s].end(), begin, begin + block.count);
     }
     m_gathered->count += block.count;
-    std::move(block.slow.begin(), block.slow.end(), std::back_inserter(m_gathered->slow));
+    m_gathered->slow.insert(m_gathered->slow.end(), block.slow.begin(), block.slow.end());
     if (m_gatheredBytes >= m_config.blockBytes || block.count == 0)
         flushSamples();
 }
@@ -122,18 +123,17 @@ void Encoder::flushSamples()
 {
     if (!m_gathered)
         return;
-    SampleBlock block = std::move(*m_gathered);
-    block.fast.reserve(m_columns.size() * block.count);
-    for (std::vector<std::int16_t> &column : m_columns) {
-        block.fast.insert(block.fast.end(), column.begin(), column.end());
+    const std::uint64_t samples =
+        samplesOf(*m_gathered) + std::uint64_t{m_gathered->count} * m_columns.size();
+    repeatWhereDue(m_gatheredSince);
+    emitPayload(m_gatheredSince, encodeSamples(*m_gathered, m_columns, kAround), samples);
+    for (std::vector<std::int16_t> &column : m_columns)
         column.clear();
-    }
     m_gathered.reset();
     m_gatheredBytes = 0;
-    emitEntry(m_gatheredSince, block);
 }
 
-void Encoder::addLink(Nanos at, LinkBytes link)
+void Encoder::addLink(Nanos at, const LinkBytes &link)
 {
     if (m_link && m_link->what.direction != link.direction)
         flushLink();
@@ -153,11 +153,11 @@ void Encoder::flushLink()
 {
     if (!m_link)
         return;
-    const GatheredLink link = std::move(*m_link);
+    GatheredLink link = std::move(*m_link);
     m_link.reset();
     const BlockHead head{
         Interface::Link, link.since, static_cast<std::uint32_t>(link.what.direction), m_number, 0};
-    push(packetBlock(head, link.what.bytes), 0);
+    push(packetBlock(head, std::move(link.what.bytes)), 0);
 }
 
 void Encoder::flush(Nanos now)
@@ -215,24 +215,24 @@ Encoder::Overwrite Encoder::endInReserve(Nanos at, End end) const
 
 bool Encoder::emitEntry(Nanos at, const Entry &entry)
 {
-    const auto payload = encodeEntry(entry);
+    auto payload = encodeEntry(entry);
     if (!payload)
         return false;
-    const auto *block = std::get_if<SampleBlock>(&entry);
-    const bool described = block || std::holds_alternative<PolledValues>(entry);
-    if (described && m_sinceRepeat >= m_config.repeatBytes)
-        repeatDescriptions(at);
-    emitPayload(at, *payload, block ? samplesOf(*block) : 0);
+    if (std::holds_alternative<PolledValues>(entry))
+        repeatWhereDue(at);
+    emitPayload(at, std::move(*payload), 0);
     return true;
 }
 
-/// For readers that come in behind damage.
-void Encoder::repeatDescriptions(Nanos at)
+/// What samples and values are, for readers that come in behind damage.
+void Encoder::repeatWhereDue(Nanos at)
 {
+    if (m_sinceRepeat < m_config.repeatBytes)
+        return;
     m_sinceRepeat = 0;
     const auto repeat = [&](const Entry &entry) {
-        if (const auto payload = encodeEntry(entry, Repeat::Yes))
-            emitPayload(at, *payload, 0);
+        if (auto payload = encodeEntry(entry, Repeat::Yes))
+            emitPayload(at, std::move(*payload), 0);
     };
     if (m_layout)
         repeat(*m_layout);
@@ -240,9 +240,9 @@ void Encoder::repeatDescriptions(Nanos at)
         repeat(polled);
 }
 
-void Encoder::emitPayload(Nanos at, ByteView payload, std::uint64_t samples)
+void Encoder::emitPayload(Nanos at, Bytes payload, std::uint64_t samples)
 {
-    push(packetBlock({Interface::Entries, at, 0, m_number, 0}, payload), samples);
+    push(packetBlock({Interface::Entries, at, 0, m_number, 0}, std::move(payload)), samples);
 }
 
 void Encoder::push(Bytes bytes, std::uint64_t samples)

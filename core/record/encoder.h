@@ -42,7 +42,7 @@ public:
 
     /// @param at  when it was told; samples keep their own ticks
     /// False: the entry is too long for a block, or contradicts itself, and is left out.
-    bool add(Nanos at, Entry entry);
+    bool add(Nanos at, const Entry &entry);
 
     /// Makes blocks of what was gathered before `now` - the bounds; with flushAll() of all of it.
     void flush(Nanos now);
@@ -71,16 +71,16 @@ private:
         LinkBytes what;
     };
 
-    void addSamples(Nanos at, capture::SampleBlock block);
-    void addLink(Nanos at, LinkBytes link);
+    void addSamples(Nanos at, const capture::SampleBlock &block);
+    void addLink(Nanos at, const LinkBytes &link);
     void remember(const Entry &entry);
     bool continues(const capture::SampleBlock &block) const;
     void flushSamples();
     void flushLink();
     bool emitEntry(Nanos at, const Entry &entry);
-    void emitPayload(Nanos at, ByteView payload, std::uint64_t samples);
+    void repeatWhereDue(Nanos at);
+    void emitPayload(Nanos at, Bytes payload, std::uint64_t samples);
     void push(Bytes bytes, std::uint64_t samples);
-    void repeatDescriptions(Nanos at);
 
     Begin m_begin;
     Config m_config;

@@ -119,15 +119,22 @@ ByteWriter put(const StreamLayout &layout, Repeat repeat)
     return out;
 }
 
-ByteWriter put(const SampleBlock &block)
+/// @param fast  its fast samples, in one piece or more
+ByteWriter put(
+    const SampleBlock &block, std::span<const std::vector<std::int16_t>> fast, std::size_t room)
 {
-    const std::size_t signalCount = block.count > 0 ? block.fast.size() / block.count : 0;
+    std::size_t codes = 0;
+    for (const std::vector<std::int16_t> &piece : fast)
+        codes += piece.size();
+    const std::size_t signalCount = block.count > 0 ? codes / block.count : 0;
     const std::size_t slowCount = block.slow.empty() ? 0 : block.slow.front().values.size();
     ByteWriter out = start(Kind::Samples);
+    out.reserve(room + codes * 2);
     out.u32(block.stream).s64(block.firstTick).s64(block.lostTicks).u32(block.count);
     out.u16(static_cast<std::uint32_t>(signalCount)).u16(static_cast<std::uint32_t>(slowCount));
     out.u32(static_cast<std::uint32_t>(block.slow.size()));
-    putCodes(out, block.fast);
+    for (const std::vector<std::int16_t> &piece : fast)
+        putCodes(out, piece);
     for (const SlowGroup &group : block.slow) {
         out.s64(group.tick);
         for (const std::int32_t value : group.values)
@@ -135,6 +142,8 @@ ByteWriter put(const SampleBlock &block)
     }
     return out;
 }
+
+ByteWriter put(const SampleBlock &block) { return put(block, {&block.fast, 1}, 0); }
 
 ByteWriter put(const PolledRegister &polled, Repeat repeat)
 {
@@ -379,6 +388,12 @@ Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat)
     if (payload.size() > kMostPayload)
         return fail(PayloadError::TooLong);
     return payload;
+}
+
+Bytes encodeSamples(
+    const SampleBlock &block, std::span<const std::vector<std::int16_t>> columns, std::size_t room)
+{
+    return put(block, columns, room).take();
 }
 
 Result<Decoded, PayloadError> decodeEntry(ByteView payload)

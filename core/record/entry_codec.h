@@ -29,6 +29,11 @@ bool isWhole(const capture::SampleBlock &block);
 /// Not for LinkBytes. Fails with TooLong only.
 Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat = Repeat::No);
 
+/// The same of a block whose fast samples lie in columns, one a signal, `block.count` each, instead of in `fast`.
+/// @param room  bytes for what the caller puts around it, and for all that is not fast: allocated at once
+Bytes encodeSamples(const capture::SampleBlock &block,
+    std::span<const std::vector<std::int16_t>> columns, std::size_t room);
+
 struct Decoded {
     Entry entry;
     Repeat repeat = Repeat::No;

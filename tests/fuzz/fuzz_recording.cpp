@@ -20,7 +20,8 @@ Bytes soundBlocks(ByteView script)
             head >> 15 != 0 ? record::Interface::Link : record::Interface::Entries;
         number += (head & 0x4000U) != 0 ? 3 : 1;
         const Bytes block =
-            record::packetBlock({interface, capture::Nanos{number} * 1000, 1, number, 0}, data);
+            record::packetBlock({interface, capture::Nanos{number} * 1000, 1, number, 0},
+                Bytes(data.begin(), data.end()));
         file.insert(file.end(), block.begin(), block.end());
     }
     return file;

@@ -7,6 +7,7 @@
 #include <QStorageInfo>
 
 #include <cerrno>
+#include <filesystem>
 
 namespace session {
 
@@ -25,7 +26,8 @@ class DiskSink : public BlockSink {
 public:
     explicit DiskSink(const QString &path)
         : m_file(path)
-        , m_disk(QFileInfo(path).absolutePath())
+        , m_disk(QFileInfo(QStorageInfo(QFileInfo(path).absolutePath()).rootPath())
+                     .filesystemFilePath())
     {
     }
 
@@ -67,9 +69,8 @@ public:
 
     qint64 freeBytes() const override
     {
-        QStorageInfo disk = m_disk;
-        disk.refresh();
-        return disk.isValid() ? disk.bytesAvailable() : -1;
+        std::error_code error;
+        return static_cast<qint64>(std::filesystem::space(m_disk, error).available);
     }
     bool isFull() const override { return m_full; }
     QString systemText() const override { return m_text; }
@@ -93,7 +94,8 @@ private:
 
     std::unique_ptr<QLockFile> m_lock; ///< outlives the open file
     QFile m_file;
-    QStorageInfo m_disk;
+    std::filesystem::path
+        m_disk; ///< QStorageInfo reads the list of all disks each time it is asked
     qint64 m_size = 0;
     bool m_full = false;
     QString m_text;
@@ -115,12 +117,12 @@ RecordingFile::RecordingFile(std::unique_ptr<BlockSink> sink, record::Begin begi
 {
 }
 
-bool RecordingFile::add(record::Nanos at, record::Entry entry)
+bool RecordingFile::add(record::Nanos at, const record::Entry &entry)
 {
     if (m_over)
         return false;
     m_last = std::max(m_last, at);
-    if (!m_encoder.add(at, std::move(entry)))
+    if (!m_encoder.add(at, entry))
         ++m_leftOut;
     return writeBlocks();
 }

@@ -51,7 +51,7 @@ public:
     /// Writes the head. False: see failure().
     bool open() { return write(m_encoder.head()); }
     /// True unless the recording is over now. An entry that fits no block is left out and counted.
-    bool add(record::Nanos at, record::Entry entry);
+    bool add(record::Nanos at, const record::Entry &entry);
     /// Writes what was gathered long enough at `now`.
     bool flush(record::Nanos now);
     bool flushAll();

@@ -117,11 +117,11 @@ NotesResult saveNotes(const QString &source, const QString &target,
         return failed(to.errorString());
     std::uint32_t number = decoder.nextNumber();
     for (const record::Note &note : notes) {
-        const auto payload = record::encodeEntry(note);
+        auto payload = record::encodeEntry(note);
         if (!payload)
             return failed(QStringLiteral("a note is too long"));
         const Bytes block = record::packetBlock(
-            {record::Interface::Entries, tail.newest, 0, number++, 0}, *payload);
+            {record::Interface::Entries, tail.newest, 0, number++, 0}, std::move(*payload));
         if (!writeAll(to, block.data(), static_cast<qint64>(block.size())))
             return failed(to.errorString());
     }

@@ -115,10 +115,10 @@ void RecordingWorker::take(const ToldPtr &told)
         finish();
 }
 
-void RecordingWorker::add(record::Nanos at, record::Entry entry)
+void RecordingWorker::add(record::Nanos at, const record::Entry &entry)
 {
     takeAll();
-    if (m_file && !m_file->add(at, std::move(entry)))
+    if (m_file && !m_file->add(at, entry))
         finish();
 }
 
@@ -131,7 +131,7 @@ void RecordingWorker::tick()
     if (goesOn && m_sinceSync.elapsed() >= kSync_ms) {
         goesOn = m_file->sync();
         m_sinceSync.start();
-        m_free = m_file->freeBytes(); // 50 us: not with every progress
+        m_free = m_file->freeBytes();
         if (goesOn && m_free >= 0 && m_free < m_limits.endBytes) {
             m_file->endForWantOfRoom();
             goesOn = false;

@@ -32,7 +32,7 @@ public:
 
     void start(const QString &path, RecordingTap::Content content, const record::Begin &begin);
     void stop();
-    void add(record::Nanos at, record::Entry entry);
+    void add(record::Nanos at, const record::Entry &entry);
 
 Q_SIGNALS:
     void started(const QString &path);

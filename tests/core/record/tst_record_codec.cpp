@@ -197,8 +197,10 @@ void TestRecordCodec::aBlockIsWhatPcapngSays()
 
 void TestRecordCodec::everyFlippedBitOfABlockIsSeen()
 {
-    const Bytes sound = packetBlock({Interface::Entries, 5, 0, 1, 0}, view("RS some payload"));
-    const std::size_t padding = kFixedHead + std::strlen("RS some payload");
+    const ByteView text = view("RS some payload");
+    const Bytes sound =
+        packetBlock({Interface::Entries, 5, 0, 1, 0}, Bytes(text.begin(), text.end()));
+    const std::size_t padding = kFixedHead + text.size();
     for (std::size_t bit = 0; bit < sound.size() * 8; ++bit) {
         Bytes flipped = sound;
         flipped[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
