@@ -63,6 +63,14 @@ struct Rows {
 };
 } // namespace
 
+/// The pixels of the screen that a plot has. Where the scale is no whole number its edges lie within pixels: it has those that
+/// are nearer, as whatever is painted beside it does, lest one row or column be nobody's.
+struct WaveformPlottable::Place {
+    double ratio; ///< device pixels a pixel of the window
+    QSize size; ///< device pixels
+    QPointF beyond; ///< the first one's corner to the exact one, up to half a device pixel
+};
+
 struct WaveformPlottable::View {
     double from;
     double to;
@@ -100,23 +108,33 @@ void WaveformPlottable::draw(QCPPainter *painter)
         drawLastValues(painter);
         return;
     }
-    const double ratio = painter->device()->devicePixelRatioF();
-    const QSize size(qRound(rect.width() * ratio), qRound(rect.height() * ratio));
-    if (const auto now = ranges(); m_image.size() != size || now != m_drawn) {
-        paintImage(size, ratio);
+    // Not antialiased, for which the library moves all by half a pixel, and an image by a whole one.
+    painter->setAntialiasing(false);
+    const Place place = placeOf(rect, *painter);
+    if (const auto now = ranges(); m_image.size() != place.size || now != m_drawn) {
+        paintImage(place);
         m_drawn = now;
     }
-    // Pixel on pixel: an image of another ratio than 1 is scaled. And not antialiased, for which the library moves all by
-    // half a pixel, and an image by a whole one.
-    painter->setAntialiasing(false);
+    // Pixel on pixel: an image of another ratio than 1 is scaled. The library's clip begins a row above the plot, and ends one
+    // before its end.
     painter->save();
+    painter->setClipping(false);
     painter->translate(rect.topLeft());
-    painter->scale(1.0 / ratio, 1.0 / ratio);
-    painter->drawImage(0, 0, m_image);
+    painter->scale(1.0 / place.ratio, 1.0 / place.ratio);
+    painter->drawImage(-place.beyond, m_image);
     painter->restore();
     painter->setAntialiasing(true);
     drawMarks(painter);
     drawLastValues(painter);
+}
+
+WaveformPlottable::Place WaveformPlottable::placeOf(const QRect &rect, const QPainter &painter)
+{
+    const QTransform toDevice = painter.deviceTransform();
+    const QRectF exact = toDevice.mapRect(QRectF(rect));
+    const QPoint first(qRound(exact.left()), qRound(exact.top()));
+    const QSize size(qRound(exact.right()) - first.x(), qRound(exact.bottom()) - first.y());
+    return {toDevice.m11(), size.expandedTo({1, 1}), exact.topLeft() - first};
 }
 
 std::vector<QCPRange> WaveformPlottable::ranges() const
@@ -127,15 +145,14 @@ std::vector<QCPRange> WaveformPlottable::ranges() const
     return all;
 }
 
-void WaveformPlottable::paintImage(QSize size, double ratio)
+void WaveformPlottable::paintImage(const Place &place)
 {
-    if (m_image.size() != size)
-        m_image =
-            QImage(size, QImage::Format_RGB32); // nothing shows through: it is copied, not blended
+    if (m_image.size() != place.size) // nothing shows through: it is copied, not blended
+        m_image = QImage(place.size, QImage::Format_RGB32);
     const std::span<const Ghost> ghosts = m_scopePlot.ghosts;
     const std::span<const Ghost> references = ghosts.first(referenceCount(ghosts));
     clearWideRegisters();
-    View view = viewOf(size, std::max(1, qRound(ratio)));
+    View view = viewOf(place.size, std::max(1, qRound(place.ratio)));
     view.ground = mParentPlot->palette().color(QPalette::Base).rgb();
     if (references.size() < ghosts.size())
         paintRecords(view);
@@ -144,7 +161,7 @@ void WaveformPlottable::paintImage(QSize size, double ratio)
     ImageInk ink(m_image, ghosts.empty() ? view.ground : std::nullopt);
     drawGhosts(references, view, ink);
     drawTraces(view, ink);
-    paintGround(*view.ground, ratio);
+    paintGround(*view.ground, place);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
@@ -171,9 +188,12 @@ void WaveformPlottable::drawShapes(QCPPainter *painter) const
 }
 
 /// Grid and gaps, where no trace is.
-void WaveformPlottable::paintGround(QRgb ground, double ratio)
+void WaveformPlottable::paintGround(QRgb ground, const Place &place)
 {
     const QRect rect = m_scopePlot.rect->rect();
+    const auto column = [&](double x) {
+        return qRound(place.beyond.x() + (x - rect.left()) * place.ratio);
+    };
     const auto paint = [&](QRect box, QRgb from, QRgb to) {
         box &= m_image.rect();
         for (int y = box.top(); y <= box.bottom(); ++y) {
@@ -189,14 +209,14 @@ void WaveformPlottable::paintGround(QRgb ground, double ratio)
         for (const double tick : axis->tickVector()) {
             const int at = qRound(axis->coordToPixel(tick));
             paint(axis == keyAxis()
-                    ? QRect(qRound((at - rect.left()) * ratio), 0, 1, m_image.height())
-                    : QRect(0, qRound((at - rect.top()) * ratio), m_image.width(), 1),
+                    ? QRect(column(at), 0, 1, m_image.height())
+                    : QRect(0, qRound(place.beyond.y() + (at - rect.top()) * place.ratio),
+                        m_image.width(), 1),
                 ground, grid);
         }
     }
     shadeGaps([&](double left, double width) {
-        const int from = qRound((left - rect.left()) * ratio);
-        const int to = qRound((left + width - rect.left()) * ratio);
+        const int from = column(left), to = column(left + width);
         const QRect box(from, 0, std::max(1, to - from), m_image.height());
         paint(box, ground, mixed(ground, shadeOfGaps(m_scopePlot.dark)));
         if (grid != ground)

@@ -35,8 +35,10 @@ protected:
 
 private:
     struct View; ///< the picture's size and time range, for one redraw
+    struct Place; ///< of the picture, on the screen
+    static Place placeOf(const QRect &rect, const QPainter &painter);
     void shadeGaps(const std::function<void(double left, double width)> &shade) const;
-    void paintGround(QRgb ground, double ratio);
+    void paintGround(QRgb ground, const Place &place);
     using GhostColor = std::function<QRgb(std::size_t trace)>;
     GhostColor colorsOf(const Ghost &ghost, const View &view) const; ///< premultiplied
     void paintRecords(const View &view);
@@ -46,7 +48,7 @@ private:
     void drawMarks(QCPPainter *painter) const;
     void drawTraces(const View &view, TraceInk &ink) const;
     void drawShapes(QCPPainter *painter) const;
-    void paintImage(QSize size, double ratio);
+    void paintImage(const Place &place);
     std::vector<QCPRange> ranges() const; ///< of the axes, time first
     View viewOf(QSize size, int thickness) const;
     const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
