@@ -18,7 +18,7 @@ public:
     void fit() override; ///< all of the time
     int curves() const; ///< that are drawn
 
-    QSize minimumSizeHint() const override { return {220, 110}; }
+    QSize minimumSizeHint() const override { return {220, 160}; }
 
 protected:
     void zoom(double factor) override;

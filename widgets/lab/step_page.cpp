@@ -1,6 +1,7 @@
 #include "widgets/lab/step_page.h"
 
 #include "lab/happenings.h"
+#include "widgets/base/flow_layout.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
@@ -12,14 +13,12 @@
 #include "widgets/lab/step_runs.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,42 +26,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastAbove = 80; ///< pixels above the table: the fields scroll
 constexpr int kLeastRows = 3; ///< of the table
-
-/// As wide as what is in it; it scrolls where there is no room above the table.
-class FieldScroll : public QScrollArea {
-public:
-    FieldScroll(QWidget *fields, QWidget *parent)
-        : QScrollArea(parent)
-    {
-        setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setWidgetResizable(true);
-        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-        setWidget(fields);
-    }
-    QSize sizeHint() const override { return beside(widget()->sizeHint()); }
-    QSize minimumSizeHint() const override
-    {
-        return {beside(widget()->minimumSizeHint()).width(), kLeastAbove};
-    }
-
-protected:
-    bool event(QEvent *event) override
-    {
-        if (event->type() == QEvent::LayoutRequest)
-            updateGeometry(); // what is in it needs another width
-        return QScrollArea::event(event);
-    }
-
-private:
-    QSize beside(const QSize &size) const
-    {
-        return size + QSize(style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
-    }
-};
 
 /// How many steps have been asked for.
 int stepsIn(const lab::Happenings &happenings)
@@ -89,8 +53,8 @@ ExperimentBar::Progress progress(const lab::Happenings &happenings)
 StepPage::StepPage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
-    , m_gains(new SpeedGains(parts.device, parts.registers, parts.edits, this))
     , m_fields(new StepFields(this))
+    , m_gains(new SpeedGains(parts.device, parts.registers, parts.edits, this))
     , m_direction(named(new QComboBox(this), "stepDirection", tr("Steps in the picture")))
     , m_overlay(new StepOverlay(this))
     , m_runs(new StepRuns(this))
@@ -98,17 +62,14 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     , m_bar(new ExperimentBar(parts.lab, "step", this))
 {
     setObjectName(QStringLiteral("stepPage"));
-    auto *above = new QWidget(this);
-    auto *row = bare(new QHBoxLayout(above));
-    row->addWidget(new FieldScroll(makeSide(), above));
-    row->addWidget(m_overlay, 1);
-    auto *both = new QSplitter(Qt::Vertical, this);
+    // Side by side: one above the other, both would have half of a height that is little in a small window.
+    auto *both = new QSplitter(Qt::Horizontal, this);
     both->setChildrenCollapsible(false);
-    both->addWidget(above);
-    both->addWidget(m_table);
-    m_overlay->setMinimumHeight(kLeastAbove);
-    both->setStretchFactor(0, 3);
-    both->setStretchFactor(1, 2);
+    both->addWidget(m_overlay);
+    both->addWidget(makeSide());
+    both->setStretchFactor(0, 2);
+    both->setStretchFactor(1, 3);
+    both->setSizes({1000, 1500}); // shares of what there is
     makeTable();
     auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0});
     layout->addWidget(both);
@@ -118,22 +79,26 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     showResults();
 }
 
+/// The table, below what is changed from step to step. A gain whose text gets longer moves nothing: it is at the end.
 QWidget *StepPage::makeSide()
 {
     m_direction->addItems({tr("steps up"), tr("steps down")});
     new WheelGuard(m_direction);
     auto *side = new QWidget(this);
-    auto *layout = bare(new QVBoxLayout(side), kGrid);
-    // What is changed from step to step is in view, also where the rest has to scroll.
-    layout->addWidget(m_gains);
-    layout->addWidget(m_fields);
-    auto *shown = new QHBoxLayout;
-    auto *label = new QLabel(tr("In the picture"), side);
+    auto *gains = new QWidget(side);
+    auto *grid = bare(new QGridLayout(gains), kGrid, kFineGrid);
+    auto *label = new QLabel(tr("In the picture"), gains);
     label->setBuddy(m_direction);
-    shown->addWidget(label);
-    shown->addWidget(m_direction, 1);
-    layout->addLayout(shown);
-    layout->addStretch(1);
+    grid->addWidget(m_gains, 0, 0, 1, 2);
+    grid->addWidget(label, 1, 0);
+    grid->addWidget(m_direction, 1, 1);
+    auto *choices = new QWidget(side);
+    auto *flow = new FlowLayout(kGrid, choices);
+    flow->addWidget(m_fields);
+    flow->addWidget(gains);
+    auto *column = bare(new QVBoxLayout(side), kHalfGrid);
+    column->addWidget(choices);
+    column->addWidget(m_table, 1);
     return side;
 }
 

@@ -60,8 +60,8 @@ private:
 
     Parts m_parts;
 
-    SpeedGains *m_gains;
     StepFields *m_fields;
+    SpeedGains *m_gains;
     QComboBox *m_direction;
     StepOverlay *m_overlay;
     StepRuns *m_runs;

@@ -70,8 +70,8 @@ QString stepText(const lab::StepSeries &series)
 
 StepRuns::StepRuns(QObject *parent)
     : RowTable(parent,
-        {tr("Run"), tr("Step"), tr("Kp"), tr("Ki"), tr("Rise"), tr("Overshoot"), tr("Settling"),
-            tr("Peak Iq"), tr("Bus")})
+        {tr("Run"), tr("Kp"), tr("Ki"), tr("Rise"), tr("Overshoot"), tr("Settling"), tr("Peak Iq"),
+            tr("Bus"), tr("Step")})
 {
 }
 

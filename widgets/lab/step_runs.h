@@ -12,7 +12,6 @@ class StepRuns : public RowTable {
 public:
     enum Column {
         RunColumn, ///< its number and its mark
-        StepColumn,
         KpColumn,
         KiColumn,
         RiseColumn,
@@ -20,6 +19,7 @@ public:
         SettlingColumn,
         PeakColumn,
         BusColumn,
+        StepColumn, ///< behind what is compared, because it is mostly the same
         kColumns
     };
     static constexpr int kMost = 50; ///< the oldest that is no reference goes for the next one

@@ -7,13 +7,53 @@
 #include "support/window_rig.h"
 #include "widgets/lab/experiments.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemModel>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QTranslator>
 #include <QTreeView>
 
 namespace support {
+
+/// As long as it lives, windows that are made speak German, or English where that is asked for.
+class Speaking {
+public:
+    explicit Speaking(bool german)
+    {
+        if (german && m_german.load(QStringLiteral(":/i18n/rotorscope_de")))
+            QCoreApplication::installTranslator(&m_german);
+    }
+
+private:
+    QTranslator m_german; // which takes itself out
+};
+
+/// All of it is in view.
+inline bool isWhole(const QWidget &part)
+{
+    return part.isVisible() && part.visibleRegion().boundingRect().size() == part.size();
+}
+
+/// The parts of a page with words or numbers in them that are not seen whole, or have less room than they need.
+inline QString cutParts(const QWidget &page)
+{
+    QStringList cut;
+    for (const QWidget *part : page.findChildren<QWidget *>()) {
+        const bool says = qobject_cast<const QLabel *>(part) != nullptr
+            || qobject_cast<const QLineEdit *>(part) != nullptr
+            || qobject_cast<const QComboBox *>(part) != nullptr
+            || qobject_cast<const QAbstractButton *>(part) != nullptr;
+        if (says && part->isVisible()
+            && (!isWhole(*part) || part->width() < part->minimumSizeHint().width()))
+            cut.append(QLatin1String(part->metaObject()->className()) + QLatin1Char(' ')
+                + part->objectName());
+    }
+    return cut.join(QStringLiteral(", "));
+}
 
 struct LabWindow {
     static constexpr int kRunMs = 100'000; ///< a busy computer takes its time

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QUndoStack>
+#include <qcustomplot.h>
 
 using drive::MotorState;
 using support::LabWindow;
@@ -27,6 +28,21 @@ const widgets::LoopRow &rowOf(LabWindow &bench, const char *key)
     static const widgets::LoopRow none;
     const int row = rowsOf(bench).rowOf(key);
     return row < 0 ? none : rowsOf(bench).rows()[std::size_t(row)];
+}
+
+/// Pixels that differ from the ground in the line of text below the ticks of a part's lower edge.
+int inkBelow(QCustomPlot &plot, const QCPAxisRect &part)
+{
+    constexpr int kTicks = 6; // pixels
+    const QImage image = plot.grab().toImage();
+    const double ratio = image.devicePixelRatio();
+    const QRgb ground = image.pixel(1, image.height() - 2);
+    const int from = part.bottom() + kTicks, to = from + plot.fontMetrics().height();
+    int ink = 0;
+    for (int y = int(from * ratio); y < int(to * ratio); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            ink += image.pixel(x, y) == ground ? 0 : 1;
+    return ink;
 }
 
 } // namespace
@@ -214,6 +230,35 @@ private:
     }
 
 private Q_SLOTS:
+    void thePictureHasItsFrequenciesInASmallWindow_data()
+    {
+        QTest::addColumn<bool>("german");
+        QTest::newRow("English") << false;
+        QTest::newRow("German") << true;
+    }
+    void thePictureHasItsFrequenciesInASmallWindow()
+    {
+        QFETCH(const bool, german);
+        const support::Speaking speaking(german);
+        LabWindow bench("servo24"); // 1280x720
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        auto *plot = bench.rig.window.findChild<widgets::BodePlot *>()->findChild<QCustomPlot *>();
+        QTRY_VERIFY(support::isWhole(*plot));
+        QVERIFY2(plot->height() >= 160, qPrintable(QString::number(plot->height())));
+        QTRY_COMPARE(support::cutParts(*bench.find("responsePage")), QString());
+
+        const QList<QCPAxisRect *> parts = plot->axisRects();
+        QCOMPARE(parts.size(), 3);
+        for (const QCPAxisRect *part : parts) // gain, phase, coherence
+            QVERIFY2(part->height() >= 16, qPrintable(QString::number(part->height())));
+        const QCPAxisRect &lowest = *parts.last();
+        QVERIFY(lowest.outerRect().bottom() < plot->height());
+        QVERIFY(lowest.axis(QCPAxis::atBottom)->tickVectorLabels().size() >= 2);
+        QVERIFY(inkBelow(*plot, lowest) > 20); // the numbers are painted
+        QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
+    }
+
     void theCurrentLoopHasARowAndAPictureOfItsOwn()
     {
         LabWindow bench("servo24", {960, 540});

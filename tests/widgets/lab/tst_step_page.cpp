@@ -18,6 +18,7 @@
 #include <QToolTip>
 #include <QUndoStack>
 #include <QWheelEvent>
+#include <qcustomplot.h>
 
 using drive::MotorState;
 using namespace std::chrono_literals;
@@ -130,9 +131,28 @@ private Q_SLOTS:
         };
         for (int i = 0; i < 3; ++i)
             QTRY_VERIFY2(seen(runs->index(i, 0)), qPrintable(QString::number(i)));
-        // What is above it scrolls up and down, not to the side.
-        auto *fields = bench.find<QLineEdit>("stepFrom");
-        QTRY_VERIFY(fields->visibleRegion().boundingRect().size() == fields->size());
+    }
+
+    void thePictureIsSeenInASmallWindow_data()
+    {
+        QTest::addColumn<bool>("german");
+        QTest::newRow("English") << false;
+        QTest::newRow("German") << true;
+    }
+    /// With all that it is made by beside it.
+    void thePictureIsSeenInASmallWindow()
+    {
+        QFETCH(const bool, german);
+        const support::Speaking speaking(german);
+        Bench bench; // 1280x720
+        QVERIFY(bench.connectBoard());
+        const auto *picture =
+            bench.rig.window.findChild<widgets::StepOverlay *>()->findChild<QCustomPlot *>();
+        QTRY_VERIFY(support::isWhole(*picture));
+        QVERIFY2(picture->height() >= 160, qPrintable(QString::number(picture->height())));
+        QVERIFY2(picture->width() >= 300, qPrintable(QString::number(picture->width())));
+        QTRY_COMPARE(support::cutParts(*bench.find("stepPage")), QString());
+        QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
     }
 
     /// How it ended is what counts: it gets the room beside the buttons, or below them, and a hint gives way to it.

@@ -16,7 +16,8 @@ namespace {
 constexpr double kLeastCoherence = 0.8; ///< below it a point is hollow
 constexpr double kWidest = 1.5; ///< from one point to the next: more is a gap
 constexpr double kDot = 5.0; ///< pixels
-constexpr int kLowest = 56; ///< pixels, of the coherence with its axis
+constexpr int kLeast = 18, kLowest = 56; ///< pixels, of the coherence: at least, and at most
+constexpr int kLow = 240; ///< pixels: below it the coherence has no number between 0 and 1
 constexpr int kEachTick = 22; ///< pixels, at least
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLeast_hz = 0.5, kMost_hz = 2e4; ///< that an axis shows
@@ -61,6 +62,7 @@ BodeCurve bodeCurve(const lab::FrequencyResponse &response, BodeOf of)
 
 BodePlot::BodePlot(QWidget *parent)
     : KeyedPlot(QStringLiteral("bodePlot"), tr("Frequency response"), parent)
+    , m_coherences(new QCPAxisTickerFixed)
 {
     plot().setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot().plotLayout()->setRowSpacing(0);
@@ -89,7 +91,10 @@ BodePlot::BodePlot(QWidget *parent)
     }
     plot().plotLayout()->setRowStretchFactor(Gain, 3.0);
     plot().plotLayout()->setRowStretchFactor(Phase, 3.0);
+    // The numbers of all three stand below it, however low the picture is.
+    m_rects[Coherence]->setMinimumSize(0, kLeast);
     m_rects[Coherence]->setMaximumSize(QWIDGETSIZE_MAX, kLowest);
+    m_rects[Coherence]->axis(QCPAxis::atLeft)->setTicker(m_coherences);
     dress();
     showCurves({}, {});
 }
@@ -218,6 +223,7 @@ void BodePlot::draw()
     label(Gain, m_unit.isEmpty() ? tr("dB") : tr("dB of %1", "a unit").arg(m_unit));
     label(Phase, QStringLiteral("\u00b0"));
     label(Coherence, tr("Coh.", "coherence, short"));
+    m_coherences->setTickStep(height() < kLow ? 1.0 : 0.5);
     m_rects[Coherence]->axis(QCPAxis::atBottom)->setLabel(tr("Hz"));
     plot().replot(QCustomPlot::rpQueuedReplot);
 }

@@ -5,12 +5,14 @@
 #include "lab/evaluation/response_evaluation.h"
 #include "widgets/measuring/keyed_plot.h"
 
+#include <QSharedPointer>
 #include <QString>
 #include <QVector>
 
 #include <array>
 
 class QCPAxisRect;
+class QCPAxisTickerFixed;
 class QCPRange;
 
 namespace widgets {
@@ -42,7 +44,7 @@ public:
     void fit() override;
     const QVector<BodeCurve> &curves() const { return m_curves; }
 
-    QSize minimumSizeHint() const override { return {240, 110}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
     void zoom(double factor) override;
@@ -58,6 +60,7 @@ private:
     void setLimits(double least, double most);
 
     std::array<QCPAxisRect *, kParts> m_rects{};
+    QSharedPointer<QCPAxisTickerFixed> m_coherences;
     QVector<BodeCurve> m_curves;
     QString m_unit;
     double m_from_hz = 0.0, m_to_hz = 0.0; ///< shown; both 0: all

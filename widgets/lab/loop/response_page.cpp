@@ -75,15 +75,18 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     setObjectName(QStringLiteral("responsePage"));
     auto *both = new QSplitter(Qt::Horizontal, this);
     both->setChildrenCollapsible(false);
-    both->addWidget(m_plot);
-    both->addWidget(m_table);
+    auto *side = new QWidget(this);
+    auto *column = bare(new QVBoxLayout(side), kHalfGrid);
+    column->addWidget(makeChoices());
+    column->addWidget(m_table, 1);
+    both->addWidget(m_plot); // as high as there is room
+    both->addWidget(side);
     both->setStretchFactor(0, 1);
     both->setStretchFactor(1, 1);
     both->setSizes({1000, 1200}); // shares of what there is
     makeTable();
-    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0}, kHalfGrid);
-    layout->addWidget(makeChoices());
-    layout->addWidget(both, 1);
+    auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0});
+    layout->addWidget(both);
     makeBar();
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
