@@ -311,6 +311,18 @@ void ExperimentBar::begin(int which, const Run &run)
     refresh();
 }
 
+/// How fast, behind what it is measured by, where that is to turn.
+QString ExperimentBar::turning() const
+{
+    const Device &device = m_parts.device;
+    const drive::MotorStatus status = device.status(device.motor());
+    const bool turns = status.state == drive::MotorState::Running
+        && lab::conditionsOf(m_experiments[m_part]).beginning == lab::Beginning::AtSpeed;
+    return turns && device.statusIsNow(device.motor()) && status.speedRpm
+        ? QStringLiteral(", ") + rpmText(*status.speedRpm)
+        : QString();
+}
+
 void ExperimentBar::progressed()
 {
     if (!m_own || !m_parts.experiments.running())
@@ -338,7 +350,8 @@ void ExperimentBar::progressed()
         progress.words =
             tr("%1: %2 s of about %3 s", "what is measured, times")
                 .arg(experimentName(m_experiments[m_part]), QString::number(elapsed / kMsPerSecond),
-                    QString::number((msOf(m_part) + kMsPerSecond - 1) / kMsPerSecond));
+                    QString::number((msOf(m_part) + kMsPerSecond - 1) / kMsPerSecond))
+            + turning();
     }
     m_progress->setRange(0, progress.all);
     m_progress->setValue(progress.done);

@@ -111,6 +111,7 @@ private:
     bool agreed(const std::vector<lab::Experiment> &all) const;
     void runNow(int which);
     void begin(int which, const Run &run);
+    QString turning() const;
     void progressed();
     void take(const Experiments::RecordPtr &record);
     void shown(bool complete, const QStringList &more);

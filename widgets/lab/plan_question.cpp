@@ -22,8 +22,6 @@ constexpr double kStart_s = 3.0; ///< usually, with an alignment or a rev-up
 
 double secondsOf(milliseconds time) { return std::chrono::duration<double>(time).count(); }
 
-QString rpmText(double rpm) { return numberText(rpm, 0) + QChar(0x202f) + PlanQuestion::tr("rpm"); }
-
 QString msText(milliseconds time)
 {
     return QString::number(time.count()) + QStringLiteral("\u202fms");
@@ -238,6 +236,8 @@ private:
 };
 
 } // namespace
+
+QString rpmText(double rpm) { return numberText(rpm, 0) + QChar(0x202f) + PlanQuestion::tr("rpm"); }
 
 QString experimentName(const lab::Experiment &experiment)
 {

@@ -16,6 +16,8 @@ struct MotorBefore {
     double rpm = 0.0; ///< its set-point; 0 where it rests
 };
 
+/// With its unit.
+QString rpmText(double rpm);
 /// A few words: "Inertia and friction".
 QString experimentName(const lab::Experiment &experiment);
 /// How long it takes, with its start and its way back, as far as that can be known.

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -31,6 +32,30 @@ QString toldOf(LabWindow &bench)
                  Findings::IntervalColumn, Findings::NoteColumn})
             lines.append(bench.cell("identifyTable", row, column));
     return lines.join(QStringLiteral(" | ")) + QLatin1Char('\n') + bench.said("identifySentence");
+}
+
+/// Every sentence of the page while something runs.
+std::shared_ptr<QStringList> saidMeanwhile(LabWindow &bench)
+{
+    auto all = std::make_shared<QStringList>();
+    QObject::connect(&bench.rig.workbench.experiments(), &widgets::Experiments::progressed,
+        &bench.rig.window, [all, &bench] { all->append(bench.said("identifySentence")); });
+    return all;
+}
+
+/// How many of them tell a speed of the turning motor. @return  -1: the motor at rest has one, too
+int speedsIn(const QStringList &sentences)
+{
+    static const QRegularExpression turning(
+        QStringLiteral("^Inductances and flux: \\d+ s of about \\d+ s, (\\d+)\u202frpm$"));
+    int count = 0;
+    for (const QString &one : sentences) {
+        if (one.startsWith(QLatin1String("Resistance")) && one.contains(QLatin1String("rpm")))
+            return -1;
+        const auto match = turning.match(one);
+        count += match.hasMatch() && match.captured(1).toInt() > 500 ? 1 : 0;
+    }
+    return count;
 }
 
 } // namespace
@@ -92,7 +117,9 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.asks());
         QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
 
+        const auto meanwhile = saidMeanwhile(bench);
         QVERIFY2(bench.runToItsEnd("electricalRun"), qPrintable(toldOf(bench)));
+        QVERIFY2(speedsIn(*meanwhile) > 10, qPrintable(meanwhile->join(QLatin1Char('\n'))));
         QVERIFY2(bench.said("identifySentence").contains(QLatin1String("the motor is as it was")),
             qPrintable(bench.said("identifySentence")));
         QVERIFY2(bench.runToItsEnd("mechanicalRun"), qPrintable(toldOf(bench)));
