@@ -26,9 +26,33 @@ void SteadyLabel::setRoomFor(const QStringList &texts)
 
 void SteadyLabel::setLines(int lines)
 {
+    if (lines == m_lines)
+        return;
     m_lines = lines;
     updateGeometry();
     update();
+}
+
+int SteadyLabel::linesFor(const QString &text) const
+{
+    int count = 0;
+    for (QString left : text.split(QLatin1Char('\n')))
+        do {
+            ++count;
+            left = left.mid(fittingWords(left, contentsRect().width())).trimmed();
+        } while (!left.isEmpty());
+    return count;
+}
+
+void SteadyLabel::setSelectable(bool selectable)
+{
+    if (selectable == this->selectable())
+        return;
+    setTextInteractionFlags(selectable ? Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard
+                                       : Qt::NoTextInteraction);
+    setFocusPolicy(selectable ? Qt::StrongFocus : Qt::NoFocus);
+    setWordWrap(selectable);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
 }
 
 QStringList SteadyLabel::lines() const
@@ -101,8 +125,10 @@ bool SteadyLabel::event(QEvent *event)
     return true;
 }
 
-void SteadyLabel::paintEvent(QPaintEvent *)
+void SteadyLabel::paintEvent(QPaintEvent *event)
 {
+    if (selectable() && !isCut())
+        return QLabel::paintEvent(event); // which shows what is marked
     QPainter painter(this);
     const QRect all = contentsRect();
     const Qt::Alignment across =

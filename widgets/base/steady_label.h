@@ -16,10 +16,15 @@ public:
     /// What it may have to say. Without, it is as wide as what it says now: give it a policy that ignores that.
     void setRoomFor(const QStringList &texts);
     void setLines(int lines);
+    /// So many would hold a text, as wide as the label is.
+    int linesFor(const QString &text) const;
+    /// Its text can be marked and copied, with the mouse and with the keys of a text. For one of several lines.
+    void setSelectable(bool selectable);
     bool isCut() const; ///< not all of its text is seen
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
+    bool hasHeightForWidth() const override { return false; }
 
 protected:
     bool event(QEvent *event) override;
@@ -27,6 +32,7 @@ protected:
 
 private:
     QStringList lines() const;
+    bool selectable() const { return textInteractionFlags().testFlag(Qt::TextSelectableByMouse); }
     int fittingWords(const QString &line, int width) const;
 
     QStringList m_room;

@@ -27,6 +27,7 @@ std::vector<lab::Experiment> allOf(const ExperimentBar::Run &run)
 }
 
 constexpr int kLines = 3; ///< of the sentence
+constexpr int kLongestLines = 8; ///< of one that names what is to be typed back
 
 /// Without the ends of its paragraphs, which take room.
 QString flowing(QString text) { return text.replace(QLatin1Char('\n'), QLatin1Char(' ')); }
@@ -437,7 +438,10 @@ void ExperimentBar::refresh()
         return;
     fold();
     m_row->activate();
-    m_sentence->setText(sentence());
+    const QString says = sentence();
+    m_sentence->setLines(std::clamp(m_sentence->linesFor(says), kLines, kLongestLines));
+    m_sentence->setSelectable(!m_told.isEmpty());
+    m_sentence->setText(says);
 }
 
 /// How it ended, and below it what is to be known, and what the next one lacks. That gives way: the buttons have it, too.
@@ -447,10 +451,10 @@ QString ExperimentBar::sentence() const
     if (m_told.isEmpty())
         return why;
     const QString below = why.isEmpty() ? why : QLatin1Char('\n') + why;
-    for (const QString &text : {m_told + below, flows + below, m_told})
+    for (const QString &text : {m_told + below, flows + below, m_told, flows})
         if (fits(text, m_sentence->width()))
             return text;
-    return flows;
+    return m_sentence->linesFor(m_told) <= kLongestLines ? m_told : flows;
 }
 
 } // namespace widgets

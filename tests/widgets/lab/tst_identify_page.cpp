@@ -2,11 +2,15 @@
 // and that figures come into the motor description only when they are wanted, and out again.
 #include "simulation/plant/presets.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/forms/motor_form.h"
+#include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/identify_page.h"
 #include "widgets/lab/lab_window.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QRegularExpression>
@@ -219,6 +223,47 @@ private Q_SLOTS:
         QVERIFY(bench.connectBoard()); // which may be another one
         QVERIFY(!shown());
         QCOMPARE(findings.measured().rs_ohm, std::optional(0.35));
+    }
+
+    /// What a start-up held is forty bytes that are to be typed back.
+    void whatIsLeftIsReadAndCopiedInASmallWindow()
+    {
+        const support::Speaking german(true);
+        LabWindow bench("servo24", {960, 600});
+        bench.rig.window.showWithin({976, 648}); // with a frame around it
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QString bytes(QStringLiteral("2c 01"));
+        for (int i = 1; i < 20; ++i)
+            bytes += QStringLiteral(" e8 03");
+        const QString set = QStringLiteral("rotorscope-cli set REVUP_DATA=\"%1\"").arg(bytes);
+        lab::Outcome outcome;
+        outcome.end = lab::End::Interrupted;
+        outcome.reason = "every motor was stopped; the set-point is 1500 rpm now, it was 1000 rpm; "
+                         "REVUP_DATA may hold what the experiment wrote; what it held before comes "
+                         "back with: "
+            + set.toStdString();
+        auto *sentence = bench.find<widgets::SteadyLabel>("identifySentence");
+        auto *bar = static_cast<widgets::ExperimentBar *>(sentence->parentWidget());
+        bar->tell(widgets::ExperimentBar::endText(outcome));
+        QVERIFY2(sentence->text().startsWith(QLatin1String("Unterbrochen: ")),
+            qPrintable(sentence->text()));
+        const auto fits = [sentence] {
+            const QRect room = sentence->contentsRect();
+            const QRect needed = sentence->fontMetrics().boundingRect(
+                room.adjusted(0, 0, 0, 1000), Qt::TextWordWrap, sentence->text());
+            return needed.height() <= room.height() && needed.width() <= room.width();
+        };
+        QTRY_VERIFY(support::isWhole(*sentence) && fits() && !sentence->isCut());
+        QCOMPARE(bench.rig.window.size(), QSize(960, 600));
+        QVERIFY(support::isWhole(*bench.find("stopMotors")));
+
+        sentence->setFocus(Qt::TabFocusReason);
+        QVERIFY(sentence->hasFocus());
+        QTest::keyClick(sentence, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(sentence, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY2(QGuiApplication::clipboard()->text().contains(set),
+            qPrintable(QGuiApplication::clipboard()->text()));
     }
 
     void cancelStopsTheMotorAndTheOtherPartIsNotBegun()
