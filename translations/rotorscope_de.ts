@@ -5532,6 +5532,10 @@
         <source>Open as a re&amp;ference…</source>
         <translation>Als &amp;Referenz öffnen …</translation>
     </message>
+    <message>
+        <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
+        <translation>Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen hatte: %1.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>

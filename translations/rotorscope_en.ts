@@ -5531,6 +5531,10 @@
         <source>Open as a re&amp;ference…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>

@@ -59,8 +59,14 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
     std::shared_ptr<session::Guardian> guardian)
     : m_arguments(arguments)
     , m_interrupt(interrupt)
-    , m_session(session::tapped(attendedHere(std::move(guardian)), m_tap))
+    , m_session(
+          session::tapped(session::noted(attendedHere(std::move(guardian)), m_lentNote), m_tap))
 {
+    QObject::connect(m_lentNote.get(), &session::LentNote::left, this, [](const QString &texts) {
+        Output::error(QStringLiteral("An experiment was cut off before it gave back what it had "
+                                     "borrowed: %1.")
+                          .arg(texts));
+    });
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::onBatch);
     QObject::connect(&m_session, &Session::portChanged, this, &Conversation::onPort);

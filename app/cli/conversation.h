@@ -11,6 +11,7 @@
 #include "output.h"
 #include "session/files/motion_log_file.h"
 #include "session/link/session.h"
+#include "session/recording/lent_note.h"
 #include "session/recording/recording_tap.h"
 
 #include <functional>
@@ -109,6 +110,7 @@ private:
 
     Arguments m_arguments;
     const Interrupt &m_interrupt;
+    std::shared_ptr<session::LentNote> m_lentNote = std::make_shared<session::LentNote>();
     std::shared_ptr<session::RecordingTap> m_tap = std::make_shared<session::RecordingTap>();
     session::Session m_session;
     std::function<void(const drive::Event &)> m_listener;

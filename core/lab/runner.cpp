@@ -1,8 +1,8 @@
 #include "lab/runner.h"
 
-#include "base/text.h"
 #include "drive/values.h"
 #include "lab/caps.h"
+#include "lab/lent.h"
 #include "motor/rev_up.h"
 
 #include <algorithm>
@@ -41,15 +41,6 @@ std::string namesOf(const std::vector<std::string> &faults)
     for (const std::string &name : faults)
         all += (all.empty() ? "" : ", ") + name;
     return all;
-}
-
-/// As rotorscope-cli set takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a number as
-/// it is, because gains have no scale.
-std::string typed(const catalog::Value &value)
-{
-    const auto *bytes = std::get_if<Bytes>(&value);
-    return bytes != nullptr ? "\"" + hexOf(*bytes, " ") + "\""
-                            : drive::shortNumber(drive::asNumber(value).value_or(0.0));
 }
 
 /// A start-up as an experiment at rest writes it. No motor that starts without a sensor has such a one of its own.
@@ -711,13 +702,11 @@ void Runner::finish()
         say(std::string("the set-point ") + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm)
             + " now, it was " + rpmText(m_before_rpm));
     if (m_lent) {
-        std::string all;
-        for (const drive::RegisterWrite &old : m_old) {
-            const std::string name = m_experiment.subject.nameOf(old.id);
-            say(name + " may hold what the experiment wrote");
-            all += " " + name + "=" + typed(old.value);
-        }
-        say("what it held before comes back with: rotorscope-cli set" + all);
+        std::vector<Lent> lent;
+        for (const drive::RegisterWrite &old : m_old)
+            lent.push_back({m_experiment.subject.nameOf(old.id), typedText(old.value)});
+        for (const std::string &text : leftTexts(lent))
+            say(text);
     }
     if (m_byTorque)
         say(m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"

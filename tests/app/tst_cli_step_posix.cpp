@@ -1,11 +1,14 @@
 // Experiments as programs: the run and its file say the same, what is left of it, and how it ends. How good the numbers are
 // is for the tests of their evaluations, on virtual time: here the machine may stand still.
+#include "session/recording/lent_note.h"
 #include "support/programs/experiment_program_posix.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QtTest>
 
 #include <algorithm>
@@ -43,6 +46,7 @@ using support::Simulator;
 namespace {
 
 const QStringList kServo{QStringLiteral("--motor"), QStringLiteral("servo24")};
+const QStringList kWithoutSensor{QStringLiteral("--motor"), QStringLiteral("pm24")};
 constexpr int kPatience_ms = 60'000; ///< a program takes long to start on a machine that is busy
 constexpr qint64 kSomeSamples =
     300'000; ///< bytes of a recording with seven times as many: the motor turns
@@ -260,6 +264,35 @@ private Q_SLOTS:
         COMPARE_STATUS(start, 0);
         QVERIFY2(start.out.contains(QStringLiteral("Start -> 120")), qPrintable(start.out));
         COMPARE_STATUS(board.cli("stop"), 0);
+    }
+
+    /// With the words that bring it back.
+    void whatAKilledRunHasBorrowedIsNamedUntilItIsBack()
+    {
+        QDir notes(session::lentFolder());
+        notes.removeRecursively();
+        ExperimentProgram program(kWithoutSensor, "identify electrical -o");
+        const Simulator &board = program.board();
+        const QString before = board.cli("get REVUP_DATA").out;
+        program.begin();
+        const auto borrowed = [&notes] { return !notes.entryList(QDir::Files).isEmpty(); };
+        while (!borrowed() && !program.ended()) { }
+        if (!borrowed()) {
+            COMPARE_END(program, 0);
+            return;
+        }
+        program.kill();
+        QTRY_VERIFY_WITH_TIMEOUT(board.cli("info").out.contains(QStringLiteral("IDLE")),
+            kPatience_ms); // by the guardian
+        static const QRegularExpression way(QStringLiteral(
+            "REVUP_DATA may hold what the experiment wrote; what it held before comes back with: "
+            "rotorscope-cli set REVUP_DATA=\"([0-9A-F ]+)\""));
+        const CliRun met = board.cli("info");
+        const auto told = way.match(met.err);
+        QVERIFY2(told.hasMatch(), qPrintable(met.err));
+        COMPARE_STATUS(board.cli("set", {QStringLiteral("REVUP_DATA=") + told.captured(1)}), 0);
+        QCOMPARE(board.cli("get REVUP_DATA").out, before);
+        QCOMPARE(board.cli("info").err, QString());
     }
 
     /// Its Stop comes first, and nothing is written behind it.

@@ -22,6 +22,7 @@
 #include "widgets/files/record_control.h"
 #include "widgets/files/sample_room.h"
 #include "widgets/files/sample_room_dialog.h"
+#include "widgets/lab/lab_text.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_ghosts.h"
@@ -397,6 +398,11 @@ void MainWindow::connectFlows()
     const auto tell = &LinkNews::warn;
     connect(m_connectBar, &ConnectBar::refused, m_news, tell);
     connect(&m_workbench.motion(), &MotionGate::failed, m_news, tell);
+    connect(
+        &m_workbench.lentNote(), &session::LentNote::left, m_news, [this](const QString &texts) {
+            warn(tr("An experiment was cut off before it gave back what it had borrowed: %1.")
+                     .arg(labText(texts.toStdString())));
+        });
     connect(m_scales, &CurrentScales::told, m_news, tell);
     connect(&m_workbench.signalPlan(), &SignalPlan::failed, m_news, tell);
     connect(&m_workbench.signalPlan(), &SignalPlan::noticed, m_news, tell);

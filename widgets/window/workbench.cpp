@@ -28,7 +28,9 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     , m_experiments(m_device, m_experimentTap, m_parts.clock)
     , m_thread(session::tapped(
           session::tapped(
-              session::listened(session::replaying(m_parts, m_replay), m_setPoints), m_tap),
+              session::listened(
+                  session::noted(session::replaying(m_parts, m_replay), m_lentNote), m_setPoints),
+              m_tap),
           m_experimentTap))
 {
     m_clock.start();

@@ -8,6 +8,7 @@
 #include "capture/capture.h"
 #include "session/archive/disk_archive.h"
 #include "session/link/session_thread.h"
+#include "session/recording/lent_note.h"
 #include "session/recording/recording.h"
 #include "session/recording/replay.h"
 #include "session/recording/session_tap.h"
@@ -62,6 +63,7 @@ public:
     session::Recording &recording() { return m_recording; }
     session::Replay &replay() { return *m_replay; }
     session::SetPointTap &setPoints() { return *m_setPoints; }
+    session::LentNote &lentNote() { return *m_lentNote; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
     {
@@ -114,6 +116,7 @@ private:
     QTimer m_pulse; ///< also while the models are busy with a heartbeat
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::SetPointTap> m_setPoints = std::make_shared<session::SetPointTap>();
+    std::shared_ptr<session::LentNote> m_lentNote = std::make_shared<session::LentNote>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
     std::shared_ptr<session::RecordingTap> m_experimentTap;

@@ -1,6 +1,7 @@
 // The identification of a motor through the real window: what is asked, what stands in the table beside board and motor file,
 // and that figures come into the motor description only when they are wanted, and out again.
 #include "simulation/plant/presets.h"
+#include "widgets/base/banner.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/forms/motor_form.h"
@@ -264,6 +265,25 @@ private Q_SLOTS:
         QTest::keyClick(sentence, Qt::Key_C, Qt::ControlModifier);
         QVERIFY2(QGuiApplication::clipboard()->text().contains(set),
             qPrintable(QGuiApplication::clipboard()->text()));
+    }
+
+    /// By a program that was killed: this one has met its board.
+    void whatAnotherProgramLeftIsSaidOverThePicture()
+    {
+        const support::Speaking german(true);
+        LabWindow bench("servo24");
+        QVERIFY(bench.connectBoard());
+        Q_EMIT bench.rig.workbench.lentNote().left(QStringLiteral(
+            "REVUP_DATA may hold what the experiment wrote; what it held before comes "
+            "back with: rotorscope-cli set REVUP_DATA=\"2C 01\""));
+        const auto *banner = bench.find<widgets::Banner>("banner");
+        QTRY_VERIFY(banner->isVisible());
+        QVERIFY2(
+            banner->text().contains(QStringLiteral(
+                "geliehen hatte: REVUP_DATA enth\u00e4lt vielleicht, was der Versuch geschrieben "
+                "hat; was vorher darin stand, kommt zur\u00fcck mit: rotorscope-cli set "
+                "REVUP_DATA=\"2C 01\".")),
+            qPrintable(banner->text()));
     }
 
     void cancelStopsTheMotorAndTheOtherPartIsNotBegun()

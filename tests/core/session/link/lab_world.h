@@ -4,6 +4,7 @@
 
 #include "lab/experiment.h"
 #include "session/link/session.h"
+#include "session/recording/lent_note.h"
 #include "support/judged_line.h"
 
 namespace support {
@@ -24,9 +25,11 @@ struct LabWorld {
         options.motor = "servo24";
         return options;
     }
-    explicit LabWorld(simulation::BoardOptions options = servo())
+    /// @param note  that the session keeps; nullptr: none
+    explicit LabWorld(simulation::BoardOptions options = servo(),
+        const std::shared_ptr<session::LentNote> &note = nullptr)
         : line(std::move(options), drive::Protocol::Mcp, [this] { return now; })
-        , session(line.parts())
+        , session(note ? session::noted(line.parts(), note) : line.parts())
     {
         QObject::connect(
             &session, &session::Session::batch, &session, [this](const session::BatchPtr &batch) {

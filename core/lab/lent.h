@@ -1,0 +1,24 @@
+// Registers that an experiment writes and gives back, and what is to be said of them where it did not.
+#pragma once
+
+#include "catalog/register_info.h"
+
+#include <string>
+#include <vector>
+
+namespace lab {
+
+struct Lent {
+    std::string name;
+    std::string held; ///< before, as `rotorscope-cli set` takes it
+    bool operator==(const Lent &) const = default;
+};
+
+/// As `rotorscope-cli set` takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a number as it
+/// is, because gains have no scale.
+std::string typedText(const catalog::Value &value);
+
+/// What is to be said of those that were not given back, and how all of it comes back; without full stops.
+std::vector<std::string> leftTexts(const std::vector<Lent> &lent);
+
+} // namespace lab

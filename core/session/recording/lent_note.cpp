@@ -1,0 +1,164 @@
+#include "session/recording/lent_note.h"
+
+#include "lab/runner.h"
+#include "session/files/whole_file.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace session {
+
+namespace {
+
+constexpr QLatin1String kRegisters("registers"), kId("id"), kName("name"), kHeld("held");
+
+QString noteName(const drive::Identity &identity)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    const auto add = [&hash](const std::string &text) {
+        hash.addData(QByteArray::fromStdString(text) + '\0');
+    };
+    add(identity.firmware);
+    add(identity.version);
+    add(identity.controlBoard);
+    std::ranges::for_each(identity.powerBoards, add);
+    std::ranges::for_each(identity.motorNames, add);
+    return QString::fromLatin1(hash.result().toHex().left(16)) + QStringLiteral(".json");
+}
+
+} // namespace
+
+QString lentFolder()
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation))
+        .filePath(QStringLiteral("rotorscope/borrowed"));
+}
+
+LentNote::LentNote(QString folder)
+    : m_folder(std::move(folder))
+{
+}
+
+void LentNote::begin(const Endpoint &endpoint)
+{
+    m_keeps = endpoint.kind == Endpoint::Kind::Serial;
+    m_path.clear();
+    m_catalog.reset();
+    m_held.clear();
+    m_lent.clear();
+    m_lending = 0;
+}
+
+void LentNote::onEvent(const drive::Event &event, TimePoint)
+{
+    if (!m_keeps)
+        return;
+    if (const auto *board = std::get_if<drive::Identified>(&event))
+        meet(*board);
+    else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
+        for (const drive::Reading &reading : read->readings)
+            if (reading.status == drive::ReadStatus::Ok)
+                m_held.insert_or_assign(reading.id, reading.value);
+    } else if (const auto *ended = std::get_if<drive::Ended>(&event)) {
+        if (!m_lent.empty())
+            written(*ended);
+    }
+}
+
+void LentNote::meet(const drive::Identified &board)
+{
+    m_catalog = board.catalog;
+    m_path = QDir(m_folder).filePath(noteName(board.identity));
+    m_lent.clear();
+    const auto content = readWholeFile(m_path, kMostText);
+    const QJsonArray all =
+        QJsonDocument::fromJson(content.value_or(QByteArray())).object()[kRegisters].toArray();
+    std::vector<lab::Lent> lent;
+    for (const QJsonValue &each : all) {
+        const QJsonObject one = each.toObject();
+        const auto id = static_cast<drive::RegisterId>(one[kId].toInteger());
+        m_lent[id] = {one[kName].toString().toStdString(), one[kHeld].toString().toStdString()};
+        lent.push_back(m_lent[id]);
+    }
+    std::string texts;
+    for (const std::string &text : lab::leftTexts(lent))
+        texts += (texts.empty() ? "" : "; ") + text;
+    if (!texts.empty())
+        Q_EMIT left(QString::fromStdString(texts));
+}
+
+/// What an experiment writes is borrowed, but where it is what the register held before.
+void LentNote::onWish(const drive::Wish &wish, TimePoint)
+{
+    const auto *write = std::get_if<drive::Write>(&wish.what);
+    if (write == nullptr || wish.id < lab::Runner::kFirstWish || m_path.isEmpty())
+        return;
+    const auto isBack = [this](const drive::RegisterWrite &one) {
+        const auto lent = m_lent.find(one.id);
+        return lent != m_lent.end() && lent->second.held == lab::typedText(one.value);
+    };
+    if (std::ranges::all_of(write->writes, isBack))
+        return;
+    m_lending = wish.id;
+    for (const drive::RegisterWrite &one :
+        write->writes) // of one that was left before it is known what it held
+        if (const auto held = m_held.find(one.id); held != m_held.end())
+            m_lent.try_emplace(
+                one.id, lab::Lent{m_catalog->nameOf(one.id), lab::typedText(held->second)});
+    save();
+}
+
+void LentNote::written(const drive::Ended &ended)
+{
+    const std::size_t before = m_lent.size();
+    if (ended.id != m_lending)
+        for (const drive::WriteResult &one : ended.writes)
+            if (one.outcome == drive::Outcome::Ok)
+                m_lent.erase(one.id);
+    if (m_lent.size() != before)
+        save();
+}
+
+/// Whole or not at all. What cannot be kept is as it was without it: an experiment says at its end what it leaves.
+void LentNote::save() const
+{
+    if (m_lent.empty()) {
+        QFile::remove(m_path);
+        return;
+    }
+    QJsonArray all;
+    for (const auto &[id, lent] : m_lent)
+        all.append(
+            QJsonObject{{kId, static_cast<qint64>(id)}, {kName, QString::fromStdString(lent.name)},
+                {kHeld, QString::fromStdString(lent.held)}});
+    QDir().mkpath(m_folder);
+    QFile file(m_path + QStringLiteral(".part"));
+    const QByteArray content = QJsonDocument(QJsonObject{{kRegisters, all}}).toJson();
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.flush())
+        return;
+    file.close();
+    std::error_code failed;
+    std::filesystem::rename(
+        QFileInfo(file).filesystemFilePath(), QFileInfo(m_path).filesystemFilePath(), failed);
+}
+
+Parts noted(const Parts &parts, const std::shared_ptr<LentNote> &note)
+{
+    Parts result = listened(parts, note);
+    result.drive = [makeDrive = result.drive, note](const Endpoint &endpoint) {
+        note->begin(endpoint);
+        return makeDrive(endpoint);
+    };
+    return result;
+}
+
+} // namespace session

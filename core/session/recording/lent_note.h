@@ -1,0 +1,54 @@
+// LentNote: what an experiment has borrowed of a board's registers, as a file for as long as it has it. A program that is killed
+// meanwhile leaves the file, and the next one that meets the board says what is to be given back, and how. A register is off
+// the note once it was written again, by whomever.
+//
+// A board is known by what it says of itself: another one that says the same has the same note. One that is simulated by this
+// program ends with it and has none. It stands in the session's thread; a file takes well below a millisecond, and the motor
+// rests when one is written: nothing waits for the disk itself, because a program that is killed loses nothing of what it
+// handed to the system.
+#pragma once
+
+#include "lab/lent.h"
+#include "session/recording/session_tap.h"
+
+#include <map>
+
+namespace session {
+
+QString lentFolder(); ///< in the person's data folder, for window and command line
+
+class LentNote : public QObject, public SessionTap {
+    Q_OBJECT
+public:
+    /// @param folder  made when it is needed
+    explicit LentNote(QString folder = lentFolder());
+
+    void begin(const Endpoint &endpoint); ///< a connection
+
+    void onEvent(const drive::Event &event, TimePoint now) override;
+    void onWish(const drive::Wish &wish, TimePoint now) override;
+    void onStop(TimePoint) override { }
+    void onLink(record::LinkBytes::Direction, ByteView, TimePoint) override { }
+
+Q_SIGNALS:
+    /// Another program, or this one before, has left something on the board that was met: lab::leftTexts() in a row.
+    void left(const QString &texts);
+
+private:
+    void meet(const drive::Identified &board);
+    void written(const drive::Ended &ended);
+    void save() const;
+
+    QString m_folder;
+    QString m_path; ///< of the board's note; empty: it has none
+    bool m_keeps = false;
+    std::shared_ptr<const catalog::Catalog> m_catalog;
+    std::map<drive::RegisterId, catalog::Value> m_held; ///< as it was read last
+    std::map<drive::RegisterId, lab::Lent> m_lent;
+    drive::WishId m_lending = 0; ///< the newest wish that writes what an experiment wants
+};
+
+/// Parts whose drives tell the note what they do.
+Parts noted(const Parts &parts, const std::shared_ptr<LentNote> &note);
+
+} // namespace session
