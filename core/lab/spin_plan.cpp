@@ -29,8 +29,9 @@ constexpr double kWay_s = 0.25, kSlowWay_s = 0.4;
 constexpr milliseconds kLength = 8s, kSlowLength = 16s;
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
-constexpr double kJump =
-    0.5; ///< to either side, of what accelerates, or of what is left while it coasts
+/// To either side, of what accelerates, or of what is left while it coasts. Far jumps tell Lq best, but Hall sensors lag behind
+/// them, and with them an observer's angle moves.
+constexpr double kJump = 0.5, kEncoderJump = 0.9;
 /// What held the first speed may have been measured badly: if too much of it is left, the motor goes on to accelerate.
 constexpr Duration kLook = 20ms;
 constexpr int kLooks = SpinPlan::kListen / kLook;
@@ -46,6 +47,7 @@ public:
         , m_sign(plan.highRpm < 0 ? -1.0 : 1.0)
         , m_nominal(subject.limits.nominalCurrentAmps)
         , m_draw(plan.seed)
+        , m_jump(byEncoder(subject.nameOf(subject.registers.angle)) ? kEncoderJump : kJump)
         , m_way_s(plan.fluxAmps > 0.0 || byHall(subject.nameOf(subject.registers.angle))
                   ? kWay_s
                   : kSlowWay_s)
@@ -134,7 +136,7 @@ private:
     {
         m_shaken = now;
         m_above = !m_above;
-        const double jump = kJump * std::abs(m_mean - m_hold * (m_pushing ? 1.0 : 0.0));
+        const double jump = m_jump * std::abs(m_mean - m_hold * (m_pushing ? 1.0 : 0.0));
         const double along = m_draw.between(-m_plan.fluxAmps, m_plan.fluxAmps);
         const double most = std::sqrt(std::max(0.0, m_nominal * m_nominal - along * along));
         return drive::CurrentReference{
@@ -146,6 +148,7 @@ private:
     double m_sign;
     double m_nominal; ///< A
     Draw m_draw;
+    double m_jump;
     double m_way_s;
     double m_hold = 0.0; ///< A that hold the first speed: a mean, for its loop makes noise
     int m_looks = 0;

@@ -80,10 +80,28 @@ double bent(double found, double rs_ohm, double period_s)
 Estimate bent(const Estimate &found, double rs_ohm, double period_s)
 {
     constexpr double kUnsure =
-        1.0 / 3.0; // of the difference: within its swing a dead time acts as a resistance, too
+        1.0 / 3.0; // of the difference: how much of a dead time acts as a resistance
     const double value = bent(found.value, rs_ohm, period_s);
     const double share = value / found.value, unsure = kUnsure * (found.value - value);
     return {value, *found.low * share - unsure, *found.high * share + unsure};
+}
+
+/// What the dead time adds to the resistance within a control period: it acts as one in the phases that swing through zero. Of
+/// each slice as much as it tells of Ld. Where those swing so far that the currents at rest do, too, the resistance holds it already.
+double ohmBySwing(const std::vector<TurningSlices> &slices, const Bridge &bridge, double swing_a,
+    const Estimate &lost_v)
+{
+    constexpr double kAtRest = 1.0 / 3.0; // of the nominal current; half of it is the most at rest
+    if (swing_a > kAtRest * bridge.nominal_a || !(*lost_v.low > 0.0))
+        return 0.0;
+    double swinging = 0.0, all = 0.0;
+    for (const TurningSlices &one : slices)
+        for (std::size_t at = 0; at < one.all.size(); ++at) {
+            const double weight = one.all[at].d_a * one.all[at].d_a;
+            swinging += weight * one.phases[at * one.length].swinging(swing_a);
+            all += weight;
+        }
+    return swinging > 0.0 ? lost_v.value / swing_a * swinging / all : 0.0;
 }
 
 /// Where every current swings through zero, resistance and loss are one.
@@ -174,12 +192,15 @@ std::optional<TurningFit> turningFit(const std::vector<TurningSlices> &slices, c
     const Row &values = best->fit.values;
     if (!(values[kAlongD] > 0.0) || !(values[kMagnets] > 0.0))
         return std::nullopt;
-    const double ohm = rs_ohm.value_or(values[kRs]), period_s = slices.front().period_s;
+    const Estimate lost_v = best->fit.estimate(kLoss);
+    const double ohm =
+        rs_ohm.value_or(values[kRs]) + ohmBySwing(slices, bridge, best->swing_a, lost_v);
+    const double period_s = slices.front().period_s;
     TurningFit found{.ld_h = bent(unknownOf(*best, kAlongD), ohm, period_s),
         .flux_wb = unknownOf(*best, kMagnets),
         .lq_h = {},
         .swing_a = best->swing_a,
-        .lost_v = best->fit.estimate(kLoss)};
+        .lost_v = lost_v};
     if (values[kAlongQ] > 0.0)
         found.lq_h = bent(unknownOf(*best, kAlongQ), ohm, period_s);
     return found;

@@ -37,6 +37,13 @@ public:
         return (2.0 * a - b - c) / 3.0 * m_cosine - (c - b) / std::numbers::sqrt3 * m_sine;
     }
 
+    /// Share of the phases whose current swings through zero.
+    double swinging(double swing_a) const
+    {
+        const auto one = [swing_a](double amps) { return std::abs(amps) < swing_a ? 1.0 : 0.0; };
+        return (one(m_a) + one(m_b) + one(m_c)) / 3.0;
+    }
+
 private:
     double m_cosine, m_sine;
     double m_a, m_b = 0.0, m_c = 0.0;
