@@ -83,7 +83,7 @@ void LentNote::meet(const drive::Identified &board)
     const QJsonArray all =
         QJsonDocument::fromJson(content.value_or(QByteArray())).object()[kRegisters].toArray();
     std::vector<lab::Lent> lent;
-    for (const QJsonValue &each : all) {
+    for (const auto &each : all) {
         const QJsonObject one = each.toObject();
         const auto id = static_cast<drive::RegisterId>(one[kId].toInteger());
         m_lent[id] = {one[kName].toString().toStdString(), one[kHeld].toString().toStdString()};

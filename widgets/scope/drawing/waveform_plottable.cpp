@@ -66,7 +66,7 @@ struct Rows {
 /// The pixels of the screen that a plot has. Where the scale is no whole number its edges lie within pixels: it has those that
 /// are nearer, as whatever is painted beside it does, lest one row or column be nobody's.
 struct WaveformPlottable::Place {
-    double ratio; ///< device pixels a pixel of the window
+    double ratio = 1.0; ///< device pixels a pixel of the window
     QSize size; ///< device pixels
     QPointF beyond; ///< the first one's corner to the exact one, up to half a device pixel
 };
