@@ -16,8 +16,11 @@ void ValueColumn::append(
     const auto full = [this] { return m_end == (m_released + m_chunks.size()) * kChunkSamples; };
     if (full()) // first, so that no run stays empty where there is no memory for it
         addChunk(times.front());
-    if (m_broken || m_runs.empty())
+    if (m_broken || m_runs.empty()) {
+        if (!m_runs.empty()) // what was given up holds no longer than until another one comes
+            m_runs.back().holdUntil = std::min(m_runs.back().holdUntil, times.front());
         m_runs.push_back({m_end, 0, holdUntil});
+    }
     m_broken = true; // memory may run out in the middle
     m_runs.back().holdUntil = holdUntil;
     for (std::size_t done = 0; done < times.size();) {

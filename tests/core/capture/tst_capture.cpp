@@ -32,6 +32,7 @@ private Q_SLOTS:
     void slowValuesHoldUntilTheNextOne();
     void slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock();
     void polledValuesAreTheirOwnChannel();
+    void nothingHoldsBeyondTheNextValue();
     void aRegisterIsFoundWhereItWasStreamed();
     void aFastSampleCostsLessThanTwoPointThreeBytes();
     void theOldestSamplesAreReleasedFirst();
@@ -543,6 +544,28 @@ void TestCapture::slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock()
         QCOMPARE(capture->refused().notFinite, 3U);
         QCOMPARE(capture->refused().backwards, 3U + 4U);
     }
+}
+
+/// A value that was given up holds as long as the one before it did, unless another one comes: it is drawn the same from
+/// wherever the picture begins.
+void TestCapture::nothingHoldsBeyondTheNextValue()
+{
+    Capture capture;
+    capture.appendPolled(7, "F7", "rpm", 1.0, 10.0);
+    capture.appendPolled(7, "F7", "rpm", 2.0, 20.0);
+    capture.endPolled(7);
+    const ChannelId id = *capture.find(7, Kind::Polled);
+    QCOMPARE(capture.valueAt(id, 2.9), std::optional(20.0));
+    capture.appendPolled(7, "F7", "rpm", 2.5, 30.0);
+    capture.endPolled(7);
+    const Channel &channel = *capture.channel(id);
+    QCOMPARE(channel.holdUntil(1), channel.timeOf(2));
+    QVERIFY(!channel.valueAt(2.7));
+    QVERIFY(channel.samples(2.7, 5.0, 10).empty());
+    const auto all = channel.samples(0.0, 5.0, 10);
+    QCOMPARE(all.size(), std::size_t(3));
+    for (const auto &sample : all)
+        QVERIFY(sample.holdUntil < 2.7);
 }
 
 void TestCapture::polledValuesAreTheirOwnChannel()
