@@ -52,7 +52,7 @@ void TestScopeScale::everyPixelIsPaintedOnce()
     Bench bench({signal(1, "A")});
     const auto ramps = [](int, int tick) { return tick % kRamp; };
     bench.record(kSamples, ramps);
-    bench.tick += 2 * kRamp;
+    bench.tick += std::int64_t{2} * kRamp;
     bench.record(kSamples, ramps);
     bench.view.addChannel(bench.id(1));
     for (int more = 0; more < kSizes && !QTest::currentTestFailed(); ++more) {
