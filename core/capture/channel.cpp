@@ -74,14 +74,14 @@ MinMax Channel::extremes(double from, double to) const
     return shown(values()->valueExtremes(low, high));
 }
 
-std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) const
+std::vector<MinMax> Channel::columns(const Slices &slices) const
 {
-    std::vector<MinMax> result(count);
+    std::vector<MinMax> result(slices.count);
     const auto set = [&](std::size_t i, auto range) { result[i] = shown(range); };
     if (const FastColumn *column = fast())
-        column->slices(from * kNanosPerSecond, to * kNanosPerSecond, count, set);
+        column->slices(slices, set);
     else
-        values()->slices(from, to, count, set);
+        values()->slices(slices, set);
     return result;
 }
 

@@ -86,8 +86,12 @@ public:
     /// Extremes of the samples in [from, to); exact. empty() if there are none.
     MinMax extremes(double from, double to) const;
 
-    /// Extremes of `count` equal slices of [from, to), one a pixel column; see FastColumn::slices.
-    std::vector<MinMax> columns(double from, double to, std::size_t count) const;
+    /// Extremes of slices, one a pixel column; see FastColumn::slices.
+    std::vector<MinMax> columns(const Slices &slices) const;
+    std::vector<MinMax> columns(double from, double to, std::size_t count) const
+    {
+        return columns(Slices::of(from, to, count));
+    }
 
     /// The newest sample at or before `time`, while it holds; nullopt in gaps.
     std::optional<double> valueAt(double time) const { return valueAt(toNanos(time)); }

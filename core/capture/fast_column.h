@@ -27,6 +27,26 @@ namespace capture {
 /// Number of a sample in its column; keeps its meaning when old samples are released.
 using Index = std::uint64_t;
 
+/// Equal slices of time on a grid. Where one begins depends on its number alone: slices of two stretches of one grid are
+/// the same where both have them.
+struct Slices {
+    double origin = 0.0; ///< seconds
+    double width = 0.0; ///< seconds
+    std::int64_t first = 0; ///< number of the first one
+    std::size_t count = 0;
+
+    static Slices of(double from, double to, std::size_t count)
+    {
+        return {from, (to - from) / static_cast<double>(count), 0, count};
+    }
+    /// Where slice `i` of these begins, in seconds.
+    double edge(std::size_t i) const
+    {
+        return origin + static_cast<double>(first + static_cast<std::int64_t>(i)) * width;
+    }
+    bool empty() const { return count == 0 || !(width > 0); }
+};
+
 /// Samples without a gap between them.
 struct Segment {
     Index first = 0;
@@ -152,12 +172,12 @@ public:
     Index atOrAfter(Nanos time) const;
     Nanos timeOf(Index index) const { return m_segments[segmentOf(index)].timeOf(index); }
 
-    /// Extremes of `count` equal slices of [from, to). Slice edges are rounded to blocks of the
-    /// pyramid, by less than a sixteenth of a slice and never across a gap: every sample is in
-    /// exactly one slice.
+    /// Extremes of slices. Their edges are rounded to blocks of the pyramid, by less than a sixteenth of a slice and never
+    /// across a gap: every sample is in exactly one slice. Those that are not at the end stay what they are while samples
+    /// are appended.
     /// @param visit  called with (slice, CodeRange) for the slices that hold samples, in order
     template <class Visit>
-    void slices(double from, double to, std::size_t count, Visit visit) const;
+    void slices(const Slices &slices, Visit visit) const;
 
     void releaseOldest(); ///< drops the oldest chunk; nothing if it is the one being filled
     bool canRelease() const { return m_chunks.size() > 1; }
@@ -238,17 +258,15 @@ private:
 };
 
 template <class Visit>
-void FastColumn::slices(double from, double to, std::size_t count, Visit visit) const
+void FastColumn::slices(const Slices &slices, Visit visit) const
 {
-    if (m_segments.empty() || count == 0 || !(to > from))
+    if (m_segments.empty() || slices.empty())
         return;
-    const double width = (to - from) / static_cast<double>(count);
     Walk walk;
-    walk.width = width;
-    Index low = edge(from, walk);
-    for (std::size_t i = 0; i < count && low < m_end; ++i) {
-        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = edge(next, walk);
+    walk.width = slices.width * kNanosPerSecond;
+    Index low = edge(slices.edge(0) * kNanosPerSecond, walk);
+    for (std::size_t i = 0; i < slices.count && low < m_end; ++i) {
+        const Index high = edge(slices.edge(i + 1) * kNanosPerSecond, walk);
         if (high > low)
             visit(i, extremes(low, high));
         low = high;

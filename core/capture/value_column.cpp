@@ -205,18 +205,18 @@ std::size_t ValueColumn::Chunk::atOrAfter(Nanos time, std::size_t count, Nanos t
         return count;
     // Most values come at about equal steps.
     const double share = static_cast<double>(time - start) / static_cast<double>(last - start);
-    const auto guess = static_cast<std::size_t>(share * static_cast<double>(count - 1));
-    const std::size_t block = (guess + kBlockSamples / 2) / kBlockSamples * kBlockSamples;
-    if (block < count && std::abs(timeOf(block) - time) <= tolerance)
-        return block;
-    if (step == 0)
-        return firstFrom(std::span(times(), count), time, guess);
-    std::size_t index = guess; // may be one off, by rounding
-    while (timeOf(index) >= time)
-        --index;
-    while (timeOf(index) < time)
-        ++index;
-    return index;
+    auto index = static_cast<std::size_t>(share * static_cast<double>(count - 1));
+    if (step == 0) {
+        index = firstFrom(std::span(times(), count), time, index);
+    } else {
+        while (timeOf(index) >= time) // may be one off, by rounding
+            --index;
+        while (timeOf(index) < time)
+            ++index;
+    }
+    // Rounded from where it is, not from the guess, which is another one when there are more values.
+    const std::size_t block = (index + kBlockSamples / 2) / kBlockSamples * kBlockSamples;
+    return block < count && std::abs(timeOf(block) - time) <= tolerance ? block : index;
 }
 
 std::size_t ValueColumn::read(Index index, std::span<Nanos> times, std::span<double> values) const

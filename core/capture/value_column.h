@@ -91,11 +91,11 @@ public:
         return chunkOf(from).ranges[static_cast<std::ptrdiff_t>(inChunk(from) / kBlockSamples)];
     }
 
-    /// Extremes of `count` equal slices of [from, to), as of a FastColumn: edges are rounded by less than a sixteenth of a
-    /// slice, and every value is in exactly one.
+    /// Extremes of slices, as of a FastColumn: edges are rounded by less than a sixteenth of a slice, and every value is in
+    /// exactly one.
     /// @param visit  called with (slice, ValueRange) for the slices that hold values, in order
     template <class Visit>
-    void slices(double from, double to, std::size_t count, Visit visit) const;
+    void slices(const Slices &slices, Visit visit) const;
 
     void releaseOldest();
     bool canRelease() const { return m_chunks.size() > 1; }
@@ -184,17 +184,15 @@ private:
 };
 
 template <class Visit>
-void ValueColumn::slices(double from, double to, std::size_t count, Visit visit) const
+void ValueColumn::slices(const Slices &slices, Visit visit) const
 {
-    if (empty() || count == 0 || !(to > from))
+    if (empty() || slices.empty())
         return;
     constexpr double kRounding = 1.0 / 16;
-    const double width = (to - from) / static_cast<double>(count);
-    const auto tolerance = static_cast<Nanos>(width * kRounding * kNanosPerSecond);
-    Index low = edge(toNanos(from), m_begin, tolerance);
-    for (std::size_t i = 0; i < count && low < m_end; ++i) {
-        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = edge(toNanos(next), low, tolerance);
+    const auto tolerance = static_cast<Nanos>(slices.width * kRounding * kNanosPerSecond);
+    Index low = edge(toNanos(slices.edge(0)), m_begin, tolerance);
+    for (std::size_t i = 0; i < slices.count && low < m_end; ++i) {
+        const Index high = edge(toNanos(slices.edge(i + 1)), low, tolerance);
         if (high > low)
             visit(i, valueExtremes(low, high));
         low = high;

@@ -79,16 +79,22 @@ struct Scope {
         : Scope([&data](capture::Capture &into) { data.record(into); }, on)
     {
     }
-    void frame(double seconds)
+    /// As a hand drags it: the picture before is made use of.
+    void dragged(double seconds) { show(seconds, 1.0); }
+    /// A hair longer or shorter than before: all of it is painted.
+    void frame(double seconds) { show(seconds, moved % 2 == 0 ? 1.0 : 1.0 + 1e-5); }
+    void frame() { frame(span); }
+
+private:
+    void show(double seconds, double stretch)
     {
         const double shift = seconds * 1e-3 * (++moved % 100);
         const quint64 before = view.redraws();
         const double from = (span - seconds) / 2 + shift;
-        painted.after([&] { view.setVisibleRange(from, from + seconds); });
+        painted.after([&] { view.setVisibleRange(from, from + seconds * stretch); });
         while (view.redraws() == before) // what was painted was the one before
             painted.after([] {});
     }
-    void frame() { frame(span); }
 };
 
 /// The plot library's own way.
@@ -131,11 +137,16 @@ void frameAgainstGraphs(benchmark::State &state)
     Scope scope(data);
     Graphs graphs(data);
     const double seconds = shown == 0 ? scope.span : double(shown) / kTickHz;
+    const bool dragged = state.range(1) != 0;
     const Pair pair = pairedRatio(
-        state, [&] { scope.frame(seconds); }, [&] { graphs.frame(seconds); });
+        state, [&] { dragged ? scope.dragged(seconds) : scope.frame(seconds); },
+        [&] { graphs.frame(seconds); });
     const std::string many = shown == 0 ? "fully out" : std::to_string(shown);
-    report({"N3 " + many, "frame of 8 x 10000000, ragged, in view: " + many, Measured::faster(pair),
-        "QCPGraph, default, its frame"});
+    const std::string what = "frame of 8 x 10000000, ragged, in view: " + many;
+    if (dragged)
+        report({"N3", what + ", dragged", Measured::faster(pair), "QCPGraph, default, its frame"});
+    else
+        report({"N3 " + many, what, Measured::faster(pair), "QCPGraph, default, its frame"});
 }
 
 void frameOfMore(benchmark::State &state)
@@ -282,14 +293,19 @@ void triggered(benchmark::State &state)
         Measured::cost(pair), "the frames without"});
 }
 
-/// As many logical pixels on a screen that has four of its own for each (3840 x 2160 at 200 %).
+/// One that has four pixels for each logical one (3840 x 2160 at 200 %); nullptr if there is none.
+QScreen *fineScreen()
+{
+    for (QScreen *screen : QGuiApplication::screens())
+        if (screen->devicePixelRatio() == 2.0)
+            return screen;
+    return nullptr;
+}
+
 void frameOfMorePixels(benchmark::State &state)
 {
     constexpr double kFastScreenMs = 4.1; ///< of the 4.17 between two pictures of 240 a second
-    QScreen *fine = nullptr;
-    for (QScreen *screen : QGuiApplication::screens())
-        if (screen->devicePixelRatio() == 2.0)
-            fine = screen;
+    QScreen *fine = fineScreen();
     if (fine == nullptr)
         return leaveOut("N8", "no screen at 200 % (tests/bench/screens.json gives one)");
     const Ragged data(10'000'000, Ragged::Wave::Motor);
@@ -310,6 +326,27 @@ void frameOfMorePixels(benchmark::State &state)
         {"N8 frame", "the same", quantile(sharpFrames, 0.99) / kFrameMs, "16.7 ms of computing"});
     report({"N8 240 Hz", "the frame at 1080p", quantile(plainFrames, 0.999) / kFastScreenMs,
         "4.1 ms of computing"});
+}
+
+void draggedInMorePixels(benchmark::State &state)
+{
+    QScreen *fine = fineScreen();
+    if (fine == nullptr)
+        return; // said already
+    const Ragged data(10'000'000, Ragged::Wave::Motor);
+    Scope anew(data, fine);
+    Scope dragged(data, fine);
+    std::vector<double> frames;
+    const Pair pair = pairedRatio(
+        state, [&] { anew.frame(); },
+        [&] {
+            const double start = cpuSeconds();
+            dragged.dragged(dragged.span);
+            frames.push_back((cpuSeconds() - start) * 1e3);
+        });
+    report({"N8", "frame of 8 x 10000000, 4K at 200 %, dragged", Measured::cost(pair),
+        "painted anew"});
+    report({"N8", "the same", quantile(frames, 0.99) / kFrameMs, "16.7 ms of computing"});
 }
 
 void manySignals(benchmark::State &state)
@@ -335,13 +372,17 @@ void manyGaps(benchmark::State &state)
 
 } // namespace
 
-BENCHMARK(frameAgainstGraphs)->Arg(0)->Iterations(9)->UseManualTime();
-BENCHMARK(frameAgainstGraphs)->Arg(10'000)->Arg(3'000)->Arg(1'000)->Iterations(51)->UseManualTime();
+BENCHMARK(frameAgainstGraphs)->Args({0, 0})->Args({0, 1})->Iterations(9)->UseManualTime();
+BENCHMARK(frameAgainstGraphs)
+    ->ArgsProduct({{10'000, 3'000, 1'000}, {0, 1}})
+    ->Iterations(51)
+    ->UseManualTime();
 BENCHMARK(frameOfMore)->Arg(10'000'000)->Arg(72'000'000)->Iterations(101)->UseManualTime();
 BENCHMARK(frameOfValues)->Iterations(51)->UseManualTime();
 BENCHMARK(mathBesideStream)->Iterations(101)->UseManualTime();
 BENCHMARK(persistence)->Iterations(51)->UseManualTime();
 BENCHMARK(triggered)->Iterations(51)->UseManualTime();
 BENCHMARK(frameOfMorePixels)->Iterations(301)->UseManualTime();
+BENCHMARK(draggedInMorePixels)->Iterations(101)->UseManualTime();
 BENCHMARK(manySignals)->Iterations(51)->UseManualTime();
 BENCHMARK(manyGaps)->Iterations(51)->UseManualTime();

@@ -124,9 +124,13 @@ DEFECTS = [
     ("the trigger misses set-points", "tst_monkey@6-36", "untrue", [
         ("widgets/window/workbench.cpp", "m_trigger.event(Kind::SetPoint, sent.seconds,", "m_trigger.event(Kind::RegisterWrite, sent.seconds,")]),
     ("traces are drawn lower than they are", "tst_monkey@1-13", "untrue", [
-        ("widgets/scope/drawing/waveform_plottable.cpp", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
+        ("widgets/scope/drawing/drawn_trace.h", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
     ("traces of what is not there", "tst_monkey@1-13", "untrue", [
-        ("widgets/scope/drawing/waveform_plottable.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
+        ("widgets/scope/drawing/drawn_trace.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
+    ("a picture that moved lacks a column", "tst_scope_roll", "instead of", [
+        ("widgets/scope/drawing/drawn_trace.h", "int reach() const { return 4 * thickness; }", "int reach() const { return 0; }")]),
+    ("stripes of what is new do not go on", "tst_scope_roll", "instead of", [
+        ("widgets/scope/drawing/waveform_plottable.cpp", "kStripeWidth * view.thickness, view.first);", "kStripeWidth * view.thickness, view.left);")]),
     ("the legend tells other values", "tst_monkey@1-13", "untrue", [
         ("widgets/scope/trace_legend.cpp", "valueLabel(*value, step, locale) :", "valueLabel(*value * 1.5 + 3.0, step, locale) :")]),
     ("the state of a silent board of the older protocol stays", "tst_monkey@8-16", "untrue", [
@@ -137,7 +141,7 @@ DEFECTS = [
     ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
         ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
     ("what is read in turn is drawn lower than it is", "tst_monkey@5-5", "untrue", [
-        ("widgets/scope/drawing/waveform_plottable.cpp", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
+        ("widgets/scope/drawing/drawn_trace.h", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
     ("the legend keeps values that count no more", "tst_monkey@185-185", "untrue", [
         ("widgets/scope/trace_legend.cpp", "isOld(trace, m_capture) ? std::nullopt : last", "last")]),
     ("the legend has no values", "tst_monkey@1-13", "untrue", [

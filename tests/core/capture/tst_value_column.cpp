@@ -158,11 +158,12 @@ void TestValueColumn::everyValueIsInOneSlice()
     for (const std::size_t slices : {1U, 3U, 7U, 640U, 4000U}) {
         ValueRange all;
         double before = -1.0;
-        twin.column.slices(from, to, slices, [&](std::size_t slice, ValueRange range) {
-            QVERIFY(double(slice) > before);
-            before = double(slice);
-            all.include(range);
-        });
+        twin.column.slices(
+            capture::Slices::of(from, to, slices), [&](std::size_t slice, ValueRange range) {
+                QVERIFY(double(slice) > before);
+                before = double(slice);
+                all.include(range);
+            });
         const ValueRange wanted = twin.plainExtremes(0, twin.values.size());
         QCOMPARE(all.min, wanted.min);
         QCOMPARE(all.max, wanted.max);
@@ -174,7 +175,7 @@ void TestValueColumn::everyValueIsInOneSlice()
         peak.append(50'000, i == kPlace ? 9.0 : 1.0);
     int found = 0;
     const double end = 40'000 * 50e-6;
-    peak.column.slices(0.0, end, 16, [&](std::size_t slice, ValueRange range) {
+    peak.column.slices(capture::Slices::of(0.0, end, 16), [&](std::size_t slice, ValueRange range) {
         if (range.max == 9.0) {
             ++found;
             QCOMPARE(slice, kPlace * 16 / 40'000);

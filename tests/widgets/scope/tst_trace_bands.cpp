@@ -16,6 +16,7 @@ constexpr QRgb kGround = 0xFFFEFDFC;
 struct Picture {
     int width, height, stripe;
     std::vector<PixelColumns> columns;
+    std::int64_t first = 0; ///< number of the left column
 
     std::vector<Band> bands() const
     {
@@ -32,7 +33,10 @@ struct Picture {
     /// The colour of the band whose stripe it is if that is there, else of the first that is.
     QRgb expected(int x, int y, QRgb behind) const
     {
-        const auto owner = std::size_t((x + y) / stripe) % columns.size();
+        const auto period = stripe * std::int64_t(columns.size());
+        const auto place =
+            ((first + x + y) % period + period) % period; // numbers may be below zero
+        const auto owner = std::size_t(place / stripe);
         if (covers(owner, x, y))
             return bands()[owner].color;
         for (std::size_t band = 0; band < columns.size(); ++band) {
@@ -47,7 +51,7 @@ struct Picture {
 Picture randomPicture(std::mt19937 &random)
 {
     const auto below = [&random](int bound) { return int(random() % unsigned(bound)); };
-    Picture picture{1 + below(90), 1 + below(70), 1 + below(6), {}};
+    Picture picture{1 + below(90), 1 + below(70), 1 + below(6), {}, below(2000) - 1000};
     const int count = 1 + below(9);
     for (int band = 0; band < count; ++band) {
         PixelColumns columns(picture.width);
@@ -79,7 +83,7 @@ private Q_SLOTS:
             image.fill(kBehind);
             const auto bands = picture.bands();
             const QRgb behind = grounded ? kGround : kBehind;
-            widgets::paintBands(image, bands, picture.stripe,
+            widgets::paintBands(image, bands, picture.stripe, picture.first,
                 grounded ? std::optional<QRgb>(kGround) : std::nullopt);
             for (int y = 0; y < picture.height; ++y) {
                 for (int x = 0; x < picture.width; ++x)
@@ -90,7 +94,7 @@ private Q_SLOTS:
 
     void fortyBandsLoseNoPixel()
     {
-        Picture picture{50, 40, 3, {}};
+        Picture picture{50, 40, 3, {}, 0};
         for (int band = 0; band < 40; ++band) {
             PixelColumns columns(picture.width);
             for (int x = 0; x < picture.width; ++x)
@@ -100,7 +104,7 @@ private Q_SLOTS:
         QImage image(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
         image.fill(kBehind);
         const auto bands = picture.bands();
-        widgets::paintBands(image, bands, picture.stripe, kGround);
+        widgets::paintBands(image, bands, picture.stripe, 0, kGround);
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x)
                 QVERIFY(image.pixel(x, y) != kGround && image.pixel(x, y) != kBehind);
@@ -111,7 +115,7 @@ private Q_SLOTS:
     {
         QImage image(20, 10, QImage::Format_ARGB32_Premultiplied);
         image.fill(kBehind);
-        widgets::paintBands(image, {}, 3, kGround);
+        widgets::paintBands(image, {}, 3, 0, kGround);
         QCOMPARE(image.pixel(7, 7), kGround);
     }
 };

@@ -126,7 +126,8 @@ struct Stretch {
 
 class Painter {
 public:
-    Painter(QImage &image, std::span<const Band> bands, int stripeWidth, std::optional<QRgb> ground)
+    Painter(QImage &image, std::span<const Band> bands, int stripeWidth, std::int64_t first,
+        std::optional<QRgb> ground)
         : m_image(image)
         , m_width(std::size_t(image.width()))
         , m_height(image.height())
@@ -134,6 +135,8 @@ public:
         , m_looks(bands, stripeWidth, std::size_t(image.width()))
         , m_ground(ground)
     {
+        const auto period = static_cast<std::int64_t>(m_looks.period());
+        m_left = static_cast<std::size_t>((first % period + period) % period);
         for (std::size_t b = 0; b < bands.size(); ++b)
             m_alone.push_back(m_looks.row(bitOf(b)));
         for (std::size_t x = 0; x < m_width; x += kGroup)
@@ -142,7 +145,7 @@ public:
 
     void paintRow(QRgb *row, int y)
     {
-        const std::size_t phase = std::size_t(y) % m_looks.period();
+        const std::size_t phase = (m_left + std::size_t(y)) % m_looks.period();
         for (std::size_t group = 0; group < m_at.size();) {
             const Stretch &here = at(group, y);
             const std::size_t x = group * kGroup;
@@ -254,7 +257,7 @@ private:
                     end = std::min(end, top);
             }
             const auto rows = std::size_t(end - y);
-            paintStripes(pixels, rows, mask, (x + std::size_t(y)) % period);
+            paintStripes(pixels, rows, mask, (m_left + x + std::size_t(y)) % period);
             pixels += rows;
             y = end;
         }
@@ -354,6 +357,7 @@ private:
     int m_height;
     std::span<const Band> m_bands;
     Looks m_looks;
+    std::size_t m_left = 0; ///< where in a period the left column is
     std::vector<const Look *> m_alone; ///< of each band
     std::array<std::array<std::uint32_t, kGroup>, kMostBands> m_covers{};
     std::optional<QRgb> m_ground;
@@ -365,8 +369,8 @@ private:
 
 } // namespace
 
-void paintBands(
-    QImage &image, std::span<const Band> bands, int stripeWidth, std::optional<QRgb> ground)
+void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, std::int64_t first,
+    std::optional<QRgb> ground)
 {
     if (bands.empty() || bands.size() > kMostBands) {
         if (ground)
@@ -377,7 +381,7 @@ void paintBands(
         if (bands.empty())
             return;
     }
-    Painter painter(image, bands, stripeWidth, ground);
+    Painter painter(image, bands, stripeWidth, first, ground);
     const auto stride = image.bytesPerLine();
     uchar *bits = image.bits();
     for (int y = 0; y < image.height(); ++y)

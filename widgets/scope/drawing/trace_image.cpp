@@ -160,6 +160,14 @@ int PixelColumns::tallerThan(int rows) const
     return count;
 }
 
+PixelColumns PixelColumns::part(int from, int to) const
+{
+    PixelColumns columns;
+    columns.top.assign(top.begin() + from, top.begin() + to);
+    columns.bottom.assign(bottom.begin() + from, bottom.begin() + to);
+    return columns;
+}
+
 bool PixelColumns::empty() const
 {
     return std::all_of(top.begin(), top.end(), [](std::int16_t row) { return row == kNoTop; });

@@ -27,6 +27,7 @@ struct PixelColumns {
     PixelColumns dashed(
         int on, int off) const; ///< `on` of each `on` + `off` columns, the others empty
     int tallerThan(int rows) const; ///< how many columns are
+    PixelColumns part(int from, int to) const; ///< columns [from, to) of it
     bool empty() const; ///< nothing in any column
 };
 

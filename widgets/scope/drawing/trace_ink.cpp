@@ -61,7 +61,7 @@ void ShapeInk::fill(const QPainterPath &path, QRgb color)
         m_painter.fillPath(path, QColor::fromRgba(qUnpremultiply(color)));
 }
 
-void DashedInk::bands(std::span<const Band> bands, int stripeWidth)
+void DashedInk::bands(std::span<const Band> bands, int stripeWidth, std::int64_t first)
 {
     std::vector<PixelColumns> dashes;
     dashes.reserve(bands.size());
@@ -70,7 +70,7 @@ void DashedInk::bands(std::span<const Band> bands, int stripeWidth)
         dashes.push_back(band.columns->dashed(m_on, m_off));
         dashed.push_back({band.color, &dashes.back()});
     }
-    m_ink.bands(dashed, stripeWidth);
+    m_ink.bands(dashed, stripeWidth, first);
 }
 
 void DashedInk::box(int left, int top, int width, int height, QRgb color)
@@ -92,7 +92,7 @@ void ShapeInk::columns(const PixelColumns &columns, QRgb color)
     fill(pathOf(columns, m_size), color);
 }
 
-void ShapeInk::bands(std::span<const Band> bands, int stripeWidth)
+void ShapeInk::bands(std::span<const Band> bands, int stripeWidth, std::int64_t)
 {
     flush();
     for (const Band &band : bands)

@@ -23,7 +23,8 @@ public:
     /// @param color  premultiplied, as in the image
     virtual void columns(const PixelColumns &columns, QRgb color) = 0;
     /// All bands of the picture, so that none hides another. Once, before lines and boxes.
-    virtual void bands(std::span<const Band> bands, int stripeWidth) = 0;
+    /// @param first  number of the left column, from which stripes are counted
+    virtual void bands(std::span<const Band> bands, int stripeWidth, std::int64_t first) = 0;
     virtual void box(int left, int top, int width, int height, QRgb color) = 0;
 };
 
@@ -41,9 +42,9 @@ public:
     {
         fillColumns(m_image, columns, color);
     }
-    void bands(std::span<const Band> bands, int stripeWidth) override
+    void bands(std::span<const Band> bands, int stripeWidth, std::int64_t first) override
     {
-        paintBands(m_image, bands, stripeWidth, m_ground);
+        paintBands(m_image, bands, stripeWidth, first, m_ground);
     }
     void box(int left, int top, int width, int height, QRgb color) override
     {
@@ -76,7 +77,7 @@ public:
     {
         m_ink.columns(columns.dashed(m_on, m_off), color);
     }
-    void bands(std::span<const Band> bands, int stripeWidth) override;
+    void bands(std::span<const Band> bands, int stripeWidth, std::int64_t first) override;
     void box(int left, int top, int width, int height, QRgb color) override;
 
 private:
@@ -96,7 +97,7 @@ public:
     }
     ~ShapeInk() override { flush(); }
     void columns(const PixelColumns &columns, QRgb color) override;
-    void bands(std::span<const Band> bands, int stripeWidth) override;
+    void bands(std::span<const Band> bands, int stripeWidth, std::int64_t first) override;
     void box(int left, int top, int width, int height, QRgb color) override;
     void flush(); ///< draws the boxes that were gathered
 

@@ -6,27 +6,20 @@
 #include "widgets/scope/drawing/wide_registers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace widgets {
 
 namespace {
-/// Below this many samples a pixel column single samples can be told apart and are drawn as steps.
-constexpr std::uint64_t kSamplesAColumn = 2;
 /// Steps this wide, in pixels, get a dot at the sample.
 constexpr double kDotSpacing = 8.0;
-/// Columns taller than this, in pixels, are part of a band rather than of a line.
-constexpr int kBandHeight = 8;
-constexpr int kBandShare = 16; ///< of the picture that is a band at least, as one part in so many
 constexpr int kStripeWidth = 3;
 constexpr int kLongDash = 10; ///< pixels, of reference A
 constexpr int kShortDash = 3; ///< of reference B
 constexpr double kMarkPlace = 0.01; ///< of a reference's letter, as a share of the width
 constexpr double kMarkNext = 0.03; ///< B is beside A
-/// An angle that passes its end in more than one of so many columns is a band.
-constexpr int kTurnShare = 4;
-constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 /// Columns a pixel in a picture without pixels.
 constexpr int kShapeColumns = 4;
 constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
@@ -50,17 +43,15 @@ std::size_t referenceCount(std::span<const Ghost> ghosts)
     return static_cast<std::size_t>(first - ghosts.begin());
 }
 
-/// Where a value lies, in rows from the top of the picture.
-struct Rows {
-    double top;
-    double perUnit;
-    int of(double value) const
-    {
-        // Rounds down without a call, which std::floor() is on processors without SSE4.
-        const double row = std::clamp((top - value) * perUnit, -4.0, 31000.0);
-        return static_cast<int>(row + 4.0) - 4;
+/// Colours the pixels of a box that have another colour.
+void recolor(QImage &image, QRect box, QRgb from, QRgb to)
+{
+    box &= image.rect();
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        auto *row = reinterpret_cast<QRgb *>(image.scanLine(y));
+        std::replace(row + box.left(), row + box.right() + 1, from, to);
     }
-};
+}
 } // namespace
 
 /// The pixels of the screen that a plot has. Where the scale is no whole number its edges lie within pixels: it has those that
@@ -71,18 +62,49 @@ struct WaveformPlottable::Place {
     QPointF beyond; ///< the first one's corner to the exact one, up to half a device pixel
 };
 
-struct WaveformPlottable::View {
-    double from;
-    double to;
-    int width; ///< device pixels
-    int height;
-    int thickness; ///< of a line, device pixels
-    std::optional<QRgb> ground; ///< empty: what is there, which is not known
-    double perSecond() const { return width / (to - from); }
-    Rows rows(const QCPAxis &axis) const
+/// Grid and gaps, where no trace is.
+struct WaveformPlottable::Ground {
+    static constexpr std::uint8_t kLine = 1, kGap = 2;
+    QRgb color = 0, grid = 0;
+    bool dark = false;
+    std::vector<int> rows; ///< of the grid
+    std::vector<std::uint8_t> columns; ///< what each of the picture's is part of
+
+    /// @param at  where in the picture the image begins
+    void paintOn(QImage &image, int at) const
     {
-        const QCPRange range = axis.range();
-        return {range.upper, height / range.size()};
+        for (const int row : rows)
+            recolor(image, QRect(0, row, image.width(), 1), color, grid);
+        for (int x = 0, next = 0; x < image.width(); x = next) {
+            const std::uint8_t is = columns[std::size_t(at + x)];
+            while (next < image.width() && columns[std::size_t(at + next)] == is)
+                ++next;
+            const QRect box(x, 0, next - x, image.height());
+            if ((is & kLine) != 0)
+                recolor(image, box, color, grid);
+            if ((is & kGap) != 0)
+                recolor(image, box, color, mixed(color, shadeOfGaps(dark)));
+            if ((is & kGap) != 0 && grid != color)
+                recolor(image, box, grid, mixed(grid, shadeOfGaps(dark)));
+        }
+    }
+};
+
+struct WaveformPlottable::Picture {
+    PictureView view;
+    double ratio = 0.0;
+    bool ghosts = false;
+    Ground ground;
+    std::vector<DrawnTrace> traces;
+
+    /// Nothing is other than it was before but where it begins, and that samples came.
+    bool goesOn(const Picture &before) const
+    {
+        return ratio == before.ratio && !ghosts && !before.ghosts && view.isOnGridOf(before.view)
+            && ground.color == before.ground.color && ground.grid == before.ground.grid
+            && ground.dark == before.ground.dark && ground.rows == before.ground.rows
+            && std::equal(traces.begin(), traces.end(), before.traces.begin(), before.traces.end(),
+                [](const auto &a, const auto &b) { return a.look == b.look; });
     }
 };
 
@@ -90,7 +112,19 @@ WaveformPlottable::WaveformPlottable(const ScopePlot &plot, const capture::Captu
     : QCPAbstractPlottable(plot.timeAxis(), plot.axes.front().axis)
     , m_scopePlot(plot)
     , m_capture(capture)
+    , m_picture(std::make_unique<Picture>())
 {
+}
+
+WaveformPlottable::~WaveformPlottable() = default;
+
+void WaveformPlottable::renew()
+{
+    m_drawn.clear();
+    // To the columns of the picture, which it is at most half of one away from: all that goes by the axis moves as the traces do.
+    const PictureView view = viewOf(m_image.size(), 1);
+    if (view.width > 0 && view.from() != keyAxis()->range().lower)
+        keyAxis()->setRange(view.from(), view.to());
 }
 
 void WaveformPlottable::draw(QCPPainter *painter)
@@ -99,10 +133,12 @@ void WaveformPlottable::draw(QCPPainter *painter)
     if (rect.isEmpty())
         return;
     if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
-        shadeGaps([&](double left, double width) {
+        for (const capture::TimeSpan &gap : gapsIn(keyAxis()->range(), rect.width())) {
+            const double left = keyAxis()->coordToPixel(gap.from);
+            const double width = std::max(1.0, keyAxis()->coordToPixel(gap.to) - left);
             painter->fillRect(
                 QRectF(left, rect.top(), width, rect.height()), shadeOfGaps(m_scopePlot.dark));
-        });
+        }
         drawShapes(painter);
         drawMarks(painter);
         drawLastValues(painter);
@@ -121,7 +157,8 @@ void WaveformPlottable::draw(QCPPainter *painter)
     painter->setClipping(false);
     painter->translate(rect.topLeft());
     painter->scale(1.0 / place.ratio, 1.0 / place.ratio);
-    painter->drawImage(-place.beyond, m_image);
+    forParts({0, m_image.width()},
+        [&](int at, QImage &part) { painter->drawImage(QPointF(at, 0) - place.beyond, part); });
     painter->restore();
     painter->setAntialiasing(true);
     drawMarks(painter);
@@ -147,27 +184,107 @@ std::vector<QCPRange> WaveformPlottable::ranges() const
 
 void WaveformPlottable::paintImage(const Place &place)
 {
-    if (m_image.size() != place.size) // nothing shows through: it is copied, not blended
-        m_image = QImage(place.size, QImage::Format_RGB32);
     const std::span<const Ghost> ghosts = m_scopePlot.ghosts;
     const std::span<const Ghost> references = ghosts.first(referenceCount(ghosts));
     clearWideRegisters();
-    View view = viewOf(place.size, std::max(1, qRound(place.ratio)));
+    PictureView view = viewOf(place.size, std::max(1, qRound(place.ratio)));
     view.ground = mParentPlot->palette().color(QPalette::Base).rgb();
+    Picture now{view, place.ratio, !ghosts.empty(), groundOf(view, place), tracesOf(view)};
+    const Columns unknown = goOn(now);
+    *m_picture = std::move(now);
     if (references.size() < ghosts.size())
         paintRecords(view);
     else if (!ghosts.empty())
         m_image.fill(*view.ground);
-    ImageInk ink(m_image, ghosts.empty() ? view.ground : std::nullopt);
-    drawGhosts(references, view, ink);
-    drawTraces(view, ink);
-    paintGround(*view.ground, place);
+    for (const ColumnRange &range : unknown)
+        forParts(range, [&](int at, QImage &part) {
+            const PictureView some = view.part(at, at + part.width());
+            ImageInk ink(part, ghosts.empty() ? view.ground : std::nullopt);
+            drawGhosts(references, some, ink); // which are painted as a whole
+            drawTraces(some, m_picture->traces, ink);
+            m_picture->ground.paintOn(part, at);
+        });
 }
 
-WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
+/// Makes a picture of the one before it, as far as that is still true.
+/// @return  columns that have to be painted: what was not in it, what may have changed, and if it moved both ends, which
+///          something reaches into from outside; all where the pictures differ in more than that
+WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
 {
+    Picture &before = *m_picture;
+    const PictureView &view = now.view;
+    const std::int64_t moved = view.first - before.view.first;
+    bool same = now.goesOn(before) && std::abs(moved) < view.width;
+    const int by = same ? static_cast<int>(moved) : 0;
+    const int left = by == 0 ? 0 : view.reach() + std::max(0, -by);
+    int right = by == 0 ? view.width : view.width - view.reach() - std::max(0, by);
+    for (std::size_t i = 0; same && i < now.traces.size(); ++i)
+        right = std::min(right, now.traces[i].changedFrom(before.traces[i], view) - view.reach());
+    same = same && left < right;
+    const Columns all{{0, view.width}};
+    Columns unknown = same ? Columns{{0, left}, {right, view.width}} : all;
+    for (std::size_t i = 0; i < now.traces.size(); ++i) {
+        DrawnTrace &drawn = now.traces[i];
+        drawn.gather(view, unknown, unknown.size() > 1 ? &before.traces[i].extremes : nullptr, by);
+        same =
+            same && drawn.middle == before.traces[i].middle && drawn.band == before.traces[i].band;
+    }
+    // Lines of the grid are where the axis has its ticks, which is not on each pixel of a fine screen.
+    for (int x = left; same && x < right; ++x) {
+        if (now.ground.columns[std::size_t(x)] == before.ground.columns[std::size_t(x + by)])
+            continue;
+        if (unknown.back().to != x)
+            unknown.push_back({x, x});
+        ++unknown.back().to;
+    }
+    if (const QSize size(view.width, view.height); m_image.size() != size)
+        m_image = QImage(size, QImage::Format_RGB32); // nothing shows through: it is copied
+    m_start = same ? (m_start + by + view.width) % view.width : 0;
+    return same ? unknown : all;
+}
+
+/// What shows the columns of the picture, in at most two pieces: the image goes round, lest it be copied.
+void WaveformPlottable::forParts(
+    ColumnRange columns, const std::function<void(int at, QImage &part)> &use)
+{
+    const int width = m_image.width();
+    while (columns.from < columns.to) {
+        const int place = (m_start + columns.from) % width;
+        const int count = std::min(columns.to - columns.from, width - place);
+        QImage part(m_image.bits() + std::size_t(place) * sizeof(QRgb), count, m_image.height(),
+            m_image.bytesPerLine(), m_image.format());
+        use(columns.from, part);
+        columns.from += count;
+    }
+}
+
+std::vector<DrawnTrace> WaveformPlottable::tracesOf(const PictureView &view) const
+{
+    std::vector<DrawnTrace> traces;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = m_capture.channel(trace.channel);
+        if (channel && !channel->empty() && view.to() > view.from())
+            traces.emplace_back(view, trace, *channel);
+    }
+    return traces;
+}
+
+/// On the columns of the picture before, unless other times or sizes are wanted: then, and where there are ghosts, which lie
+/// between them, the axis begins with a column.
+PictureView WaveformPlottable::viewOf(QSize size, int thickness) const
+{
+    constexpr double kSame = 1e-3; // of a pixel; ends of the axis are sums of seconds
     const QCPRange range = keyAxis()->range();
-    return {range.lower, range.upper, size.width(), size.height(), thickness, std::nullopt};
+    const PictureView &before = m_picture->view;
+    const double pixel = range.size() / size.width();
+    PictureView view{range.lower, pixel, 0, size.width(), size.height(), thickness, std::nullopt};
+    if (m_scopePlot.ghosts.empty() && before.width == view.width
+        && std::abs(pixel - before.pixel) * view.width < kSame * pixel) {
+        view.origin = before.origin;
+        view.pixel = before.pixel;
+        view.first = before.edgeNear(range.lower);
+    }
+    return view;
 }
 
 void WaveformPlottable::drawShapes(QCPPainter *painter) const
@@ -179,55 +296,54 @@ void WaveformPlottable::drawShapes(QCPPainter *painter) const
     painter->translate(rect.topLeft());
     painter->scale(1.0 / kShapeColumns, 1.0 / kShapeColumns);
     {
-        const View view = viewOf(size, kShapeColumns);
+        const PictureView view = viewOf(size, kShapeColumns);
+        std::vector<DrawnTrace> traces = tracesOf(view);
+        for (DrawnTrace &trace : traces)
+            trace.gather(view, std::array{ColumnRange{0, view.width}}, nullptr, 0);
         ShapeInk ink(*painter, size);
         drawGhosts(m_scopePlot.ghosts, view, ink);
-        drawTraces(view, ink);
+        drawTraces(view, traces, ink);
     }
     painter->restore();
 }
 
-/// Grid and gaps, where no trace is.
-void WaveformPlottable::paintGround(QRgb ground, const Place &place)
+WaveformPlottable::Ground WaveformPlottable::groundOf(
+    const PictureView &view, const Place &place) const
 {
-    const QRect rect = m_scopePlot.rect->rect();
-    const auto column = [&](double x) {
-        return qRound(place.beyond.x() + (x - rect.left()) * place.ratio);
+    const QPoint corner = m_scopePlot.rect->rect().topLeft();
+    Ground ground{*view.ground, *view.ground, m_scopePlot.dark, {},
+        std::vector<std::uint8_t>(std::size_t(view.width))};
+    const auto mark = [&](std::int64_t from, std::int64_t to, std::uint8_t what) {
+        for (auto x = std::max<std::int64_t>(from, 0); x < std::min<std::int64_t>(to, view.width);
+             ++x)
+            ground.columns[std::size_t(x)] |= what;
     };
-    const auto paint = [&](QRect box, QRgb from, QRgb to) {
-        box &= m_image.rect();
-        for (int y = box.top(); y <= box.bottom(); ++y) {
-            auto *row = reinterpret_cast<QRgb *>(m_image.scanLine(y));
-            std::replace(row + box.left(), row + box.right() + 1, from, to);
-        }
-    };
-    QRgb grid = ground;
     for (const QCPAxis *axis : {keyAxis(), valueAxis()}) {
         if (!axis->grid()->visible())
             continue;
-        grid = mixed(ground, axis->grid()->pen().color());
+        ground.grid = mixed(*view.ground, axis->grid()->pen().color());
         for (const double tick : axis->tickVector()) {
-            const int at = qRound(axis->coordToPixel(tick));
-            paint(axis == keyAxis()
-                    ? QRect(column(at), 0, 1, m_image.height())
-                    : QRect(0, qRound(place.beyond.y() + (at - rect.top()) * place.ratio),
-                        m_image.width(), 1),
-                ground, grid);
+            const int at = qRound(axis->coordToPixel(tick)); // as the axis has it
+            const int column = qRound(place.beyond.x() + (at - corner.x()) * place.ratio);
+            if (axis == keyAxis())
+                mark(column, column + 1, Ground::kLine);
+            else
+                ground.rows.push_back(qRound(place.beyond.y() + (at - corner.y()) * place.ratio));
         }
     }
-    shadeGaps([&](double left, double width) {
-        const int from = column(left), to = column(left + width);
-        const QRect box(from, 0, std::max(1, to - from), m_image.height());
-        paint(box, ground, mixed(ground, shadeOfGaps(m_scopePlot.dark)));
-        if (grid != ground)
-            paint(box, grid, mixed(grid, shadeOfGaps(m_scopePlot.dark)));
-    });
+    for (const capture::TimeSpan &gap :
+        gapsIn({view.from(), view.to()}, view.width / place.ratio)) {
+        const std::int64_t from = view.edgeNear(gap.from) - view.first;
+        mark(from, std::max(from + view.thickness, view.edgeNear(gap.to) - view.first),
+            Ground::kGap);
+    }
+    return ground;
 }
 
-void WaveformPlottable::shadeGaps(const std::function<void(double left, double width)> &shade) const
+/// Those that are wider than one of so many pixels, each place once.
+std::vector<capture::TimeSpan> WaveformPlottable::gapsIn(const QCPRange &range, double pixels) const
 {
-    const QCPRange range = keyAxis()->range();
-    const double pixel = range.size() / std::max(1, m_scopePlot.rect->width());
+    const double pixel = range.size() / std::max(1.0, pixels);
     // A slow value is unknown for longer than the loss itself: where fast signals are shown, theirs are the gaps.
     using Kind = capture::ChannelInfo::Kind;
     Kind kind = Kind::Polled;
@@ -246,66 +362,61 @@ void WaveformPlottable::shadeGaps(const std::function<void(double left, double w
     }
     std::sort(
         gaps.begin(), gaps.end(), [](const auto &a, const auto &b) { return a.from < b.from; });
+    std::vector<capture::TimeSpan> shaded;
     double shadedTo = range.lower;
     for (const capture::TimeSpan &gap : gaps) {
         // Signals of one stream share their gaps: each place is shaded once.
         const double from = std::max(gap.from, shadedTo);
         const double to = std::min(gap.to, range.upper);
         if (to > from) {
-            const double left = keyAxis()->coordToPixel(from);
-            const double width = std::max(1.0, keyAxis()->coordToPixel(to) - left);
-            shade(left, width);
+            shaded.push_back({from, to});
             shadedTo = to;
         }
     }
+    return shaded;
 }
 
 /// Bands first, in stripes where they overlap; lines over them, so that no band hides one.
-void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
+void WaveformPlottable::drawTraces(
+    const PictureView &view, std::span<const DrawnTrace> traces, TraceInk &ink) const
 {
     struct Dense {
         QRgb color;
         PixelColumns bands;
         PixelColumns lines;
     };
+    const auto colorOf = [this](const DrawnTrace &drawn) {
+        return traceColor(drawn.look.slot, m_scopePlot.dark).rgba();
+    };
+    const int end = view.left + view.width;
     std::vector<Dense> dense;
-    std::vector<std::pair<const Trace *, const capture::Channel *>> sparse;
-    for (const Trace &trace : m_scopePlot.traces) {
-        const capture::Channel *channel = m_capture.channel(trace.channel);
-        if (!channel || channel->empty() || !(view.to > view.from))
+    for (const DrawnTrace &drawn : traces) {
+        if (drawn.look.steps)
             continue;
-        const std::uint64_t count = channel->countIn(view.from, view.to);
-        if (count <= kSamplesAColumn * std::uint64_t(view.width)) {
-            sparse.emplace_back(&trace, channel);
-            continue;
-        }
-        Strokes strokes = strokesOf(view, trace, *channel);
-        PixelColumns bands = std::move(strokes.columns);
-        const int height = kBandHeight * view.thickness;
-        // A few peaks make no band: they stay whole, and leave the others' stripes as they are.
-        const bool peaks = bands.tallerThan(height) < view.width / kBandShare;
-        PixelColumns lines =
-            peaks ? std::exchange(bands, PixelColumns(view.width)) : bands.takeThin(height);
-        const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
-        dense.push_back({color, std::move(bands), std::move(lines)});
-        if (strokes.beyond.width() > 0)
-            dense.push_back({color, PixelColumns(), std::move(strokes.beyond)});
+        PixelColumns bands = drawn.strokes.columns.part(view.left, end);
+        PixelColumns lines = drawn.band ? bands.takeThin(kBandHeight * view.thickness)
+                                        : std::exchange(bands, PixelColumns());
+        dense.push_back({colorOf(drawn), std::move(bands), std::move(lines)});
+        if (drawn.strokes.beyond.width() > 0)
+            dense.push_back(
+                {colorOf(drawn), PixelColumns(), drawn.strokes.beyond.part(view.left, end)});
     }
     std::vector<Band> bands;
     for (const Dense &trace : dense) {
-        if (!trace.bands.empty())
+        if (trace.bands.width() > 0) // or it is none anywhere in the picture
             bands.push_back({trace.color, &trace.bands});
     }
-    ink.bands(bands, kStripeWidth * view.thickness);
+    ink.bands(bands, kStripeWidth * view.thickness, view.first);
     for (const Dense &trace : dense)
         ink.columns(trace.lines, trace.color);
-    for (const auto &[trace, channel] : sparse)
-        drawSteps(
-            view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
+    for (const DrawnTrace &drawn : traces) {
+        if (drawn.look.steps)
+            drawSteps(view, *drawn.trace, *drawn.channel, colorOf(drawn), ink);
+    }
 }
 
 WaveformPlottable::GhostColor WaveformPlottable::colorsOf(
-    const Ghost &ghost, const View &view) const
+    const Ghost &ghost, const PictureView &view) const
 {
     return [this, ground = view.ground, alpha = ghost.alpha](std::size_t trace) {
         QColor color = traceColor(m_scopePlot.traces[trace].colorSlot, m_scopePlot.dark);
@@ -315,10 +426,10 @@ WaveformPlottable::GhostColor WaveformPlottable::colorsOf(
 }
 
 /// The earlier records, which are the last of the ghosts, on the image, which is ground elsewhere.
-void WaveformPlottable::paintRecords(const View &view)
+void WaveformPlottable::paintRecords(const PictureView &view)
 {
     const auto &traces = m_scopePlot.traces;
-    RecordPicture::Look look{m_image.size(), view.to - view.from, {}};
+    RecordPicture::Look look{m_image.size(), view.to() - view.from(), {}};
     for (const Trace &trace : traces) {
         const QCPRange range = trace.valueAxis->range();
         look.traces.push_back({trace.channel, range.lower, range.upper});
@@ -328,11 +439,11 @@ void WaveformPlottable::paintRecords(const View &view)
     std::vector<QRgb> colors;
     for (auto ghost = m_scopePlot.ghosts.rbegin();
          ghost != m_scopePlot.ghosts.rend() && ghost->mark == 0; ++ghost) {
-        RecordPicture::Record record{view.from + ghost->shift, 0};
+        RecordPicture::Record record{view.from() + ghost->shift, 0};
         const GhostColor color = colorsOf(*ghost, view);
         for (std::size_t i = 0; i < traces.size(); ++i) {
             if (const capture::Channel *channel = channelOf(*ghost, traces[i]))
-                record.samples += channel->countIn(record.from, view.to + ghost->shift);
+                record.samples += channel->countIn(record.from, view.to() + ghost->shift);
             colors.push_back(color(i));
         }
         oldestFirst.push_back(&*ghost);
@@ -349,7 +460,7 @@ void WaveformPlottable::paintRecords(const View &view)
 /// The same traces of another time, paler and behind, older ones first; references dashed, so that they are not told by
 /// their colour alone.
 void WaveformPlottable::drawGhosts(
-    std::span<const Ghost> ghosts, const View &view, TraceInk &ink) const
+    std::span<const Ghost> ghosts, const PictureView &view, TraceInk &ink) const
 {
     for (std::size_t i = ghosts.size(); i-- > 0;) {
         const Ghost &ghost = ghosts[i];
@@ -364,25 +475,25 @@ void WaveformPlottable::drawGhosts(
 }
 
 void WaveformPlottable::drawGhost(
-    const Ghost &ghost, const View &view, TraceInk &ink, const GhostColor &color) const
+    const Ghost &ghost, const PictureView &view, TraceInk &ink, const GhostColor &color) const
 {
-    View then = view;
-    then.from += ghost.shift;
-    then.to += ghost.shift;
+    PictureView then = view;
+    then.origin += ghost.shift;
     for (std::size_t i = 0; i < m_scopePlot.traces.size(); ++i) {
         const Trace &trace = m_scopePlot.traces[i];
         const capture::Channel *channel = channelOf(ghost, trace);
-        if (!channel || channel->empty() || !(then.to > then.from))
+        if (!channel || channel->empty() || !(then.to() > then.from()))
             continue;
         const QRgb paint = color(i);
-        if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width)) {
+        DrawnTrace drawn(then, trace, *channel);
+        if (drawn.look.steps) {
             drawSteps(then, trace, *channel, paint, ink);
             continue;
         }
-        const Strokes strokes = strokesOf(then, trace, *channel);
-        ink.columns(strokes.columns, paint);
-        if (strokes.beyond.width() > 0)
-            ink.columns(strokes.beyond, paint);
+        drawn.gather(then, std::array{ColumnRange{0, then.width}}, nullptr, 0);
+        ink.columns(drawn.strokes.columns, paint);
+        if (drawn.strokes.beyond.width() > 0)
+            ink.columns(drawn.strokes.beyond, paint);
     }
 }
 
@@ -428,94 +539,22 @@ const capture::Channel *WaveformPlottable::channelOf(const Ghost &ghost, const T
     return other;
 }
 
-WaveformPlottable::Strokes WaveformPlottable::strokesOf(
-    const View &view, const Trace &trace, const capture::Channel &channel) const
-{
-    const Rows rows = view.rows(*trace.valueAxis);
-    const auto extremes = channel.columns(view.from, view.to, std::size_t(view.width));
-    Strokes strokes{PixelColumns(view.width), PixelColumns()};
-    const bool held = trace.info.kind != capture::ChannelInfo::Kind::Fast;
-    for (int x = 0; x < view.width; ++x) {
-        const capture::MinMax &column = extremes[std::size_t(x)];
-        if (!column.empty()) {
-            strokes.columns.set(x, rows.of(double(column.max)), rows.of(double(column.min)));
-        } else if (held) {
-            // Irregular values: a column between two of them shows the one that still holds.
-            if (const auto value = channel.valueAt(view.from + (x + 0.5) / view.perSecond()))
-                strokes.columns.set(x, rows.of(*value), rows.of(*value));
-        }
-    }
-    const double turn = scope::turnOf(trace.info.unit);
-    if (turn > 0.0)
-        splitTurns(view, trace, channel, extremes, strokes);
-    if (strokes.beyond.width() > 0)
-        strokes.columns.joinTurning(strokes.beyond, static_cast<int>(turn / 2 * rows.perUnit));
-    else
-        strokes.columns.joinNeighbours();
-    strokes.columns.thicken(view.thickness);
-    strokes.beyond.thicken(view.thickness);
-    return strokes;
-}
-
-/// Where an angle passes its end, the two ends of that column instead of all between them. Only where the picture is within one turn: what goes
-/// beyond it counts turns, and jumps where it jumps.
-void WaveformPlottable::splitTurns(const View &view, const Trace &trace,
-    const capture::Channel &channel, const std::vector<capture::MinMax> &extremes,
-    Strokes &strokes) const
-{
-    const double turn = scope::turnOf(trace.info.unit);
-    capture::MinMax all;
-    int turns = 0;
-    for (const capture::MinMax &column : extremes) {
-        all.include(column);
-        turns += double(column.max) - double(column.min) > turn / 2 ? 1 : 0;
-    }
-    const double span = double(all.max) - double(all.min);
-    constexpr double kInexact = 1.001;
-    if (all.empty() || span <= turn / 2 || span > turn * kInexact
-        || turns > view.width / kTurnShare)
-        return;
-    const Rows rows = view.rows(*trace.valueAxis);
-    const float middle = all.min + (all.max - all.min) / 2;
-    strokes.beyond = PixelColumns(view.width);
-    for (int x = 0; x < view.width; ++x) {
-        const capture::MinMax &column = extremes[std::size_t(x)];
-        if (column.empty() || double(column.max) - double(column.min) <= turn / 2)
-            continue;
-        capture::MinMax high{column.max, column.max};
-        capture::MinMax low{column.min, column.min};
-        const double from = view.from + x / view.perSecond();
-        const double to = view.from + (x + 1) / view.perSecond();
-        for (const capture::MinMax &slice : channel.columns(from, to, kSlices)) {
-            if (!slice.empty() && slice.min >= middle)
-                high.include(slice);
-            else if (!slice.empty() && slice.max < middle)
-                low.include(slice);
-        }
-        strokes.columns.set(x, rows.of(double(high.max)), rows.of(double(high.min)));
-        strokes.beyond.set(x, rows.of(double(low.max)), rows.of(double(low.min)));
-    }
-}
-
-void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
+void WaveformPlottable::drawSteps(const PictureView &view, const Trace &trace,
     const capture::Channel &channel, QRgb color, TraceInk &ink) const
 {
     const Rows rows = view.rows(*trace.valueAxis);
     const int line = view.thickness;
-    const auto samples = channel.samples(
-        view.from, view.to, std::size_t(kSamplesAColumn) * std::size_t(view.width) + 1);
-    const double perSecond = view.perSecond();
-    const auto xOf = [&](double time) {
-        const double x = std::clamp((time - view.from) * perSecond, -10.0, view.width + 10.0);
-        return static_cast<int>(x + 10.0) - 10; // rounds down, see Rows
-    };
+    const double perSecond = 1.0 / view.pixel;
+    const auto samples = channel.samples(view.at(-std::min(view.left, view.reach())),
+        view.at(view.width + std::min(view.right, view.reach())),
+        std::size_t(kSamplesAColumn) * std::size_t(view.left + view.width + view.right) + 1);
     const double halfTurn = scope::turnOf(trace.info.unit) / 2;
     int lastRow = 0;
     double lastValue = 0.0;
     bool joined = false; // to the sample before it, which may be left of the picture
     for (const capture::Sample &sample : samples) {
-        const int left = xOf(sample.time);
-        const int right = xOf(sample.holdUntil);
+        const int left = view.columnOf(sample.time);
+        const int right = view.columnOf(sample.holdUntil);
         const int row = rows.of(sample.value);
         const bool turned = halfTurn > 0.0 && std::abs(sample.value - lastValue) > halfTurn;
         const bool joins = joined && !sample.first && !turned;
