@@ -118,6 +118,17 @@ struct Twins {
         plot.render(&image);
         return image;
     }
+    /// The stack has them with the next frame, which a timer brings.
+    void setRecords(const std::vector<widgets::Ghost> &records)
+    {
+        forBoth([&records](ScopeView &view) {
+            const quint64 before = view.redraws();
+            view.ghosts().setRecords(records);
+            view.redraw();
+            while (view.redraws() == before)
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        });
+    }
     void lose()
     {
         tick += 1 + below(below(4) == 0 ? 30'000 : 300);
@@ -160,10 +171,8 @@ struct Twins {
             });
             break;
         case 5:
-            forBoth([ghosts = below(2)](ScopeView &view) {
-                view.ghosts().setRecords(
-                    std::vector<widgets::Ghost>(std::size_t(ghosts), {nullptr, -0.7, 110}));
-            });
+            setRecords(std::vector<widgets::Ghost>(
+                std::size_t(below(3)), {nullptr, -0.7 * below(3), 110}));
             break;
         default:
             forBoth([zero = share()](ScopeView &view) { view.time().setOrigin(zero); });
@@ -216,7 +225,8 @@ struct Twins {
         for (int y = area.top() * ratio; y < area.bottom() * ratio; ++y)
             for (int x = area.left() * ratio; x < area.right() * ratio; ++x)
                 if (one.pixel(x, y) != other.pixel(x, y))
-                    return QStringLiteral("at %1, %2 %3 instead of %4, behind %5")
+                    return QStringLiteral(
+                        "the judge: picture: at %1, %2 %3 instead of %4, behind %5")
                         .arg(x)
                         .arg(y)
                         .arg(one.pixel(x, y), 0, 16)
@@ -243,6 +253,19 @@ private Q_SLOTS:
             return std::optional(difference.toStdString());
         });
         QVERIFY2(wrong.empty(), wrong.c_str());
+    }
+
+    /// It stands still meanwhile, so that nothing but the records is another.
+    void otherRecordsAreSeenBehindThePicture()
+    {
+        Twins twins(1, 1);
+        twins.span = 1.0;
+        for (const double shift : {0.0, -0.7, -0.3, -0.3}) {
+            twins.from = 2.0;
+            twins.setRecords({{nullptr, shift, 110}});
+            twins.append(100);
+            QCOMPARE(twins.difference(), QString());
+        }
     }
 
     /// What is painted at the right edge begins left of it, behind the value that was given up.

@@ -29,6 +29,7 @@ struct Ghost {
     double shift = 0.0; ///< seconds to add to the picture's time to get the ghost's
     int alpha = 110; ///< of 255
     char mark = 0; ///< the letter of a reference, which is dashed; 0: an earlier record
+    bool operator==(const Ghost &) const = default;
 };
 
 /// Where the trigger stands: its levels on the trace that is watched, and its time.

@@ -93,14 +93,14 @@ struct WaveformPlottable::Ground {
 struct WaveformPlottable::Picture {
     PictureView view;
     double ratio = 0.0;
-    bool ghosts = false;
+    std::vector<Ghost> ghosts;
     Ground ground;
     std::vector<DrawnTrace> traces;
 
     /// Nothing is other than it was before but where it begins, and that samples came.
     bool goesOn(const Picture &before) const
     {
-        return ratio == before.ratio && !ghosts && !before.ghosts && view.isOnGridOf(before.view)
+        return ratio == before.ratio && ghosts == before.ghosts && view.isOnGridOf(before.view)
             && ground.color == before.ground.color && ground.grid == before.ground.grid
             && ground.dark == before.ground.dark && ground.rows == before.ground.rows
             && std::equal(traces.begin(), traces.end(), before.traces.begin(), before.traces.end(),
@@ -189,9 +189,11 @@ void WaveformPlottable::paintImage(const Place &place)
     clearWideRegisters();
     PictureView view = viewOf(place.size, std::max(1, qRound(place.ratio)));
     view.ground = mParentPlot->palette().color(QPalette::Base).rgb();
-    Picture now{view, place.ratio, !ghosts.empty(), groundOf(view, place), tracesOf(view)};
+    Picture now{view, place.ratio, m_scopePlot.ghosts, groundOf(view, place), tracesOf(view)};
     const Columns unknown = goOn(now);
     *m_picture = std::move(now);
+    if (unknown.empty())
+        return;
     if (references.size() < ghosts.size())
         paintRecords(view);
     else if (!ghosts.empty())
@@ -200,7 +202,7 @@ void WaveformPlottable::paintImage(const Place &place)
         forParts(range, [&](int at, QImage &part) {
             const PictureView some = view.part(at, at + part.width());
             ImageInk ink(part, ghosts.empty() ? view.ground : std::nullopt);
-            drawGhosts(references, some, ink); // which are painted as a whole
+            drawGhosts(references, some, ink);
             drawTraces(some, m_picture->traces, ink);
             m_picture->ground.paintOn(part, at);
         });
@@ -208,7 +210,8 @@ void WaveformPlottable::paintImage(const Place &place)
 
 /// Makes a picture of the one before it, as far as that is still true.
 /// @return  columns that have to be painted: what was not in it, what may have changed, and if it moved both ends, which
-///          something reaches into from outside; all where the pictures differ in more than that
+///          something reaches into from outside; all where the pictures differ in more than that, or where ghosts are behind
+///          them, which are painted as a whole
 WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
 {
     Picture &before = *m_picture;
@@ -239,6 +242,8 @@ WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
     }
     if (const QSize size(view.width, view.height); m_image.size() != size)
         m_image = QImage(size, QImage::Format_RGB32); // nothing shows through: it is copied
+    std::erase_if(unknown, [](const ColumnRange &range) { return range.from == range.to; });
+    same = same && (unknown.empty() || now.ghosts.empty());
     m_start = same ? (m_start + by + view.width) % view.width : 0;
     return same ? unknown : all;
 }
