@@ -24,7 +24,8 @@ void RecordPicture::update(const Look &look, std::vector<Record> records, const 
 {
     const double pixel = look.span / look.size.width();
     const auto same = [pixel](const Record &a, const Record &b) {
-        return a.samples == b.samples && std::abs(a.from - b.from) < kSame * pixel;
+        return a.samples == b.samples && a.ends == b.ends
+            && std::abs(a.from - b.from) < kSame * pixel;
     };
     const auto perRecord = static_cast<QRgb>(look.traces.size());
     // Of those that are painted the newer ones are wanted, and nothing between or below them.

@@ -43,6 +43,19 @@ std::size_t referenceCount(std::span<const Ghost> ghosts)
     return static_cast<std::size_t>(first - ghosts.begin());
 }
 
+/// Adds what a channel has in a record, and where that ends, also just beyond the edge, where it is still seen.
+void count(RecordPicture::Record &record, const capture::Channel &channel, const PictureView &view,
+    double shift)
+{
+    record.samples += channel.countIn(record.from, view.to() + shift);
+    const capture::Nanos end = capture::toNanos(view.at(view.width + view.reach()) + shift);
+    const capture::Index next = channel.atOrAfter(end);
+    if (next == channel.begin())
+        return;
+    if (const capture::Nanos held = channel.holdUntil(next - 1); held < end)
+        record.ends += static_cast<std::uint64_t>(held);
+}
+
 /// Colours the pixels of a box that have another colour.
 void recolor(QImage &image, QRect box, QRgb from, QRgb to)
 {
@@ -448,7 +461,7 @@ void WaveformPlottable::paintRecords(const PictureView &view)
         const GhostColor color = colorsOf(*ghost, view);
         for (std::size_t i = 0; i < traces.size(); ++i) {
             if (const capture::Channel *channel = channelOf(*ghost, traces[i]))
-                record.samples += channel->countIn(record.from, view.to() + ghost->shift);
+                count(record, *channel, view, ghost->shift);
             colors.push_back(color(i));
         }
         oldestFirst.push_back(&*ghost);
