@@ -37,7 +37,7 @@ protected:
     virtual std::vector<RegisterId> needs() const { return {}; }
     /// Why it is not sent where one of them was never answered.
     virtual std::string unread() const { return "no answer"; }
-    /// Gives the requests, with what was read. @return  why it must not be; empty if it may, or was ended here
+    /// Gives the requests, with what was read; none: it is done. @return  why it must not be; empty if it may, or was ended here
     virtual std::string plan() = 0;
     void request(Request one) { m_requests.push_back(std::move(one)); }
 
@@ -95,8 +95,10 @@ std::optional<typename P::Request> ActTask<P>::nextRequest(TimePoint)
         if (auto why = plan(); !why.empty())
             return this->noRequest(Outcome::Refused, std::move(why));
     }
-    if (this->finished() || m_requests.empty())
+    if (this->finished())
         return std::nullopt;
+    if (m_requests.empty())
+        return this->noRequest(Outcome::Ok);
     this->markSent();
     return m_requests.front();
 }
