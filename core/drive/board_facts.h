@@ -4,10 +4,10 @@
 
 #include "catalog/catalog.h"
 #include "drive/event.h"
-#include "drive/lately_read.h"
 #include "drive/motion_limits.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -34,6 +34,14 @@ inline std::vector<Capability> ableTo(const std::set<Feature> &features, const s
     return all;
 }
 
+/// What a round of watched registers has read a moment ago. A parameter is not asked for once more before it is written:
+/// nobody but this drive writes it, and firmware leaves parameters alone.
+struct LatelyRead {
+    static constexpr Duration kHolds = std::chrono::milliseconds(250); ///< from `asked` on
+    Value value;
+    TimePoint asked; ///< when the question left: the value is no older
+};
+
 struct BoardFacts {
     bool identified = false; ///< all that follows is known, as far as the board tells it
     Identity identity; ///< without motors and knownFirmware, which are here
@@ -47,7 +55,7 @@ struct BoardFacts {
     std::set<RegisterId> missing; ///< of the catalogue, at one motor: another has it
     StreamLimits streaming;
     std::vector<Capability> capabilities;
-    LatelyRead lately; ///< in this connection
+    std::map<RegisterId, LatelyRead> lately; ///< since anything left that may change registers
     std::size_t requestBytes = 0, responseBytes = 0, streamBytes = 0; ///< negotiated sizes
 
     UserLimits user; ///< the user's; outlives the connection

@@ -161,7 +161,7 @@ struct WriteResult {
     RegisterId id = 0;
     Outcome outcome = Outcome::Ok;
     std::string reason; ///< the board's word for its refusal, e.g. "RO_REG"
-    /// Value known before the write: read right before it, or a moment ago with nothing written since (lately_read.h).
+    /// Value known before the write: read right before it, or a moment ago with nothing written since (LatelyRead).
     std::optional<Value> before;
     std::optional<Value> readBack; ///< value after it
     /// Written, and what was read back is what was written. Empty: not written, or not read back.

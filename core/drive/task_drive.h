@@ -126,8 +126,10 @@ protected:
         if (m_task == nullptr)
             return onStopAnswer(P::endIn(answer).outcome == Outcome::Ok, now);
         m_task->onResponse(answer, now);
-        if (m_task == &m_watch)
-            m_board.lately.take(m_watch.readings(), m_askedAt);
+        if (m_task == &m_watch && !m_doubtedAt) // then it may have left before nobody knows what
+            for (const Reading &reading : m_watch.readings())
+                if (reading.status == ReadStatus::Ok)
+                    m_board.lately[reading.id] = {reading.value, m_askedAt};
         if (m_wish != nullptr)
             m_wish->freshen(now);
         afterTask(now);
@@ -163,7 +165,7 @@ protected:
         m_lost.reset();
         m_reconnectAt.reset();
         m_suspect = false;
-        m_board.lately = {};
+        m_board.lately.clear();
     }
     /// Behind linkFound(): all is found out anew. @param about  what the link was told of the board
     template <class... About>
@@ -504,7 +506,7 @@ bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
             m_wish = wish;
             m_askedAt = now;
             if (acts(wish))
-                m_board.lately.forget(now);
+                m_board.lately.clear();
             return true;
         }
         task.onNoResponse(false, now); // it never left

@@ -54,7 +54,7 @@ void WishDrive::doubt(TimePoint now)
     m_workedAt = now;
     disarm();
     m_doubtedAt = now;
-    m_facts.lately.forget(now);
+    m_facts.lately.clear();
     lookAtOnce(now);
     tellLink(m_toldState, m_toldReason);
 }

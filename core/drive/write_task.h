@@ -58,9 +58,10 @@ protected:
     void recall(Item &item, TimePoint now)
     {
         const auto *info = m_board.catalog->find(item.write.id);
-        const Value *known = m_board.lately.valueOf(item.write.id, now);
-        if (info != nullptr && info->effect == catalog::Effect::Kept && known != nullptr)
-            item.result.before = *known;
+        const auto known = m_board.lately.find(item.write.id);
+        if (info != nullptr && info->effect == catalog::Effect::Kept
+            && known != m_board.lately.end() && now - known->second.asked <= LatelyRead::kHolds)
+            item.result.before = known->second.value;
     }
     void endItem(Item &item, Outcome outcome, const std::string &reason = {})
     {
