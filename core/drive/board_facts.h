@@ -42,21 +42,18 @@ struct LatelyRead {
     TimePoint asked; ///< when the question left: the value is no older
 };
 
-struct BoardFacts {
-    bool identified = false; ///< all that follows is known, as far as the board tells it
-    Identity identity; ///< without motors and knownFirmware, which are here
+/// What Identified tells, and more. Its motors and knownFirmware are here until it is told.
+struct BoardFacts : Identified {
+    BoardFacts() { catalog = std::make_shared<const catalog::Catalog>(); }
+
+    bool identified = false; ///< all the rest is known, as far as the board tells it
     bool knownFirmware = false;
     int motors = 1; ///< known of
     bool motorsCounted = false; ///< the board has told how many: there are no more
-    std::shared_ptr<const catalog::Catalog> catalog = std::make_shared<const catalog::Catalog>();
     std::vector<catalog::Scales> scales; ///< one a motor
-    std::vector<MotorLimits> limits; ///< one a motor
     std::vector<bool> speedMeasured; ///< one a motor: by an encoder or Hall sensors
     std::set<RegisterId> missing; ///< of the catalogue, at one motor: another has it
-    StreamLimits streaming;
-    std::vector<Capability> capabilities;
     std::map<RegisterId, LatelyRead> lately; ///< since anything left that may change registers
-    std::size_t requestBytes = 0, responseBytes = 0, streamBytes = 0; ///< negotiated sizes
 
     UserLimits user; ///< the user's; outlives the connection
     std::set<int> expert; ///< motors that the user moves without all limits known

@@ -152,12 +152,10 @@ protected:
     /// What is known of the board, also where it was told before.
     void tellIdentified()
     {
-        m_events.emplace_back(Identified{m_board.identity, m_board.catalog, m_board.limits,
-            m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
-            m_board.streamBytes, P::stateSteps()});
-        Identity &told = std::get<Identified>(m_events.back()).identity;
-        told.motors = m_board.motors;
-        told.knownFirmware = m_board.knownFirmware;
+        m_board.identity.motors = m_board.motors;
+        m_board.identity.knownFirmware = m_board.knownFirmware;
+        m_board.states = P::stateSteps();
+        m_events.emplace_back(static_cast<const Identified &>(m_board));
     }
 
     void linkFound()
