@@ -175,10 +175,11 @@ protected:
         tell(LinkState::Connected, reason);
     }
     void linkLost(LinkReason reason, TimePoint now);
-    /// What was under way is never answered.
-    void forgetLink()
+    /// What was under way is never answered, and what waits not asked.
+    void forgetLink(const std::string &reason)
     {
-        m_task = m_wish = nullptr;
+        cutAllWishes(reason);
+        m_task = nullptr;
         m_stopUnderWay = m_suspect = false;
         m_reconnectAt.reset();
     }
@@ -237,10 +238,9 @@ private:
 template <class P>
 void TaskDrive<P>::connect(TimePoint now)
 {
-    cutAllWishes("connecting anew");
+    forgetLink("connecting anew");
     m_mode = Mode::Open;
     m_lost.reset();
-    forgetLink();
     m_link.connect(now);
     tellLinkState();
     work(now);
@@ -269,9 +269,8 @@ void TaskDrive<P>::close(TimePoint now)
     const bool busy = m_task != nullptr || m_wishes.next(false, now) != nullptr;
     if (busy && connected() && now < m_closeBy)
         return;
-    cutAllWishes("disconnected");
+    forgetLink("disconnected");
     closeLink();
-    forgetLink();
     m_stop.end();
     m_lost.reset();
     m_mode = Mode::Closed;
@@ -284,8 +283,7 @@ void TaskDrive<P>::linkLost(LinkReason reason, TimePoint now)
     if (!m_lost || reason != LinkReason::NoAnswer)
         m_lost = reason; // "no answer" while trying again is no news
     setArmed(false);
-    cutAllWishes("link lost");
-    forgetLink();
+    forgetLink("link lost");
     m_reconnectAt = now + kReconnectEvery;
 }
 

@@ -67,7 +67,7 @@ DEFECTS = [
     ("a motor that becomes known during a Stop is not stopped", "tst_mcp_drive_stop", "stop in time|stop first", [
         ("core/drive/stop_sequence.cpp", "    m_count = count;\n    if (count == Count::Exactly)", "    motors = 0;\n    m_count = Count::Exactly;\n    if (count == Count::Exactly && motors > 0)")]),
     ("a lost link leaves it armed", CAMPAIGN, "armed", [
-        ("core/drive/task_drive.h", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
+        ("core/drive/task_drive.h", "    setArmed(false);\n    forgetLink(\"link lost\");", "    forgetLink(\"link lost\");")]),
     ("no pause before a payload", CAMPAIGN, "payload pause", [
         ("core/aspep/controller.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
     ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [

@@ -111,9 +111,7 @@ void FcpDrive::on(const Link::Restarted &, TimePoint now)
 {
     m_anew = LinkReason::BoardReset;
     setArmed(false);
-    cutAllWishes("the board was reset");
-    m_task = nullptr;
-    m_stopUnderWay = false;
+    forgetLink("the board was reset");
     m_link.connect(now);
 }
 
