@@ -9,7 +9,14 @@
 namespace drive {
 
 /// What a protocol's way of reading may leave out.
-struct PlainReads {
+template <class Facts>
+class PlainReads {
+public:
+    explicit PlainReads(const Facts &board)
+        : m_board(board)
+    {
+    }
+
     void begin(std::vector<RegisterId> & /*ids*/) { } ///< may bring them into another order
     void drop() { } ///< the first ones are given up
     /// How a register that is not asked ends; nothing if it is, as what is in no catalogue.
@@ -22,6 +29,9 @@ struct PlainReads {
             ? std::nullopt
             : std::optional(ReadStatus::Refused);
     }
+
+protected:
+    const Facts &m_board;
 };
 
 /// @tparam P  kAttempts for each request; Reads, made with the facts, a PlainReads with

@@ -56,12 +56,9 @@ inline fcp::Request fcpRequest(int motor, fcp::Command command)
 std::optional<std::uint8_t> nackCode(const fcp::Reply &reply);
 
 /// Reading by one GET after the other; the raw register of the rev-up takes one for each of its stages.
-class FcpReads : public PlainReads {
+class FcpReads : public PlainReads<FcpFacts> {
 public:
-    explicit FcpReads(const FcpFacts &board)
-        : m_board(board)
-    {
-    }
+    using PlainReads::PlainReads;
 
     void begin(std::vector<RegisterId> & /*ids*/) { drop(); }
     void drop() { m_stages.clear(); }
@@ -71,7 +68,6 @@ public:
         std::span<const RegisterId> ids, const fcp::Reply &answer, TimePoint now);
 
 private:
-    const FcpFacts &m_board;
     Bytes m_stages; ///< of the rev-up, read until now
 };
 

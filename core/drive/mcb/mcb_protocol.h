@@ -86,19 +86,13 @@ constexpr std::uint32_t kOtherValueRead = 0xFFFFFFFF;
 std::string mcbWordOf(std::uint32_t code);
 
 /// Reading by one request a register. The link repeats what was lost, so what gets no answer here is given up.
-class McbReads : public PlainReads {
+class McbReads : public PlainReads<McbFacts> {
 public:
-    explicit McbReads(const McbFacts &board)
-        : m_board(board)
-    {
-    }
+    using PlainReads::PlainReads;
 
     McbRequest request(std::span<const RegisterId> ids, std::size_t &count) const;
     std::optional<std::vector<Reading>> readings(
         std::span<const RegisterId> ids, const McbAnswer &answer, TimePoint now) const;
-
-private:
-    const McbFacts &m_board;
 };
 
 /// A value as the catalogue has it, from the words of an answer; nothing if they are no such value.

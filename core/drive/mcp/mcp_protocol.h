@@ -99,12 +99,9 @@ std::string statusWord(std::uint8_t status);
 /// register. A failing id ends an answer early: the values before it tell which one it was, the rest is asked again.
 /// A refusal is believed when it comes twice: the id may have been damaged on its way, and payloads are not protected.
 /// An answer whose length fits nothing counts as lost.
-class McpReads : public PlainReads {
+class McpReads : public PlainReads<McpFacts> {
 public:
-    explicit McpReads(const McpFacts &board)
-        : m_board(board)
-    {
-    }
+    using PlainReads::PlainReads;
 
     void begin(std::vector<RegisterId> &ids);
     McpRequest request(std::span<const RegisterId> ids, std::size_t &count) const;
@@ -112,7 +109,6 @@ public:
         std::span<const RegisterId> ids, ByteView answer, TimePoint now);
 
 private:
-    const McpFacts &m_board;
     std::optional<RegisterId> m_doubted; ///< refused once
 };
 

@@ -104,9 +104,9 @@ struct Protocol {
 
 constexpr RegisterId idOf(Address address) { return RegisterId{address} << 3 | 1U; }
 
-class Reads : public PlainReads {
+class Reads : public PlainReads<BoardFacts> {
 public:
-    explicit Reads(const BoardFacts &) { }
+    using PlainReads::PlainReads;
     static std::optional<ReadStatus> refuse(const BoardFacts &board, RegisterId id)
     {
         return board.catalog->find(id) ? std::nullopt : std::optional(ReadStatus::NotSupported);
