@@ -59,14 +59,12 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
         m_layout = std::move(layout);
     m_announced = m_broken = false;
     m_block = {};
-    m_blockSince.reset();
 }
 
 void McbStreamControl::ended()
 {
     if (!m_block.slow.empty())
         m_events.emplace_back(std::exchange(m_block, {}));
-    m_blockSince.reset();
     m_layout.reset();
     m_running = false;
     if (std::exchange(m_announced, false))
@@ -104,7 +102,6 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
         m_block.stream = m_layout->id;
         m_block.firstTick = group.tick;
         m_block.lostTicks = gap ? std::max<capture::Tick>(1, apart) : 0;
-        m_blockSince = cycle.at;
     }
     m_lastTick = group.tick;
     m_block.slow.push_back(std::move(group));
@@ -112,15 +109,14 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
 
 std::optional<TimePoint> McbStreamControl::nextFlush() const
 {
-    return m_blockSince ? std::optional(*m_blockSince + kBlockTime) : std::nullopt;
+    return m_block.slow.empty() ? std::nullopt
+                                : std::optional(m_origin + m_block.firstTick * kTick + kBlockTime);
 }
 
 void McbStreamControl::flush(TimePoint now)
 {
-    if (!m_blockSince || now < *m_blockSince + kBlockTime)
-        return;
-    m_events.emplace_back(std::exchange(m_block, {}));
-    m_blockSince.reset();
+    if (now >= nextFlush().value_or(TimePoint::max()))
+        m_events.emplace_back(std::exchange(m_block, {}));
 }
 
 McbStreamTask::McbStreamTask(

@@ -61,7 +61,6 @@ private:
     capture::Tick m_lastTick = 0;
     capture::StreamId m_lastStream = 0;
     capture::SampleBlock m_block; ///< not handed out yet
-    std::optional<TimePoint> m_blockSince;
     std::uint64_t m_packets = 0, m_lost = 0;
     std::vector<Event> m_events;
 };
