@@ -141,12 +141,10 @@ Duration McpDrive::gathersFor() const
 {
     constexpr Duration kSamples = std::chrono::milliseconds(16),
                        kAnswer = std::chrono::milliseconds(8);
-    constexpr double kMostBytes = 3000.0;
+    constexpr std::size_t kMostBytes = 3000;
     if (!m_stream.wanted() || !atRest())
         return {};
-    const double line = m_board.streaming.linkBytesPerSecond;
-    return line > 0.0 ? std::min(linkIsFree() ? kSamples : kAnswer, fromSeconds(kMostBytes / line))
-                      : Duration::zero();
+    return std::min(linkIsFree() ? kSamples : kAnswer, wireTime(kMostBytes, m_board.baud));
 }
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
