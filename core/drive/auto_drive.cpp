@@ -87,7 +87,6 @@ public:
         if (m_turnEnds && now >= *m_turnEnds)
             return takeTurn(now);
         if (m_tryAgainAt && now >= *m_tryAgainAt) {
-            m_tryAgainAt.reset();
             planRound(false);
             return tryNext(now);
         }
@@ -128,7 +127,6 @@ public:
         m_stop.begin(1, now);
         m_turnEnds = now + kTurn;
         if (m_tryAgainAt) { // between two rounds
-            m_tryAgainAt.reset();
             planRound(false);
             startCandidate(takeNext(), now);
         } else {
@@ -220,6 +218,7 @@ std::vector<Output> AutoDrive::takeOutput()
 
 void AutoDrive::planRound(bool first)
 {
+    m_tryAgainAt.reset();
     m_plan.clear();
     m_followed = false;
     if (m_proven)
