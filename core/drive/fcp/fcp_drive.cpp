@@ -28,8 +28,7 @@ bool changes(const fcp::Request &request)
 
 fcp::Request stopOf(int motor)
 {
-    return {static_cast<std::uint8_t>(motor),
-        fcp::Execute{static_cast<std::uint8_t>(fcp::CommandId::StopMotor)}};
+    return fcpRequest(motor, fcp::Execute{static_cast<std::uint8_t>(fcp::CommandId::StopMotor)});
 }
 
 class FcpDrive final : public TaskDrive<FcpProtocol> {

@@ -21,8 +21,7 @@ void FcpIdentification::restart(const fcp::BoardInfo &info)
     m_info = info;
     m_version.reset();
     m_phase = Phase::Version;
-    m_powerPcRegister.reset();
-    m_stm32Register.reset();
+    m_powerPcRegister = m_stm32Register = false;
     m_doubt.clear();
     m_reader.clear();
     m_values.clear();
@@ -104,10 +103,9 @@ void FcpIdentification::onNoResponse(std::optional<bool>, TimePoint)
 
 void FcpIdentification::decideDialect()
 {
-    const bool powerPc = !m_version && m_powerPcRegister == true && m_stm32Register == false;
+    const bool powerPc = m_powerPcRegister && !m_stm32Register;
     const bool named = m_info.name.starts_with("STM32") || m_info.name.starts_with("ST MC");
-    const bool stm32 =
-        m_version || (m_powerPcRegister == false && (m_stm32Register == true || named));
+    const bool stm32 = m_version || (!m_powerPcRegister && (m_stm32Register || named));
     const Dialect found = powerPc ? Dialect::PowerPc : Dialect::Stm32;
     m_board.dialect = m_chosen.value_or(found);
     if (powerPc == stm32 && !m_chosen)

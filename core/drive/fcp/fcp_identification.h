@@ -46,7 +46,7 @@ private:
     fcp::BoardInfo m_info;
     std::optional<fcp::FirmwareVersion> m_version; ///< as GET_FW_VERSION was answered
     Phase m_phase = Phase::Version;
-    std::optional<bool> m_powerPcRegister, m_stm32Register; ///< there
+    bool m_powerPcRegister = false, m_stm32Register = false; ///< asked for, and there
     std::string m_doubt; ///< why nothing may be written
     Reader<FcpProtocol> m_reader{m_board};
     std::map<RegisterId, Value> m_values;
