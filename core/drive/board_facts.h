@@ -22,15 +22,12 @@ inline constexpr const char *kNoCycle =
 /// Digits of the full-scale current: those of firmware's 16-bit fractions.
 inline constexpr double kFullScaleDigits = 32768.0;
 
-/// All features: those that are there, and why the others are not.
-inline std::vector<Capability> ableTo(const std::set<Feature> &features, const std::string &reason)
+/// All features, none of which is there.
+inline std::vector<Capability> noFeatures(const std::string &reason)
 {
     std::vector<Capability> all;
-    for (std::size_t i = 0; i < kFeatures; ++i) {
-        const auto feature = static_cast<Feature>(i);
-        const bool can = features.contains(feature);
-        all.push_back({feature, can, can ? std::string() : reason});
-    }
+    for (std::size_t i = 0; i < kFeatures; ++i)
+        all.push_back({static_cast<Feature>(i), false, reason});
     return all;
 }
 

@@ -417,7 +417,7 @@ void ReplayDrive::identify()
         std::move(all), m_identity.motors, std::vector<catalog::Scales>());
     identified.limits.resize(static_cast<std::size_t>(m_identity.motors));
     identified.streaming.tickHz = m_tickHz;
-    identified.capabilities = drive::ableTo({}, kSentence);
+    identified.capabilities = drive::noFeatures(kSentence);
     m_events.emplace_back(std::move(identified));
 }
 

@@ -151,8 +151,11 @@ public:
             std::move(registers), 1, std::vector<catalog::Scales>{{}});
         m_board.limits = {{double(answer.value), 1.0, 1.0}};
         m_board.identity.protocol = "toy";
-        m_board.capabilities = ableTo(
-            {Feature::Start, Feature::Stop, Feature::SpeedRamp, Feature::WriteRegisters}, "no");
+        const std::set able{
+            Feature::Start, Feature::Stop, Feature::SpeedRamp, Feature::WriteRegisters};
+        m_board.capabilities.clear();
+        for (const Capability &one : noFeatures("no"))
+            m_board.tell(one.feature, able.contains(one.feature) ? "" : one.reason);
         m_board.motorsCounted = m_board.knownFirmware = m_board.identified = true;
     }
 
