@@ -27,7 +27,7 @@ public:
     /// When the next round begins; nothing if there is none.
     std::optional<TimePoint> due() const
     {
-        if (!m_active)
+        if (m_missing.size() == m_registers.size())
             return std::nullopt;
         return m_atRest && !m_draws ? std::max(m_due, m_begun + kAtRest) : m_due;
     }
@@ -69,12 +69,11 @@ private:
     }
 
     Reader<P> m_reader{m_board};
-    std::vector<RegisterId> m_registers;
+    std::vector<RegisterId> m_registers; ///< each once
     Duration m_period{};
-    std::set<RegisterId> m_missing; ///< reported once and left out from then on
+    std::set<RegisterId> m_missing; ///< of them: reported once and left out from then on
     std::vector<Reading> m_readings;
     TimePoint m_due;
-    bool m_active = false;
     bool m_atRest = false, m_draws = false;
 };
 
@@ -96,7 +95,6 @@ void RegisterWatch<P>::restart(TimePoint now)
     m_reader.clear();
     m_missing.clear();
     m_readings.clear();
-    m_active = !m_registers.empty();
     m_due = now;
     m_begun = now - kAtRest; // the first round at once
 }
@@ -111,7 +109,6 @@ std::vector<RegisterId> RegisterWatch<P>::begin(TimePoint now)
     for (const RegisterId id : m_registers)
         if (!m_missing.contains(id))
             ids.push_back(id);
-    m_active = !ids.empty();
     m_begun = now;
     return ids;
 }
