@@ -207,12 +207,11 @@ private:
     /// What waits was asked for, and checked, under limits that hold no more.
     void limitsChanged() override
     {
-        cutActing("the limits have changed", [](WishTask<P> &wish) {
+        cutActing("the limits have changed", [](OpenWish &wish) {
             return wish.permission() == Permission::Armed && wish.motion().has_value();
         });
     }
-    template <class Which>
-    void cutActing(const std::string &reason, Which which);
+    void cutActing(const std::string &reason, bool (*which)(OpenWish &));
     Made make(const Wish &wish);
     void endMissing(const Wish &wish, TimePoint now);
     void afterTask(TimePoint now);
@@ -323,7 +322,7 @@ void TaskDrive<P>::stop(TimePoint now)
     if (m_mode == Mode::Closed)
         return;
     m_cutAfterAnswer = m_task != nullptr ? "stopped" : "";
-    m_wishes.cutAll("stopped", m_wish);
+    m_wishes.cut("stopped", m_wish);
     beginStop(now);
     work(now);
 }
@@ -333,17 +332,16 @@ void TaskDrive<P>::disarm()
 {
     setArmed(false);
     const bool recalled = recallArmed(m_workedAt);
-    cutActing("disarmed", [](WishTask<P> &wish) { return wish.permission() == Permission::Armed; });
+    cutActing("disarmed", [](OpenWish &wish) { return wish.permission() == Permission::Armed; });
     if (recalled)
         work(m_workedAt); // the link is free
 }
 
 /// The one whose answer is due ends with it, also after arming again.
 template <class P>
-template <class Which>
-void TaskDrive<P>::cutActing(const std::string &reason, Which which)
+void TaskDrive<P>::cutActing(const std::string &reason, bool (*which)(OpenWish &))
 {
-    m_wishes.cutActing(reason, m_wish, which);
+    m_wishes.cut(reason, m_wish, which);
     if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())
         m_cutAfterAnswer = reason;
     m_wishes.collect(m_events, m_workedAt);
@@ -352,7 +350,7 @@ void TaskDrive<P>::cutActing(const std::string &reason, Which which)
 template <class P>
 void TaskDrive<P>::cutAllWishes(const std::string &reason)
 {
-    m_wishes.cutAll(reason, nullptr);
+    m_wishes.cut(reason, nullptr);
     if (std::exchange(m_wish, nullptr) != nullptr)
         m_task = &m_ended;
     m_cutAfterAnswer.clear();

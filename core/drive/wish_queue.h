@@ -40,21 +40,15 @@ public:
     /// @param now    tasks that have expired are cut
     WishTask<P> *next(bool armed, TimePoint now);
 
-    /// Ends all wishes but the one in flight (may be null).
-    void cutAll(const std::string &reason, const WishTask<P> *except)
+    /// Ends the wishes that it holds for, all by default, but not the one in flight (may be null).
+    void cut(
+        const std::string &reason, const WishTask<P> *except,
+        bool (*which)(OpenWish &) = [](OpenWish &) { return true; })
     {
         for (Queue *queue : {&m_acting, &m_reading})
             for (const auto &task : *queue)
-                if (task.get() != except)
+                if (task.get() != except && which(*task))
                     task->cut(reason);
-    }
-    /// @param which  of a task; whether it is to end
-    template <class Which>
-    void cutActing(const std::string &reason, const WishTask<P> *except, Which which)
-    {
-        for (const auto &task : m_acting)
-            if (task.get() != except && which(*task))
-                task->cut(reason);
     }
 
     /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log

@@ -25,7 +25,7 @@ CAMPAIGN = "tst_mcp_drive_faults underRandomFaultsEachWishEndsOnceAndTheLinkCome
 DEFECTS = [
     ("a Stop does not disarm", CAMPAIGN, "armed|asked for|stop first", [
         ("core/drive/wish_drive.cpp", "    m_workedAt = now;\n    setArmed(false);\n", "    m_workedAt = now;\n"),
-        ("core/drive/task_drive.h", 'm_wishes.cutAll("stopped", m_wish);', "")]),
+        ("core/drive/task_drive.h", 'm_wishes.cut("stopped", m_wish);', "")]),
     ("a start is repeated when its answer is lost", CAMPAIGN, "asked for", [
         ("core/drive/act_task.h", "        this->endLost(executed);\n", "        static_cast<void>(executed);\n")]),
     ("writes pass unarmed", CAMPAIGN, "armed", [

@@ -78,7 +78,7 @@ private Q_SLOTS:
     void unarmedNothingActs();
     void whatIsTooLateIsCut();
     void allButOneAreCut();
-    void onlyWhatActsIsCutByItsKind();
+    void onlyOneKindIsCut();
     void aNewerWriteIsToldToWhatActs();
     void eachEndIsToldOnceWithItsResults();
 };
@@ -93,7 +93,7 @@ void TestWishQueue::whatActsGoesBeforeWhatReads()
     QVERIFY(bench.queue.next(true, t) == first);
     first->succeed();
     QVERIFY(bench.queue.next(true, t) == second);
-    bench.queue.cutActing("", nullptr, [](const auto &) { return true; });
+    bench.queue.cut("", nullptr, [](OpenWish &wish) { return !wish.onlyReads(); });
     QVERIFY(bench.queue.next(true, t) == read);
 }
 
@@ -150,25 +150,25 @@ void TestWishQueue::allButOneAreCut()
         const Probe *inFlight = bench.add(1, reads);
         const Probe *acts = bench.add(2);
         const Probe *read = bench.add(3, true);
-        bench.queue.cutAll("stopped", inFlight);
+        bench.queue.cut("stopped", inFlight);
         QVERIFY(!inFlight->finished());
         QCOMPARE(reasonOf(acts), std::string("stopped"));
         QCOMPARE(reasonOf(read), std::string("stopped"));
         QCOMPARE(bench.ended(), (std::vector<WishId>{2, 3}));
-        bench.queue.cutAll("closed", nullptr);
+        bench.queue.cut("closed", nullptr);
         QCOMPARE(bench.ended(), (std::vector<WishId>{1}));
     }
 }
 
-void TestWishQueue::onlyWhatActsIsCutByItsKind()
+void TestWishQueue::onlyOneKindIsCut()
 {
     Bench bench;
     const Probe *inFlight = bench.add(1, false, Permission::Armed);
     const Probe *armed = bench.add(2, false, Permission::Armed);
     const Probe *always = bench.add(3);
-    const Probe *read = bench.add(4, true, Permission::Armed);
-    bench.queue.cutActing("disarmed", inFlight,
-        [](const auto &task) { return task.permission() == Permission::Armed; });
+    const Probe *read = bench.add(4, true);
+    bench.queue.cut("disarmed", inFlight,
+        [](OpenWish &wish) { return wish.permission() == Permission::Armed; });
     QVERIFY(!inFlight->finished() && !always->finished() && !read->finished());
     QCOMPARE(reasonOf(armed), std::string("disarmed"));
     QCOMPARE(bench.ended(), (std::vector<WishId>{2}));
