@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace session {
 
@@ -56,6 +57,7 @@ void LentNote::begin(const Endpoint &endpoint)
     m_held.clear();
     m_lent.clear();
     m_lending = 0;
+    m_fresh.clear();
 }
 
 void LentNote::onEvent(const drive::Event &event, TimePoint)
@@ -96,7 +98,8 @@ void LentNote::meet(const drive::Identified &board)
         Q_EMIT left(QString::fromStdString(texts));
 }
 
-/// What an experiment writes is borrowed, but where it is what the register held before.
+/// What an experiment writes is borrowed, but where it is what the register held before: it is given back then, or was never
+/// anything else.
 void LentNote::onWish(const drive::Wish &wish, TimePoint)
 {
     const auto *write = std::get_if<drive::Write>(&wish.what);
@@ -104,28 +107,55 @@ void LentNote::onWish(const drive::Wish &wish, TimePoint)
         return;
     const auto isBack = [this](const drive::RegisterWrite &one) {
         const auto lent = m_lent.find(one.id);
-        return lent != m_lent.end() && lent->second.held == lab::typedText(one.value);
+        const auto held = m_held.find(one.id);
+        const std::string value = lab::typedText(one.value);
+        return lent != m_lent.end() ? lent->second.held == value
+                                    : held != m_held.end() && lab::typedText(held->second) == value;
     };
     if (std::ranges::all_of(write->writes, isBack))
         return;
     m_lending = wish.id;
+    m_fresh.clear();
     for (const drive::RegisterWrite &one :
         write->writes) // of one that was left before it is known what it held
-        if (const auto held = m_held.find(one.id); held != m_held.end())
-            m_lent.try_emplace(
-                one.id, lab::Lent{m_catalog->nameOf(one.id), lab::typedText(held->second)});
+        if (const auto held = m_held.find(one.id); held != m_held.end()
+            && m_lent
+                   .try_emplace(
+                       one.id, lab::Lent{m_catalog->nameOf(one.id), lab::typedText(held->second)})
+                   .second)
+            m_fresh.insert(one.id);
     save();
 }
 
 void LentNote::written(const drive::Ended &ended)
 {
     const std::size_t before = m_lent.size();
-    if (ended.id != m_lending)
+    if (ended.id == m_lending)
+        notBorrowed(ended);
+    else
         for (const drive::WriteResult &one : ended.writes)
             if (one.outcome == drive::Outcome::Ok)
                 m_lent.erase(one.id);
     if (m_lent.size() != before)
         save();
+}
+
+/// Off the note is what this write put on it and certainly did not change: it was not sent, or refused and nothing else is
+/// read back. What is doubtful stays, and what an earlier write has borrowed.
+void LentNote::notBorrowed(const drive::Ended &ended)
+{
+    for (const drive::RegisterId id : std::exchange(m_fresh, {})) {
+        const auto at = m_lent.find(id);
+        if (at == m_lent.end())
+            continue;
+        const auto one = std::ranges::find(ended.writes, id, &drive::WriteResult::id);
+        const bool listed = one != ended.writes.end();
+        const drive::Outcome outcome = listed ? one->outcome : ended.outcome;
+        const bool changed =
+            listed && one->readBack && lab::typedText(*one->readBack) != at->second.held;
+        if (outcome == drive::Outcome::NotSent || (outcome == drive::Outcome::Refused && !changed))
+            m_lent.erase(at);
+    }
 }
 
 /// Whole or not at all. What cannot be kept is as it was without it: an experiment says at its end what it leaves.

@@ -1,6 +1,6 @@
 // LentNote: what an experiment has borrowed of a board's registers, as a file for as long as it has it. A program that is killed
 // meanwhile leaves the file, and the next one that meets the board says what is to be given back, and how. A register is off
-// the note once it was written again, by whomever.
+// the note once it was written again, by whomever, and when the write that borrows it certainly changed nothing.
 //
 // A board is known by what it says of itself: another one that says the same has the same note. One that is simulated by this
 // program ends with it and has none. It stands in the session's thread; a file takes well below a millisecond, and the motor
@@ -12,6 +12,7 @@
 #include "session/recording/session_tap.h"
 
 #include <map>
+#include <set>
 
 namespace session {
 
@@ -37,6 +38,7 @@ Q_SIGNALS:
 private:
     void meet(const drive::Identified &board);
     void written(const drive::Ended &ended);
+    void notBorrowed(const drive::Ended &ended);
     void save() const;
 
     QString m_folder;
@@ -46,6 +48,7 @@ private:
     std::map<drive::RegisterId, catalog::Value> m_held; ///< as it was read last
     std::map<drive::RegisterId, lab::Lent> m_lent;
     drive::WishId m_lending = 0; ///< the newest wish that writes what an experiment wants
+    std::set<drive::RegisterId> m_fresh; ///< on the note since that wish; its end is awaited
 };
 
 /// Parts whose drives tell the note what they do.

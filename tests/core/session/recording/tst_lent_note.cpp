@@ -1,5 +1,6 @@
 // What an experiment has borrowed when its program is killed is said when its board is met again, until it was written.
 #include "core/session/link/lab_world.h"
+#include "lab/runner.h"
 #include "session/recording/lent_note.h"
 
 #include <QDir>
@@ -13,15 +14,18 @@ using session::LentNote;
 namespace {
 
 constexpr const char *kStages = "REVUP_DATA";
+constexpr const char *kGain = "SPEED_KP";
 
 /// A board without a sensor, and a program that keeps notes in a folder.
 struct World : support::LabWorld {
     std::shared_ptr<LentNote> note;
     QSignalSpy left;
+    QString path; ///< where it is kept
 
     explicit World(const QString &folder)
         : World(std::make_shared<LentNote>(folder))
     {
+        path = folder;
     }
 
     /// The resistance is measured, as far as the start-up that turns nothing.
@@ -52,6 +56,16 @@ struct World : support::LabWorld {
             {.id = 72, .what = drive::Write{{{id(name), value}}, drive::Reach::Parameters}});
         return runUntil([this] { return ended(72); }, 5s);
     }
+
+    static constexpr drive::WishId kWish = lab::Runner::kFirstWish;
+    /// The note alone hears that an experiment writes the gain.
+    void wishes(int number, const catalog::Value &value) const
+    {
+        note->onWish({.id = kWish + drive::WishId(number),
+                         .what = drive::Write{{{id(kGain), value}}, drive::Reach::Parameters}},
+            now);
+    }
+    int notes() const { return int(QDir(path).entryList(QDir::Files).size()); }
 
 private:
     explicit World(std::shared_ptr<LentNote> kept)
@@ -140,6 +154,72 @@ private Q_SLOTS:
         World next(folder.path());
         QVERIFY(next.connect());
         QCOMPARE(next.left.size(), 1);
+    }
+
+    void whatWasNotWrittenIsNotBorrowed_data()
+    {
+        using drive::Outcome;
+        QTest::addColumn<int>("whole");
+        QTest::addColumn<int>("ofRegister"); // -1: it is not told by register
+        QTest::addColumn<bool>("readsOther");
+        QTest::addColumn<bool>("borrowed");
+        const auto row = [](const char *name, Outcome whole, int ofRegister, bool other,
+                             bool kept) {
+            QTest::newRow(name) << int(whole) << ofRegister << other << kept;
+        };
+        row("not sent", Outcome::NotSent, -1, false, false);
+        row("refused", Outcome::Refused, -1, false, false);
+        row("unknown", Outcome::Unknown, -1, false, true);
+        row("this one not sent", Outcome::Unknown, int(Outcome::NotSent), false, false);
+        row("this one refused", Outcome::Unknown, int(Outcome::Refused), false, false);
+        row("this one unknown", Outcome::Refused, int(Outcome::Unknown), false, true);
+        row("this one written", Outcome::Refused, int(Outcome::Ok), true, true);
+        row("refused, yet changed", Outcome::Refused, int(Outcome::Refused), true, true);
+    }
+
+    /// Nor is it when what it holds is written once more, as the end of an experiment does.
+    void whatWasNotWrittenIsNotBorrowed()
+    {
+        QFETCH(const int, whole);
+        QFETCH(const int, ofRegister);
+        QFETCH(const bool, readsOther);
+        QFETCH(const bool, borrowed);
+        const QTemporaryDir folder;
+        World world(folder.path());
+        QVERIFY(world.connect());
+        const catalog::Value before = world.held(kGain), other = std::int64_t{1};
+        QVERIFY(before != other);
+        const drive::RegisterId id = world.id(kGain);
+        world.wishes(1, other);
+        QCOMPARE(world.notes(), 1);
+        drive::Ended ended{World::kWish + 1, static_cast<drive::Outcome>(whole), {}, {}};
+        if (ofRegister >= 0)
+            ended.writes = {{.id = id,
+                .outcome = static_cast<drive::Outcome>(ofRegister),
+                .reason = {},
+                .before = before,
+                .readBack = readsOther ? other : before,
+                .verified = {}}};
+        world.note->onEvent(ended, world.now);
+        QCOMPARE(world.notes(), borrowed ? 1 : 0);
+        world.wishes(2, before);
+        QCOMPARE(world.notes(), borrowed ? 1 : 0);
+    }
+
+    /// A second try that is not sent says nothing of the first, whose answer was lost.
+    void whatMayHaveBeenWrittenStaysBorrowed()
+    {
+        const QTemporaryDir folder;
+        World world(folder.path());
+        QVERIFY(world.connect());
+        QVERIFY(world.held(kGain) != catalog::Value{std::int64_t{1}});
+        for (const auto &[wish, outcome] :
+            {std::pair(1, drive::Outcome::Unknown), std::pair(2, drive::Outcome::NotSent)}) {
+            world.wishes(wish, std::int64_t{1});
+            world.note->onEvent(
+                drive::Ended{World::kWish + drive::WishId(wish), outcome, {}, {}}, world.now);
+            QCOMPARE(world.notes(), 1);
+        }
     }
 
     /// It is gone when its program is.
