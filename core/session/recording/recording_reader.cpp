@@ -98,6 +98,44 @@ private:
     std::size_t m_kept = 0;
 };
 
+/// What stands behind the samples of a recording.
+enum class TailKind : std::uint8_t {
+    Overview,
+    EndOrNote,
+    Other, ///< a kind that is not known: a later version's, or another program's
+    Samples, ///< or anything else that ends the search, damage too
+};
+
+/// @param found  takes the overview, if it is one
+TailKind tailKindOf(const Bytes &block, std::vector<record::Overview> &found)
+{
+    const record::Claim claim = record::claimOf(block);
+    if (claim.type
+        != record::kPacketBlock) // it has no checksum of ours: both of its lengths have to agree
+        return claim.type != record::kSectionBlock && claim.length == block.size()
+            ? TailKind::Other
+            : TailKind::Samples;
+    const auto head = record::packetHead(block, record::kMostPayload);
+    const auto data = head ? record::packetData(*head, block) : std::nullopt;
+    if (!data || head->interface != record::Interface::Entries)
+        return TailKind::Samples;
+    auto overview = record::decodeOverview(*data);
+    if (overview) {
+        found.push_back(std::move(*overview));
+        return TailKind::Overview;
+    }
+    const auto entry = record::decodeEntry(*data);
+    if (!entry) // an overview that makes no sense is none of these kinds
+        return overview.error() == record::PayloadError::UnknownKind
+                && entry.error() == record::PayloadError::UnknownKind
+            ? TailKind::Other
+            : TailKind::Samples;
+    return std::holds_alternative<record::End>(entry->entry)
+            || std::holds_alternative<record::Note>(entry->entry)
+        ? TailKind::EndOrNote
+        : TailKind::Samples;
+}
+
 } // namespace
 
 Result<RecordingReport, QString> readRecording(const QString &path,
@@ -156,7 +194,8 @@ Result<RecordingReport, QString> readRecording(
 bool readOverview(const QString &path, capture::Capture &capture)
 {
     constexpr int kMostBlocks = 4096; // notes may be behind it, and many times ago
-    constexpr qint64 kTrailer = 4;
+    constexpr qint64 kMostPassed = qint64{16} << 20; // of kinds that are not known
+    constexpr qint64 kTrailer = 4, kLeastBlock = record::kClaimBytes + kTrailer;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return false;
@@ -167,28 +206,20 @@ bool readOverview(const QString &path, capture::Capture &capture)
     };
     // From the last block to the one before it, by the length that stands at its end.
     std::vector<record::Overview> found;
-    qint64 end = file.size();
+    qint64 end = file.size(), passed = 0;
     for (int i = 0; i < kMostBlocks && end > kTrailer; ++i) {
         const Bytes trailer = read(end - kTrailer, kTrailer);
         const qint64 length = ByteReader(trailer).u32();
-        if (length < qint64{record::blockSize(0)} || length > end
+        if (length < kLeastBlock || length > end
             || length > qint64{record::blockSize(record::kMostPayload)})
             break;
         const Bytes block = read(end - length, length);
-        const auto head = record::packetHead(block, record::kMostPayload);
-        const auto data = head ? record::packetData(*head, block) : std::nullopt;
-        if (!data || head->interface != record::Interface::Entries)
+        const TailKind kind = tailKindOf(block, found);
+        if (kind == TailKind::Other)
+            passed += length;
+        if (kind == TailKind::Samples || passed > kMostPassed
+            || (kind == TailKind::EndOrNote && !found.empty()))
             break;
-        if (auto overview = record::decodeOverview(*data)) {
-            found.push_back(std::move(*overview));
-        } else {
-            const auto entry = record::decodeEntry(*data);
-            const bool behind = entry
-                && (std::holds_alternative<record::End>(entry->entry)
-                    || std::holds_alternative<record::Note>(entry->entry));
-            if (!behind || !found.empty())
-                break;
-        }
         end -= length;
     }
     for (auto overview = found.rbegin(); overview != found.rend(); ++overview)

@@ -1,5 +1,6 @@
 // A recording on a disk that fails at any block: what was counted stays, the file says how it ended, and nothing more
 // is asked of the disk.
+#include "record/block.h"
 #include "record/restore.h"
 #include "session/recording/recording_file.h"
 #include "session/recording/recording_notes.h"
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cstring>
 #include <limits>
 
 using namespace session;
@@ -19,6 +21,8 @@ private Q_SLOTS:
     void whatIsCountedIsInTheFile();
     void anOldFileIsLeftAlone();
     void itsPictureIsThereBeforeItsSamplesAreRead();
+    void whatIsNotKnownHidesNoPicture_data();
+    void whatIsNotKnownHidesNoPicture();
     void whereverTheDiskFailsTheRecordingEndsWithAMark();
     void aDiskWithoutRoomForAMarkGetsItInItsPlace();
     void hardlyAnyRoomLeftEndsItCleanly();
@@ -174,6 +178,61 @@ void TestRecordingFile::itsPictureIsThereBeforeItsSamplesAreRead()
     interrupted.close();
     QVERIFY(!readOverview(interrupted.fileName(), none));
     QVERIFY(!readOverview(folder.filePath(QStringLiteral("nothing.pcapng")), none));
+}
+
+void TestRecordingFile::whatIsNotKnownHidesNoPicture_data()
+{
+    QTest::addColumn<Bytes>("stranger");
+    QTest::addColumn<int>("times");
+    QTest::addColumn<bool>("found");
+    const auto ours = [](Bytes data) { return record::packetBlock({}, std::move(data)); };
+    const Bytes later = ours({'R', 'S', 1, 77, 1, 2, 3});
+    QTest::newRow("a later kind") << later << 1 << true;
+    QTest::newRow("many") << later << 100 << true;
+    const auto other = [](std::uint32_t type, std::uint32_t length, std::uint32_t again) {
+        return ByteWriter().u32(type).u32(length).bytes(Bytes(length - 12)).u32(again).take();
+    };
+    QTest::newRow("another program's") << other(5, 64, 64) << 3 << true;
+    QTest::newRow("its least") << other(5, 12, 12) << 1 << true;
+    QTest::newRow("whose lengths differ") << other(5, 64, 32) << 1 << false;
+    QTest::newRow("another section") << other(record::kSectionBlock, 64, 64) << 1 << false;
+    QTest::newRow("as many bytes as take too long") << other(5, 1 << 20, 1 << 20) << 17 << false;
+    QTest::newRow("as many as take too long") << other(5, 12, 12) << 5000 << false;
+    QTest::newRow("an overview without sense") << ours({'R', 'S', 1, 11, 1, 2, 3}) << 1 << false;
+    QTest::newRow("nobody's data") << ours({'X', 'Y', 1, 77}) << 1 << false;
+    Bytes damaged = later;
+    damaged[30] ^= 1U;
+    QTest::newRow("damaged") << damaged << 1 << false;
+}
+
+/// Behind the end, and between it and the picture.
+void TestRecordingFile::whatIsNotKnownHidesNoPicture()
+{
+    QFETCH(const Bytes, stranger);
+    QFETCH(const int, times);
+    QFETCH(const bool, found);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QString text;
+    RecordingFile file(makeDiskSink(path, text), {0, "test", "here"});
+    QCOMPARE(record10(file), 400'000U);
+    QFile bytes(path);
+    QVERIFY(bytes.open(QIODevice::ReadWrite));
+    const QByteArray all = bytes.readAll();
+    const QByteArray strange =
+        QByteArray(reinterpret_cast<const char *>(stranger.data()), qsizetype(stranger.size()))
+            .repeated(times);
+    std::uint32_t ofTheEnd = 0;
+    std::memcpy(&ofTheEnd, all.constData() + all.size() - 4, 4);
+    for (const qsizetype place : {all.size(), all.size() - qsizetype(ofTheEnd)}) {
+        bytes.resize(0);
+        bytes.seek(0);
+        bytes.write(QByteArray(all).insert(place, strange));
+        QVERIFY(bytes.flush());
+        capture::Capture overview;
+        QCOMPARE(readOverview(path, overview), found);
+        QCOMPARE(overview.channels().empty(), !found);
+    }
 }
 
 void TestRecordingFile::anOldFileIsLeftAlone()
