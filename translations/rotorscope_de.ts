@@ -1042,6 +1042,10 @@
         <translation>über %1 rpm bleiben: dieser Motor hat keinen Sensor, und bei %2 rpm könnte sein Rotor verloren gehen</translation>
     </message>
     <message>
+        <source>keep both speeds at %1 rpm or above: this motor has no sensor, and a step to %2 rpm goes on below the %3 rpm that are needed to see its rotor</source>
+        <translation>beide Drehzahlen bei %1 rpm oder darüber wählen: dieser Motor hat keinen Sensor, und ein Sprung auf %2 rpm geht noch unter die %3 rpm, die nötig sind, um seinen Rotor zu sehen</translation>
+    </message>
+    <message>
         <source>it could take %1 s, and what moves a motor by itself ends within %2 s: take fewer repetitions, or a shorter time for each</source>
         <translation>es könnte %1 s dauern, und was einen Motor von selbst bewegt, endet nach %2 s: weniger Wiederholungen nehmen oder für jede weniger Zeit</translation>
     </message>

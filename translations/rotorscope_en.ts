@@ -1042,6 +1042,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>keep both speeds at %1 rpm or above: this motor has no sensor, and a step to %2 rpm goes on below the %3 rpm that are needed to see its rotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it could take %1 s, and what moves a motor by itself ends within %2 s: take fewer repetitions, or a shorter time for each</source>
         <translation type="unfinished"></translation>
     </message>

@@ -32,6 +32,7 @@ struct Conditions {
     milliseconds approach{500}; ///< the ramp there, and the way back
     double leastRpm = 0.0, mostRpm = 0.0; ///< that are asked for
     double margin_rpm = 0.0; ///< that the speed may go beyond
+    double undershoot_rpm = 0.0; ///< so far below the lower of them it goes at least
     drive::UserLimits user; ///< the user's caps; 0: what the board tells
     std::vector<drive::RegisterId> recorded; ///< to be recorded
     milliseconds length{}; ///< of its course

@@ -29,10 +29,18 @@ std::string generalObjection(const Conditions &conditions, const Subject &subjec
     const bool turnsBack = conditions.leastRpm < 0.0 && conditions.mostRpm > 0.0;
     const double lowest =
         turnsBack ? 0.0 : std::min(std::abs(conditions.leastRpm), std::abs(conditions.mostRpm));
-    if (highest > 0.0 && lowest < subject.leastObservedRpm())
-        return "stay above " + std::to_string(std::lround(subject.leastObservedRpm()))
+    const double observed = subject.leastObservedRpm();
+    if (highest > 0.0 && lowest < observed)
+        return "stay above " + std::to_string(std::lround(observed))
             + " rpm: this motor has no sensor, and at " + std::to_string(std::lround(lowest))
             + " rpm its rotor might be lost";
+    // The envelope ends there: it would stop the motor in the middle. What is proposed has room for twice as much.
+    if (highest > 0.0 && observed > 0.0 && lowest < observed + conditions.undershoot_rpm)
+        return "keep both speeds at "
+            + std::to_string(std::lround(observed + 2.0 * conditions.undershoot_rpm))
+            + " rpm or above: this motor has no sensor, and a step to "
+            + std::to_string(std::lround(lowest)) + " rpm goes on below the "
+            + std::to_string(std::lround(observed)) + " rpm that are needed to see its rotor";
     return {};
 }
 

@@ -11,6 +11,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
+/// Of the step, and digits of a speed besides: the least undershoot of all simulated motors without a sensor with their boards'
+/// gains; others have twice as much. More would refuse steps that end well.
+constexpr double kUndershoot = 0.1, kUndershootDigits = 2.0;
 
 class StepCourse : public Course {
 public:
@@ -65,6 +68,7 @@ Conditions conditionsOf(const StepPlan &plan, const Subject &subject)
         .leastRpm = double(std::min(plan.fromRpm, plan.toRpm)),
         .mostRpm = double(std::max(plan.fromRpm, plan.toRpm)),
         .margin_rpm = std::max(kLeastMargin_rpm, kOvershoot * step),
+        .undershoot_rpm = kUndershoot * step + kUndershootDigits * subject.limits.speedStepRpm,
         .user = plan.caps,
         .recorded = {subject.registers.reference, subject.registers.current,
             subject.registers.speed},

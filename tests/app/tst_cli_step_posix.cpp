@@ -350,6 +350,19 @@ private Q_SLOTS:
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
+    /// Before anything moves, and not in the middle by its envelope.
+    void aStepThatEndsTooNearWhatAnObserverNeedsIsRefused()
+    {
+        const Simulator board(kWithoutSensor);
+        QVERIFY(board.ready());
+        const CliRun run = board.cli("step speed --from 1200 --to 1500");
+        COMPARE_STATUS(run, 1);
+        QVERIFY(run.oneLineOfError());
+        QVERIFY2(
+            run.err.contains(QStringLiteral("eep both speeds at 1284 rpm")), qPrintable(run.err));
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
+    }
+
     void aRecordingOfARefusedRunSaysWhyItWasRefused()
     {
         const Simulator board(kServo);

@@ -92,6 +92,9 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "stay above %1 rpm: this motor has no sensor, and at %2 rpm its rotor might be lost"),
     QT_TRANSLATE_NOOP("Lab",
+        "keep both speeds at %1 rpm or above: this motor has no sensor, and a step to %2 rpm goes "
+        "on below the %3 rpm that are needed to see its rotor"),
+    QT_TRANSLATE_NOOP("Lab",
         "it could take %1 s, and what moves a motor by itself ends within %2 s: take fewer "
         "repetitions, or a shorter time for each"),
     QT_TRANSLATE_NOOP("Lab", "both speeds are the same: there is no step"),

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void silenceBreaksIt();
     void aBoundThatIsNotLookedAtBreaksIt();
     void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
+    void aStepToTheLevelThatIsProposedIsCarriedOut();
     void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
     void aFaultEndsItAndIsNamed();
     void aFaultOfTheStartIsNotOfTheExperiment();
@@ -394,6 +395,42 @@ void TestRunner::aBoundThatIsNotLookedAtBreaksIt()
     QCOMPARE(bench.stops, 1);
 }
 
+/// Refused, with a level that would do.
+static void noStepEndsWhereItUndershootsThat(LabBench &bench)
+{
+    const auto least = static_cast<int>(bench.experiment.subject.leastObservedRpm());
+    const auto objection = [&](int from, int to) {
+        return lab::objectionTo(
+            {lab::StepPlan{.fromRpm = from, .toRpm = to}, bench.experiment.subject});
+    };
+    for (const int way : {1, -1}) {
+        QVERIFY(objection(way * (least + 41), way * (least + 341))
+                    .starts_with("keep both speeds at " + std::to_string(least + 84) + " rpm"));
+        QVERIFY(objection(way * (least + 341), way * (least + 41)).find("a step to 1241 rpm")
+            != std::string::npos);
+        QCOMPARE(objection(way * (least + 43), way * (least + 343)), std::string());
+        QCOMPARE(objection(way * (least + 84), way * (least + 300)), std::string());
+    }
+    bench.steps = {.fromRpm = least, .toRpm = least + 300};
+    VERIFY_END(bench.run(), End::Refused);
+    QVERIFY(bench.wishes.empty());
+    const LabBench seen; // an encoder sees it at any speed
+    QCOMPARE(
+        lab::objectionTo({lab::StepPlan{.fromRpm = 10, .toRpm = 300}, seen.experiment.subject}),
+        std::string());
+}
+
+/// The level that is proposed does.
+void TestRunner::aStepToTheLevelThatIsProposedIsCarriedOut()
+{
+    simulation::BoardOptions options;
+    options.motor = "pm24";
+    LabBench bench(options);
+    const auto least = static_cast<int>(bench.experiment.subject.leastObservedRpm());
+    bench.steps = {.fromRpm = least + 84, .toRpm = least + 384};
+    VERIFY_END(bench.run(), End::Complete);
+}
+
 /// Twice the least speed at which it starts: 0.3 of the greatest, where nothing else is told.
 void TestRunner::withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds()
 {
@@ -413,6 +450,7 @@ void TestRunner::withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds()
                 bench.runner->outcome().reason.c_str());
         }
         QVERIFY(bench.wishes.empty());
+        noStepEndsWhereItUndershootsThat(bench);
         const lab::SpinPlan spin = lab::spinPlanFor(bench.experiment.subject, {});
         QVERIFY(spin.lowRpm > least && lab::objectionTo({spin, bench.experiment.subject}).empty());
         QCOMPARE(LabBench().experiment.subject.leastObservedRpm(), 0.0); // an encoder sees it

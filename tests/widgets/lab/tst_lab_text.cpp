@@ -122,6 +122,13 @@ void TestLabText::theyAreGerman_data()
         << QStringLiteral("SPEED_KP enthält vielleicht, was der Versuch geschrieben hat; was "
                           "vorher darin stand, kommt zurück mit: rotorscope-cli set SPEED_KP=500 "
                           "SPEED_KI=30");
+    QTest::newRow("three numbers")
+        << "keep both speeds at 1284 rpm or above: this motor has no sensor, and a step to 1200 "
+           "rpm goes on below the 1200 rpm that are needed to see its rotor"
+        << QStringLiteral(
+               "beide Drehzahlen bei 1284 rpm oder darüber wählen: dieser Motor hat keinen "
+               "Sensor, und ein Sprung auf 1200 rpm geht noch unter die 1200 rpm, die nötig "
+               "sind, um seinen Rotor zu sehen");
     QTest::newRow("what a board goes on showing")
         << "SPEED_REF shows 996 rpm until the next start, it showed 1380 rpm"
         << QStringLiteral(
