@@ -97,7 +97,7 @@ struct ColumnRange {
 
 struct DrawnTrace {
     /// @param view  the whole picture
-    DrawnTrace(const PictureView &view, const Trace &trace, const capture::Channel &channel);
+    DrawnTrace(const PictureView &view, const Trace &shown, const capture::Channel &its);
 
     /// The first column in which it may look other than before, by the picture of now; its width or beyond if there is none.
     int changedFrom(const DrawnTrace &before, const PictureView &view) const;

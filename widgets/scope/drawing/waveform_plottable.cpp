@@ -22,6 +22,7 @@ constexpr double kMarkPlace = 0.01; ///< of a reference's letter, as a share of 
 constexpr double kMarkNext = 0.03; ///< B is beside A
 /// Columns a pixel in a picture without pixels.
 constexpr int kShapeColumns = 4;
+constexpr double kFar = 1e6; ///< pixels, beyond any screen
 constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
 
 QColor shadeOfGaps(bool dark) { return dark ? QColor(255, 255, 255, 22) : QColor(0, 0, 0, 18); }
@@ -89,8 +90,8 @@ struct WaveformPlottable::Ground {
         for (const int row : rows)
             recolor(image, QRect(0, row, image.width(), 1), color, grid);
         for (int x = 0, next = 0; x < image.width(); x = next) {
-            const std::uint8_t is = columns[std::size_t(at + x)];
-            while (next < image.width() && columns[std::size_t(at + next)] == is)
+            const std::uint8_t is = columns[std::size_t(at) + std::size_t(x)];
+            while (next < image.width() && columns[std::size_t(at) + std::size_t(next)] == is)
                 ++next;
             const QRect box(x, 0, next - x, image.height());
             if ((is & kLine) != 0)
@@ -247,7 +248,8 @@ WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
     }
     // Lines of the grid are where the axis has its ticks, which is not on each pixel of a fine screen.
     for (int x = left; same && x < right; ++x) {
-        if (now.ground.columns[std::size_t(x)] == before.ground.columns[std::size_t(x + by)])
+        const int then = x + by;
+        if (now.ground.columns[std::size_t(x)] == before.ground.columns[std::size_t(then)])
             continue;
         if (unknown.back().to != x)
             unknown.push_back({x, x});
@@ -341,7 +343,10 @@ WaveformPlottable::Ground WaveformPlottable::groundOf(
             continue;
         ground.grid = mixed(*view.ground, axis->grid()->pen().color());
         for (const double tick : axis->tickVector()) {
-            const int at = qRound(axis->coordToPixel(tick)); // as the axis has it
+            const double exact = axis->coordToPixel(tick);
+            if (!(std::abs(exact) < kFar))
+                continue;
+            const int at = qRound(exact); // as the axis has it
             const int column = qRound(place.beyond.x() + (at - corner.x()) * place.ratio);
             if (axis == keyAxis())
                 mark(column, column + 1, Ground::kLine);
