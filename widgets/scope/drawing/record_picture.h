@@ -32,8 +32,8 @@ public:
     struct Record {
         double from = 0.0; ///< seconds on the session's axis, at the left edge
         std::uint64_t samples = 0; ///< of all traces: others may have come, or gone
-        std::uint64_t ends =
-            0; ///< when those that end within it do, as a sum: a value that is given up holds for less long
+        /// When those that end within it do, as a sum: a value that is given up holds for less long.
+        std::uint64_t ends = 0;
     };
     /// Paints one of the records; the colour of its trace i is `first` + i.
     using Paint = std::function<void(std::size_t record, TraceInk &ink, QRgb first)>;

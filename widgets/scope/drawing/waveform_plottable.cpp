@@ -238,11 +238,12 @@ WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
     for (std::size_t i = 0; same && i < now.traces.size(); ++i)
         right = std::min(right, now.traces[i].changedFrom(before.traces[i], view) - view.reach());
     same = same && left < right;
+    const bool kept = same;
     const Columns all{{0, view.width}};
     Columns unknown = same ? Columns{{0, left}, {right, view.width}} : all;
     for (std::size_t i = 0; i < now.traces.size(); ++i) {
         DrawnTrace &drawn = now.traces[i];
-        drawn.gather(view, unknown, unknown.size() > 1 ? &before.traces[i].extremes : nullptr, by);
+        drawn.gather(view, unknown, kept ? &before.traces[i].extremes : nullptr, by);
         same =
             same && drawn.middle == before.traces[i].middle && drawn.band == before.traces[i].band;
     }
