@@ -5,6 +5,8 @@
 #include "widgets/base/register_texts.h"
 #include "widgets/scope/scope_view.h"
 
+#include <qcustomplot.h>
+
 #include <QtTest>
 #include <QtWidgets>
 
@@ -67,6 +69,15 @@ struct Bench {
     void record(int count, int value)
     {
         record(count, [value](int, int) { return value; });
+    }
+
+    /// Value axes of a plot, as drawn; -1 if there is no such plot.
+    int axisCount(int plot) const
+    {
+        const auto *canvas = view.findChild<QCustomPlot *>(QStringLiteral("scopePlot"));
+        const QPoint middle = canvas->mapFrom(&view, view.plotRect(plot).center());
+        const QCPAxisRect *rect = canvas->axisRectAt(middle);
+        return rect ? rect->axisCount(QCPAxis::atLeft) + rect->axisCount(QCPAxis::atRight) : -1;
     }
 
     /// The picture after everything that is due has been drawn.

@@ -139,7 +139,7 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
     menu.addSeparator();
     menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
     menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
-    if (plot >= 0 && axisCount(plot) > 1)
+    if (plot >= 0 && m_stack->plot(plot).axes.size() > 1)
         toggle(tr("Zeros of the axes at one height"), m_stack->plot(plot).zerosAligned,
             [this, plot](bool on) {
                 m_stack->setZerosAligned(plot, on);

@@ -113,6 +113,7 @@ void ScopeView::connectParts()
     connect(this, &ScopeView::drawn, hover, &ScopeHover::follow);
     connect(m_lane, &EventLane::markerWanted, m_cursorActions, &CursorActions::setMarkerAt);
     connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
+    connect(m_lane, &EventLane::timeWanted, this, &ScopeView::showTime);
     connect(m_drop, &ScopeDrop::registerDropped, this, &ScopeView::registerDropped);
     connect(m_drop, &ScopeDrop::traceDropped, this, &ScopeView::moveChannel);
     connect(m_time, &TimeWindow::originChanged, &m_events, &EventLog::setTimeOrigin);
@@ -168,14 +169,6 @@ QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->co
 
 bool ScopeView::gridVisible() const { return m_stack->grid(); }
 
-void ScopeView::setStale(const QString &why)
-{
-    if (why != m_stale->why())
-        m_stale->say(why);
-}
-
-QString ScopeView::stale() const { return m_stale->why(); }
-
 QRect ScopeView::plotRect(int plot) const
 {
     if (plot < 0 || plot >= plotCount())
@@ -198,12 +191,6 @@ void ScopeView::setHeldRanges(const QMap<QString, ValueRange> &ranges)
 {
     m_stack->setHeldRanges(ranges);
     redraw();
-}
-
-int ScopeView::axisCount(int plot) const
-{
-    const bool there = plot >= 0 && plot < plotCount();
-    return there ? static_cast<int>(m_stack->plot(plot).axes.size()) : 0;
 }
 
 double ScopeView::readingStepOf(capture::ChannelId channel) const

@@ -57,13 +57,9 @@ public:
     /// False: the picture stands still, recording goes on.
     bool running() const { return m_running; }
     bool gridVisible() const;
-    /// Hatches the plots and says why what they show is not live; empty ends that.
-    void setStale(const QString &why);
-    QString stale() const;
     QRect plotRect(int plot)
         const; ///< where its traces are drawn, in this widget's pixels; empty if there is none
     ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
-    int axisCount(int plot) const; ///< value axes of a plot
     /// Of the axes that were set by hand, by the name of a signal on each.
     QMap<QString, ValueRange> heldRanges() const;
     void setHeldRanges(const QMap<QString, ValueRange> &ranges); ///< the other axes fit themselves
@@ -78,8 +74,8 @@ public:
     EventLog &events() { return m_events; }
 
     // What it is made of, each with its own wishes.
-    TimeWindow &time() { return *m_time; }
-    const TimeWindow &time() const { return *m_time; }
+    TimeWindow &time() const { return *m_time; }
+    StaleMark &staleMark() const { return *m_stale; }
     CursorActions &cursorActions() { return *m_cursorActions; }
     ScopeColors &colors() { return *m_colors; }
     ScopeGhosts &ghosts() { return *m_ghosts; }
@@ -109,7 +105,6 @@ public Q_SLOTS:
     void redraw();
     void setTriggerMarks(const TriggerMarks &marks);
     void setMeasureMarks(const MeasureMarks &marks); ///< what a measurement measured; empty ends it
-    void showTime(double seconds); ///< moves the picture just so far; not while it follows
 
 Q_SIGNALS:
     /// A register was dropped from the tree: onto a plot (-1: beside all of them).
@@ -135,6 +130,7 @@ protected:
 
 private:
     void connectParts();
+    void showTime(double seconds); ///< moves the picture just so far; not while it follows
     bool seen() const;
     void drawWithin(int frameMs);
     void drawFrame();

@@ -24,6 +24,7 @@
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/lab/lab_text.h"
 #include "widgets/registers/register_panel.h"
+#include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
@@ -481,9 +482,9 @@ void MainWindow::linkChanged()
     // What is shown of a board that does not answer must not be taken for the present.
     const bool expected = m_device.portOpen() || m_news->tellsLoss();
     const bool stale = m_device.identified() && !m_device.answering() && expected;
-    m_scope->setStale(stale ? tr("Not live: %1", "state of the link, e.g. board silent")
-                                  .arg(linkStateText(m_device.link().state))
-                            : QString());
+    m_scope->staleMark().say(stale ? tr("Not live: %1", "state of the link, e.g. board silent")
+                                         .arg(linkStateText(m_device.link().state))
+                                   : QString());
     m_page->showSource(); // its lamp is lit while samples can come
 }
 

@@ -10,6 +10,7 @@
 #include "support/screen/text_catcher.h"
 #include "support/wire/mcp_registers.h"
 #include "widgets/scope/cursors.h"
+#include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/scope_ghosts.h"
 
 #include <cmath>
@@ -39,7 +40,7 @@ public:
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
         if (!m_moment.world().mcp() || view == nullptr || !view->isVisible() || !m_moment.heard
-            || m_moment.more > Duration{} || !view->stale().isEmpty())
+            || m_moment.more > Duration{} || !view->staleMark().why().isEmpty())
             return;
         m_traces.clear();
         for (const capture::ChannelId channel : view->channels())

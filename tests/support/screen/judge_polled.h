@@ -7,6 +7,7 @@
 #include "support/screen/picture_ink.h"
 #include "support/screen/screen_moment.h"
 #include "widgets/scope/cursors.h"
+#include "widgets/scope/drawing/stale_mark.h"
 
 #include <map>
 #include <set>
@@ -33,7 +34,7 @@ public:
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
         const TimePoint now = m_moment.world().now();
         if (view == nullptr || !view->isVisible() || !m_moment.heard || !m_moment.answers()
-            || m_moment.more > Duration{} || !view->stale().isEmpty())
+            || m_moment.more > Duration{} || !view->staleMark().why().isEmpty())
             return m_since.clear();
         std::map<QString, TimePoint> since;
         for (const capture::ChannelId channel : view->channels()) {

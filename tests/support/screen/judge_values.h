@@ -5,6 +5,7 @@
 #include "support/screen/judged_register.h"
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
+#include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QLineEdit>
@@ -93,7 +94,7 @@ private:
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");
         if (view == nullptr || !view->isVisible() || !m_moment.heard || m_moment.more > Duration{}
-            || !m_moment.answers() || !view->stale().isEmpty())
+            || !m_moment.answers() || !view->staleMark().why().isEmpty())
             return; // or it shows a file
         TextCatcher texts(view->shapesSize());
         const_cast<widgets::ScopeView *>(view)->drawShapes(texts);

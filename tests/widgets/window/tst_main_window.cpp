@@ -5,6 +5,7 @@
 #include "widgets/base/lamp.h"
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/readout_box.h"
+#include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
@@ -246,11 +247,11 @@ private Q_SLOTS:
         auto *mark = m_rig->find<QWidget>("staleMark");
         QVERIFY(!mark->isVisible());
         feed({LinkState::Suspect, LinkReason::None});
-        QCOMPARE(scope->stale(), QStringLiteral("Not live: board silent"));
+        QCOMPARE(scope->staleMark().why(), QStringLiteral("Not live: board silent"));
         QVERIFY(mark->isVisible());
         QCOMPARE(mark->size(), scope->size());
         feed({LinkState::Lost, LinkReason::Silence});
-        QCOMPARE(scope->stale(), QStringLiteral("Not live: link lost"));
+        QCOMPARE(scope->staleMark().why(), QStringLiteral("Not live: link lost"));
         feed({LinkState::Connected, LinkReason::None});
         QVERIFY(!mark->isVisible());
         device().portChanged(

@@ -18,6 +18,8 @@ StaleMark::StaleMark(const ScopeView &scope, QWidget *parent)
 
 void StaleMark::say(const QString &why)
 {
+    if (why == m_why)
+        return;
     m_why = why;
     setAccessibleName(why);
     setVisible(!why.isEmpty());

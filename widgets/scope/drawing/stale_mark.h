@@ -14,7 +14,7 @@ public:
     /// Covers `scope` while there is a reason; hidden at first.
     explicit StaleMark(const ScopeView &scope, QWidget *parent);
 
-    void say(const QString &why); ///< plain text; empty hides the mark
+    void say(const QString &why); ///< plain text; empty: what is shown is live
     QString why() const { return m_why; }
 
 protected:

@@ -217,7 +217,7 @@ void EventLane::select(quint32 id)
 {
     m_selected = id;
     if (const ScopeEvent *chosen = m_log.find(id))
-        m_scope.showTime(chosen->seconds);
+        Q_EMIT timeWanted(chosen->seconds);
     sayIt();
     update();
 }

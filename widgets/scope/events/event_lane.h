@@ -33,6 +33,7 @@ public:
 Q_SIGNALS:
     void markerWanted(double seconds); ///< double-clicked where nothing is
     void noteWanted(quint32 marker); ///< a marker was double-clicked
+    void timeWanted(double seconds); ///< an event was chosen: its time should be in the picture
 
 protected:
     bool event(QEvent *event) override;
