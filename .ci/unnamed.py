@@ -2,14 +2,15 @@
 """unnamed.py FILE...: says what two files of a folder call by the same name in their unnamed namespaces.
 
 The files of a folder are compiled in batches (cmake/precompiled.cmake), where both would be one. Constants, types and functions
-count, functions with what they take: others of that name may stand beside them. Files that are compiled alone are left out.
+count, functions with what they take: others of that name may stand beside them. In tests functions count by their names alone:
+a test must not call another's helper because that fits better. Files that are compiled alone are left out.
 """
 import collections
 import pathlib
 import re
 import sys
 
-ALONE = {'registers_hso.cpp', 'registers_standard.cpp'}
+ALONE = {'registers_hso.cpp', 'registers_standard.cpp', 'tst_out_of_memory.cpp'}
 CONSTANT = re.compile(r'(?:constexpr|const|inline|static)\b.*?\b(k[A-Z]\w*)\s*(?:=|\{|\[|;)')
 FURTHER = re.compile(r',\s*\*?(k[A-Z]\w*)\s*=')
 TYPE = re.compile(r'(?:class|struct|enum class|enum) (\w+)')
@@ -48,9 +49,13 @@ def main():
     found = collections.defaultdict(dict)
     for name in sys.argv[1:]:
         path = pathlib.Path(name)
+        if path.parts[0] == 'tests' and not path.name.startswith('tst_'):
+            continue
         if path.suffix != '.cpp' or path.name in ALONE or path.name.endswith(('_windows.cpp', '_other.cpp')):
             continue
         for what, number in names(path):
+            if path.name.startswith('tst_'):
+                what = what.split('(')[0]
             found[path.parent, what].setdefault(name, number)
     for (folder, what), places in sorted(found.items(), key=str):
         if len(places) > 1:

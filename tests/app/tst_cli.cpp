@@ -1,13 +1,15 @@
 // rotorscope-cli as scripts see it: what it prints, where, and how it ends. The real program, against its own
 // simulated board.
-#include "support/places.h"
+#include "support/programs/cli_run.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+
+using support::CliRun;
+using support::typed;
+using support::wordsOf;
 
 class TestCli : public QObject {
     Q_OBJECT
@@ -40,33 +42,6 @@ private Q_SLOTS:
 
 namespace {
 
-struct Run {
-    int status = -1;
-    QString out, err;
-    QStringList lines() const { return out.split(QLatin1Char('\n'), Qt::SkipEmptyParts); }
-    QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
-};
-
-QString program() { return support::programFile(QStringLiteral("rotorscope-cli")); }
-
-QStringList words(const char *line)
-{
-    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-Run run(const QStringList &arguments)
-{
-    QProcess process;
-    process.start(program(), arguments);
-    if (!process.waitForFinished(60'000))
-        process.kill();
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-        QString::fromUtf8(process.readAllStandardOutput()),
-        QString::fromUtf8(process.readAllStandardError())};
-}
-
-Run run(const char *line) { return run(words(line)); }
-
 QList<QStringList> readCsv(const QString &path)
 {
     QFile file(path);
@@ -77,15 +52,6 @@ QList<QStringList> readCsv(const QString &path)
         rows.append(QString::fromUtf8(file.readLine()).trimmed().split(QLatin1Char(',')));
     return rows;
 }
-
-// Runs `result` once, whatever it is: mostly it is a whole run of the program.
-#define COMPARE_STATUS(result, expected)                                                           \
-    do {                                                                                           \
-        const auto &comparedRun = (result);                                                        \
-        QVERIFY2(comparedRun.status == (expected),                                                 \
-            qPrintable(QStringLiteral("status %1, stderr: %2")                                     \
-                           .arg(QString::number(comparedRun.status), comparedRun.err)));           \
-    } while (false)
 
 } // namespace
 
@@ -113,7 +79,7 @@ void TestCli::wrongUsageIsExitStatus2AndOneLine_data()
 void TestCli::wrongUsageIsExitStatus2AndOneLine()
 {
     QFETCH(QString, line);
-    const Run result = run(line.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    const CliRun result = typed(line);
     COMPARE_STATUS(result, 2);
     QCOMPARE(result.out, QString());
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
@@ -123,28 +89,28 @@ void TestCli::wrongUsageIsExitStatus2AndOneLine()
 void TestCli::helpAndVersionAreNoErrors()
 {
     for (const char *line : {"--help", "capture --help", "get -h", "--version"}) {
-        const Run result = run(line);
+        const CliRun result = typed(line);
         COMPARE_STATUS(result, 0);
         QVERIFY(!result.out.isEmpty());
         QCOMPARE(result.err, QString());
     }
-    QVERIFY(run("--help").out.contains(QLatin1String("capture --hf")));
-    QVERIFY(run("set --help").out.contains(QLatin1String("--raw")));
+    QVERIFY(typed("--help").out.contains(QLatin1String("capture --hf")));
+    QVERIFY(typed("set --help").out.contains(QLatin1String("--raw")));
 }
 
 void TestCli::portsBeginWithTheSimulatedBoard()
 {
-    QVERIFY(run("ports").lines().first().startsWith(QLatin1String("sim ")));
-    const QJsonObject first = run("--json ports").json().array().first().toObject();
+    QVERIFY(typed("ports").lines().first().startsWith(QLatin1String("sim ")));
+    const QJsonObject first = typed("--json ports").list().first().toObject();
     QCOMPARE(first[QLatin1String("path")].toString(), QStringLiteral("sim"));
     QCOMPARE(first[QLatin1String("kind")].toString(), QStringLiteral("simulator"));
 }
 
 void TestCli::infoTellsWhatTheBoardIs()
 {
-    const Run result = run("--port sim --json info");
+    const CliRun result = typed("--port sim --json info");
     COMPARE_STATUS(result, 0);
-    const QJsonObject info = result.json().object();
+    const QJsonObject info = result.object();
     QCOMPARE(info[QLatin1String("control_rate_hz")].toDouble(), 16000.0);
     QCOMPARE(info[QLatin1String("stream_bytes")].toInt(), 2048);
     QVERIFY(!info[QLatin1String("version")].toString().isEmpty());
@@ -156,31 +122,30 @@ void TestCli::infoTellsWhatTheBoardIs()
                  .toObject()[QLatin1String("state")]
                  .toString(),
         QStringLiteral("IDLE"));
-    QVERIFY(run("--port sim info").out.contains(QLatin1String("Motor 1: IDLE")));
+    QVERIFY(typed("--port sim info").out.contains(QLatin1String("Motor 1: IDLE")));
 }
 
 void TestCli::getReadsInUnitsAndRaw()
 {
-    const Run shown = run("--port sim get STATUS BUS_VOLTAGE I_Q");
+    const CliRun shown = typed("--port sim get STATUS BUS_VOLTAGE I_Q");
     COMPARE_STATUS(shown, 0);
     QCOMPARE(shown.lines().size(), 3);
     QCOMPARE(shown.lines()[0], QStringLiteral("STATUS = IDLE (0)"));
     QVERIFY2(shown.lines()[1].endsWith(QLatin1String(" V")), qPrintable(shown.lines()[1]));
     QVERIFY2(shown.lines()[2].startsWith(QLatin1String("I_Q_MEAS = ")),
         qPrintable(shown.lines()[2])); // by its alias
-    QCOMPARE(run("--port sim get STATUS --raw").lines()[0], QStringLiteral("STATUS = 0"));
-    const QJsonObject status =
-        run("--port sim --json get STATUS@1").json().array().first().toObject();
+    QCOMPARE(typed("--port sim get STATUS --raw").lines()[0], QStringLiteral("STATUS = 0"));
+    const QJsonObject status = typed("--port sim --json get STATUS@1").list().first().toObject();
     QCOMPARE(status[QLatin1String("value")].toInt(-1), 0);
     QCOMPARE(status[QLatin1String("text")].toString(), QStringLiteral("IDLE"));
 }
 
 void TestCli::setPrintsOldAndNew()
 {
-    const QJsonObject old = run("--port sim --json get SPEED_KP").json().array().first().toObject();
+    const QJsonObject old = typed("--port sim --json get SPEED_KP").list().first().toObject();
     const qint64 value = old[QLatin1String("raw")].toInteger();
-    const Run result = run({QStringLiteral("--port"), QStringLiteral("sim"), QStringLiteral("set"),
-        QStringLiteral("SPEED_KP=%1").arg(value + 7)});
+    const CliRun result = typed({QStringLiteral("--port"), QStringLiteral("sim"),
+        QStringLiteral("set"), QStringLiteral("SPEED_KP=%1").arg(value + 7)});
     COMPARE_STATUS(result, 0);
     QCOMPARE(result.lines(),
         QStringList{QStringLiteral("SPEED_KP: %1 -> %2")
@@ -189,7 +154,7 @@ void TestCli::setPrintsOldAndNew()
 
 void TestCli::whatTheBoardRefusesIsExitStatus1()
 {
-    const Run readOnly = run("--port sim set STATUS=1");
+    const CliRun readOnly = typed("--port sim set STATUS=1");
     COMPARE_STATUS(readOnly, 1);
     QCOMPARE(readOnly.err.count(QLatin1Char('\n')), 1);
 }
@@ -197,11 +162,11 @@ void TestCli::whatTheBoardRefusesIsExitStatus1()
 void TestCli::whatReadsBackAsAnotherValueIsExitStatus1()
 {
     // Firmware answers OK to a mode that it does not have, and keeps the one it is in.
-    const Run kept = run("--port sim --json set --expert CONTROL_MODE=9");
+    const CliRun kept = typed("--port sim --json set --expert CONTROL_MODE=9");
     COMPARE_STATUS(kept, 1);
     QCOMPARE(kept.err.count(QLatin1Char('\n')), 1);
     QVERIFY(kept.err.contains(QLatin1String("CONTROL_MODE")));
-    const QJsonObject result = kept.json().array().first().toObject();
+    const QJsonObject result = kept.list().first().toObject();
     QCOMPARE(result[QLatin1String("outcome")].toString(), QStringLiteral("ok"));
     QCOMPARE(result[QLatin1String("verified")], QJsonValue(false));
     QCOMPARE(result[QLatin1String("new")], result[QLatin1String("old")]);
@@ -210,7 +175,7 @@ void TestCli::whatReadsBackAsAnotherValueIsExitStatus1()
 void TestCli::aStructureOfAnotherLengthIsNotWritten()
 {
     // Firmware would fill the missing bytes with what lies in its buffer, and ramp to any speed.
-    const Run result = run("--port sim set SPEED_RAMP=00 SPEED_KP=5");
+    const CliRun result = typed("--port sim set SPEED_RAMP=00 SPEED_KP=5");
     COMPARE_STATUS(result, 1);
     QCOMPARE(result.lines().size(), 2);
     QVERIFY2(result.lines()[1].endsWith(QLatin1String("-> 5")), qPrintable(result.out));
@@ -220,9 +185,9 @@ void TestCli::aStructureOfAnotherLengthIsNotWritten()
 
 void TestCli::startTellsTheStateInJson()
 {
-    const Run result = run("--port sim --json start");
+    const CliRun result = typed("--port sim --json start");
     COMPARE_STATUS(result, 0);
-    const QJsonObject state = result.json().object();
+    const QJsonObject state = result.object();
     QVERIFY(!state[QLatin1String("state")].toString().isEmpty());
     QVERIFY(state.contains(QLatin1String("speed_rpm")));
     QVERIFY(!state.contains(QLatin1String("max_speed_rpm"))); // info tells it, and nothing is 0
@@ -230,7 +195,7 @@ void TestCli::startTellsTheStateInJson()
 
 void TestCli::noConnectionIsExitStatus3()
 {
-    const Run result = run("--port /dev/no-such-port info");
+    const CliRun result = typed("--port /dev/no-such-port info");
     COMPARE_STATUS(result, 3);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
     QVERIFY2(result.err.contains(QLatin1String("/dev/no-such-port")), qPrintable(result.err));
@@ -240,8 +205,8 @@ void TestCli::captureWritesExactlyTheTimeAsked()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
-    const Run result = run(words("--port sim capture --hf I_B,I_A --hf-rate 3 --mf "
-                                 "STOPLL_ROT_SPEED --mf-rate 9 --seconds 0.25 -o")
+    const CliRun result = typed(wordsOf("--port sim capture --hf I_B,I_A --hf-rate 3 --mf "
+                                        "STOPLL_ROT_SPEED --mf-rate 9 --seconds 0.25 -o")
         << file);
     COMPARE_STATUS(result, 0);
     const auto rows = readCsv(file);
@@ -256,8 +221,8 @@ void TestCli::captureWritesExactlyTheTimeAsked()
 
 void TestCli::captureIntoNowhereIsExitStatus5AndMovesNothing()
 {
-    const Run result =
-        run("--port sim capture --start --hf I_A --seconds 1 -o /no/such/folder/x.csv");
+    const CliRun result =
+        typed("--port sim capture --start --hf I_A --seconds 1 -o /no/such/folder/x.csv");
     COMPARE_STATUS(result, 5);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
 }
@@ -266,8 +231,8 @@ void TestCli::captureOfTooMuchSaysSoWithGaps()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
-    const Run result = run(
-        words("--port sim --baud 230400 capture --hf I_A,I_B,I_Q_MEAS,I_D_MEAS --seconds 0.5 -o")
+    const CliRun result = typed(
+        wordsOf("--port sim --baud 230400 capture --hf I_A,I_B,I_Q_MEAS,I_D_MEAS --seconds 0.5 -o")
         << file);
     COMPARE_STATUS(result, 4);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
@@ -280,7 +245,8 @@ void TestCli::captureOfLessThanATickIsOneRow()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
-    const Run result = run(words("--port sim capture --hf I_A --seconds 0.00001 -o") << file);
+    const CliRun result =
+        typed(wordsOf("--port sim capture --hf I_A --seconds 0.00001 -o") << file);
     COMPARE_STATUS(result, 0);
     QCOMPARE(readCsv(file).size(), 2);
 }
@@ -289,8 +255,8 @@ void TestCli::captureTakesSlowSignalsOnceAPacket()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
-    const Run result =
-        run(words("--port sim capture --hf I_A --mf I_B --mf-rate 254 --seconds 0.5 -o") << file);
+    const CliRun result = typed(
+        wordsOf("--port sim capture --hf I_A --mf I_B --mf-rate 254 --seconds 0.5 -o") << file);
     COMPARE_STATUS(result, 0);
     const auto rows = readCsv(file);
     QCOMPARE(rows.size(), 8001);
@@ -302,8 +268,8 @@ void TestCli::captureFromTheStartHoldsTheStartUp()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
-    const Run result = run(words("--port sim capture --start --from-start --ramp 1500,200 "
-                                 "--hf STOPLL_ROT_SPEED,I_Q_REF --hf-rate 15 --seconds 2 -o")
+    const CliRun result = typed(wordsOf("--port sim capture --start --from-start --ramp 1500,200 "
+                                        "--hf STOPLL_ROT_SPEED,I_Q_REF --hf-rate 15 --seconds 2 -o")
         << file);
     COMPARE_STATUS(result, 0);
     const auto rows = readCsv(file);
@@ -317,9 +283,10 @@ void TestCli::captureThatTheBoardRefusesStartsNoMotor()
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("x.csv"));
     // 20 ms of so slow a line hold no group of 254 samples.
-    const Run result = run(words("--port sim --baud 115200 capture --start --hf I_A --mf I_B "
-                                 "--mf-rate 253 --seconds 1 -o")
-        << file);
+    const CliRun result =
+        typed(wordsOf("--port sim --baud 115200 capture --start --hf I_A --mf I_B "
+                      "--mf-rate 253 --seconds 1 -o")
+            << file);
     COMPARE_STATUS(result, 1);
     QVERIFY2(result.err.contains(QLatin1String("--mf-rate")), qPrintable(result.err));
     QVERIFY2(!result.err.contains(QLatin1String("The motor was stopped")), qPrintable(result.err));
@@ -328,7 +295,7 @@ void TestCli::captureThatTheBoardRefusesStartsNoMotor()
 
 namespace {
 
-Run decode(const QByteArray &text)
+CliRun decode(const QByteArray &text)
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("trace.jsonl"));
@@ -336,17 +303,17 @@ Run decode(const QByteArray &text)
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
         return {};
     file.close();
-    return run({QStringLiteral("decode"), path});
+    return typed({QStringLiteral("decode"), path});
 }
 
 } // namespace
 
 void TestCli::decodePrintsOneObjectALine()
 {
-    const Run result = decode("{\"transcript\": \"a header\"}\n"
-                              "{\"t_ms\": 1, \"dir\": \"C>P\", \"hex\": \"05 ff ff 0f\"}\n"
-                              "{\"t_ms\": 2, \"dir\": \"--\", \"hex\": \"\"}\n"
-                              "{\"t_ms\": 3, \"dir\": \"P>C\", \"hex\": \"05c701\"}\n");
+    const CliRun result = decode("{\"transcript\": \"a header\"}\n"
+                                 "{\"t_ms\": 1, \"dir\": \"C>P\", \"hex\": \"05 ff ff 0f\"}\n"
+                                 "{\"t_ms\": 2, \"dir\": \"--\", \"hex\": \"\"}\n"
+                                 "{\"t_ms\": 3, \"dir\": \"P>C\", \"hex\": \"05c701\"}\n");
     COMPARE_STATUS(result, 0);
     QCOMPARE(result.lines().size(), 3);
     QVERIFY(result.lines()[0].contains(QLatin1String("\"type\":\"BEACON\"")));
@@ -398,7 +365,7 @@ void TestCli::decodeShowsWhatIsEmpty()
 
 void TestCli::registersMarksWhatTheBoardDoesNotGive()
 {
-    const Run result = run(words("--port sim registers"));
+    const CliRun result = typed("--port sim registers");
     COMPARE_STATUS(result, 0);
     int marked = 0;
     for (const QString &line : result.lines()) {
@@ -410,7 +377,7 @@ void TestCli::registersMarksWhatTheBoardDoesNotGive()
             QVERIFY(!missing);
     }
     QVERIFY(marked > 10);
-    const Run asked = run(words("--port sim get ENCODER_SPEED"));
+    const CliRun asked = typed("--port sim get ENCODER_SPEED");
     QVERIFY2(asked.err.contains(QLatin1String("does not give ENCODER_SPEED; leave it out")),
         qPrintable(asked.err));
 }
@@ -431,7 +398,7 @@ void TestCli::decodeOfWhatIsNoPacketIsExitStatus5_data()
 void TestCli::decodeOfWhatIsNoPacketIsExitStatus5()
 {
     QFETCH(QByteArray, text);
-    const Run result = decode(text);
+    const CliRun result = decode(text);
     COMPARE_STATUS(result, 5);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
 }

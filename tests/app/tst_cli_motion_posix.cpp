@@ -9,11 +9,6 @@
 using support::CliRun;
 using support::Simulator;
 
-#define COMPARE_STATUS(result, expected)                                                           \
-    QVERIFY2((result).status == (expected),                                                        \
-        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
-                       .arg(QString::number((result).status), (result).err)))
-
 namespace {
 
 /// In the home of this test.

@@ -1,33 +1,13 @@
 // The command line with boards of the older serial protocol: the same commands, the protocol found out or named.
-#include "support/places.h"
+#include "support/programs/cli_run.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace {
-
-struct Run {
-    int status = -1;
-    QString out, error;
-    QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
-};
-
-Run run(const QString &line)
-{
-    QProcess process;
-    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
-        line.split(QLatin1Char(' '), Qt::SkipEmptyParts));
-    if (!process.waitForFinished(60000))
-        return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-        QString::fromUtf8(process.readAllStandardError())};
-}
-
-} // namespace
+using support::CliRun;
+using support::typed;
 
 class TestCliOlderBoards : public QObject {
     Q_OBJECT
@@ -65,7 +45,7 @@ void TestCliOlderBoards::infoSaysWhatWasFoundAndWhy()
 {
     QFETCH(QString, line);
     QFETCH(QString, protocol);
-    const Run result = run(line);
+    const CliRun result = typed(line);
     QCOMPARE(result.status, 0);
     QVERIFY2(result.out.contains(protocol), qPrintable(result.out));
     QCOMPARE(
@@ -75,46 +55,47 @@ void TestCliOlderBoards::infoSaysWhatWasFoundAndWhy()
 
 void TestCliOlderBoards::valuesAreReadAndWritten()
 {
-    const Run set = run(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=1234"));
+    const CliRun set =
+        typed(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=1234"));
     QCOMPARE(set.status, 0);
     QVERIFY(set.out.contains(QLatin1String("1234")));
-    const Run get =
-        run(QStringLiteral("--port sim:powerpc --protocol powerpc --json get CONTROL_MODE I_Q_KP"));
+    const CliRun get = typed(
+        QStringLiteral("--port sim:powerpc --protocol powerpc --json get CONTROL_MODE I_Q_KP"));
     QCOMPARE(get.status, 0);
-    QCOMPARE(get.json().array().size(), 2);
-    const QJsonObject mode = get.json().array().at(0).toObject(); // raw is what the wire has
+    QCOMPARE(get.list().size(), 2);
+    const QJsonObject mode = get.list().at(0).toObject(); // raw is what the wire has
     QCOMPARE(mode[QLatin1String("raw")].toInt(-1), 1);
     QCOMPARE(mode[QLatin1String("text")].toString(), QStringLiteral("speed"));
     const QString board = QStringLiteral("--port sim:legacy --protocol legacy ");
-    QCOMPARE(run(board + QStringLiteral("get --raw CONTROL_MODE")).out,
+    QCOMPARE(typed(board + QStringLiteral("get --raw CONTROL_MODE")).out,
         QStringLiteral("CONTROL_MODE = 1\n"));
-    const Run divisor = run(board + QStringLiteral("get --raw SPEED_KP_DIV"));
+    const CliRun divisor = typed(board + QStringLiteral("get --raw SPEED_KP_DIV"));
     const int digits = divisor.out.section(QLatin1String("= "), 1).trimmed().toInt();
-    const Run exponent = run(board + QStringLiteral("get SPEED_KP_DIV"));
+    const CliRun exponent = typed(board + QStringLiteral("get SPEED_KP_DIV"));
     QCOMPARE(digits, 1 << exponent.out.section(QLatin1String("= "), 1).trimmed().toInt());
-    QCOMPARE(run(board + QStringLiteral("set --raw CONTROL_MODE=3")).status, 2);
-    QCOMPARE(run(board + QStringLiteral("set --raw CONTROL_MODE=0")).status, 0);
-    QVERIFY(
-        run(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=40000")).status != 0);
+    QCOMPARE(typed(board + QStringLiteral("set --raw CONTROL_MODE=3")).status, 2);
+    QCOMPARE(typed(board + QStringLiteral("set --raw CONTROL_MODE=0")).status, 0);
+    QVERIFY(typed(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=40000")).status
+        != 0);
 }
 
 void TestCliOlderBoards::theWrongDialectIsNotWrittenTo()
 {
-    const Run result =
-        run(QStringLiteral("--port sim:powerpc --protocol legacy set SPEED_KP=1234"));
+    const CliRun result =
+        typed(QStringLiteral("--port sim:powerpc --protocol legacy set SPEED_KP=1234"));
     QVERIFY(result.status != 0);
-    QVERIFY(run(QStringLiteral("--port sim:powerpc --protocol legacy info"))
+    QVERIFY(typed(QStringLiteral("--port sim:powerpc --protocol legacy info"))
                 .out.contains(QLatin1String("read-only")));
 }
 
 void TestCliOlderBoards::withoutExpertModeNothingStarts()
 {
-    const Run refused = run(QStringLiteral("--port sim:legacy --protocol legacy start"));
+    const CliRun refused = typed(QStringLiteral("--port sim:legacy --protocol legacy start"));
     QCOMPARE(refused.status, 1);
-    QVERIFY2(refused.error.contains(QLatin1String("expert mode")), qPrintable(refused.error));
-    QVERIFY2(refused.error.contains(QLatin1String("--expert")), qPrintable(refused.error));
+    QVERIFY2(refused.err.contains(QLatin1String("expert mode")), qPrintable(refused.err));
+    QVERIFY2(refused.err.contains(QLatin1String("--expert")), qPrintable(refused.err));
     QCOMPARE(
-        run(QStringLiteral("--port sim:legacy --protocol legacy start --expert --max-rpm 3000"))
+        typed(QStringLiteral("--port sim:legacy --protocol legacy start --expert --max-rpm 3000"))
             .status,
         0);
 }
@@ -122,22 +103,22 @@ void TestCliOlderBoards::withoutExpertModeNothingStarts()
 void TestCliOlderBoards::captureReadsAsFastAsTheLineGives()
 {
     const QString file = m_folder.filePath(QStringLiteral("polled.csv"));
-    const Run result =
-        run(QStringLiteral(
-                "--port sim:legacy --protocol legacy --json capture --hf SPEED_MEAS,I_Q_MEAS "
-                "--seconds 0.5 -o ")
+    const CliRun result =
+        typed(QStringLiteral(
+                  "--port sim:legacy --protocol legacy --json capture --hf SPEED_MEAS,I_Q_MEAS "
+                  "--seconds 0.5 -o ")
             + file);
-    QVERIFY2(result.status == 0, qPrintable(result.error));
-    QVERIFY(result.json().object()[QLatin1String("values_per_second")].toDouble() > 20.0);
+    QVERIFY2(result.status == 0, qPrintable(result.err));
+    QVERIFY(result.object()[QLatin1String("values_per_second")].toDouble() > 20.0);
     QFile csv(file);
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QVERIFY(csv.readLine().startsWith("time [s],SPEED_MEAS [rpm],I_Q_MEAS"));
     QVERIFY(!csv.readLine().isEmpty());
-    const Run recorded =
-        run(QStringLiteral("--port sim:legacy --protocol legacy capture --hf SPEED_MEAS --seconds "
-                           "0.5 --record ")
-            + m_folder.filePath(QStringLiteral("polled.pcapng")));
-    QVERIFY2(recorded.status == 0, qPrintable(recorded.error));
+    const CliRun recorded = typed(
+        QStringLiteral("--port sim:legacy --protocol legacy capture --hf SPEED_MEAS --seconds "
+                       "0.5 --record ")
+        + m_folder.filePath(QStringLiteral("polled.pcapng")));
+    QVERIFY2(recorded.status == 0, qPrintable(recorded.err));
     QVERIFY2(recorded.out.contains(QLatin1String("each signal read")), qPrintable(recorded.out));
 }
 
@@ -146,45 +127,45 @@ void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
     // The simulated board's shunt, amplifier and converter make 60.175 A of 32768 digits.
     const QString board = QStringLiteral("--port sim:legacy --protocol legacy --json ");
     const QString scale = QStringLiteral(" --full-scale-current 60.175");
-    const auto first = [](const Run &result) { return result.json().array().at(0).toObject(); };
-    const Run plain = run(board + QStringLiteral("get I_Q_REF"));
+    const auto first = [](const CliRun &result) { return result.list().at(0).toObject(); };
+    const CliRun plain = typed(board + QStringLiteral("get I_Q_REF"));
     QCOMPARE(plain.status, 0);
     QVERIFY(first(plain)[QLatin1String("unit")] != QLatin1String("A"));
-    const Run amps = run(board + QStringLiteral("get I_Q_REF") + scale);
-    QVERIFY2(amps.status == 0, qPrintable(amps.error));
+    const CliRun amps = typed(board + QStringLiteral("get I_Q_REF") + scale);
+    QVERIFY2(amps.status == 0, qPrintable(amps.err));
     QCOMPARE(first(amps)[QLatin1String("unit")].toString(), QStringLiteral("A"));
 
     const QString torque = QStringLiteral("torque 0.5 100 --expert --max-rpm 3000 --max-amps 2");
-    const Run refused = run(board + torque);
+    const CliRun refused = typed(board + torque);
     QVERIFY(refused.status != 0);
-    QVERIFY2(refused.error.contains(QLatin1String("current scale")), qPrintable(refused.error));
-    QCOMPARE(run(board + torque + scale).status, 0);
+    QVERIFY2(refused.err.contains(QLatin1String("current scale")), qPrintable(refused.err));
+    QCOMPARE(typed(board + torque + scale).status, 0);
 
-    const Run told = run(QStringLiteral("--port sim --protocol mcp get I_Q_REF") + scale);
+    const CliRun told = typed(QStringLiteral("--port sim --protocol mcp get I_Q_REF") + scale);
     QCOMPARE(told.status, 1); // never instead of what the board says
-    QVERIFY2(told.error.contains(QLatin1String("tells its current scale")), qPrintable(told.error));
+    QVERIFY2(told.err.contains(QLatin1String("tells its current scale")), qPrintable(told.err));
     for (const char *wrong : {"0", "-60", "60,175", "1e9"})
-        QVERIFY2(
-            run(board + QStringLiteral("get I_Q_REF --full-scale-current ") + QLatin1String(wrong))
-                    .status
+        QVERIFY2(typed(board + QStringLiteral("get I_Q_REF --full-scale-current ")
+                     + QLatin1String(wrong))
+                     .status
                 != 0,
             wrong);
 }
 
 void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()
 {
-    const Run result = run(QStringLiteral("--port sim --protocol quantum info"));
+    const CliRun result = typed(QStringLiteral("--port sim --protocol quantum info"));
     QCOMPARE(result.status, 2);
-    QVERIFY(result.error.contains(QLatin1String("powerpc")));
+    QVERIFY(result.err.contains(QLatin1String("powerpc")));
 }
 
 void TestCliOlderBoards::anUnknownSimulatedBoardIsNoPort()
 {
-    const Run result = run(QStringLiteral("--port sim:mcsdk-6.4 info"));
+    const CliRun result = typed(QStringLiteral("--port sim:mcsdk-6.4 info"));
     QCOMPARE(result.status, 3);
-    QVERIFY2(result.error.contains(QLatin1String("no simulated board sim:mcsdk-6.4"))
-            && result.error.contains(QLatin1String("sim:mcb")),
-        qPrintable(result.error));
+    QVERIFY2(result.err.contains(QLatin1String("no simulated board sim:mcsdk-6.4"))
+            && result.err.contains(QLatin1String("sim:mcb")),
+        qPrintable(result.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliOlderBoards)

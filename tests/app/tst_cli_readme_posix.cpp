@@ -18,7 +18,7 @@ namespace {
 bool isLong() { return qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0; }
 
 /// Its commands, each without its remark.
-QStringList session()
+QStringList readmeSession()
 {
     QFile file(support::sourceFile(QStringLiteral("README.md")));
     if (!file.open(QIODevice::ReadOnly))
@@ -67,7 +67,7 @@ void TestCliReadme::itsSessionWorks()
     plan.write(R"({"experiment":"step","from_rpm":1500,"to_rpm":1800,"repeat":2,"hold_ms":300})");
     plan.close();
 
-    const QStringList commands = session();
+    const QStringList commands = readmeSession();
     QVERIFY2(commands.size() > 15, "README has another form");
     for (QString command : commands) {
         if (measuresForLong(command) && !isLong())

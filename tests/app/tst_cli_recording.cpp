@@ -4,6 +4,7 @@
 #include "session/recording/recording_file.h"
 #include "support/lab_bench.h"
 #include "support/places.h"
+#include "support/programs/cli_run.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -14,6 +15,9 @@
 #include <QtEndian>
 #include <QtTest>
 
+using support::CliRun;
+using support::typed;
+using support::wordsOf;
 using namespace std::chrono_literals;
 
 class TestCliRecording : public QObject {
@@ -39,25 +43,6 @@ private:
 };
 
 namespace {
-
-struct Run {
-    int status = -1;
-    QString out, err;
-    QJsonObject json() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-};
-
-Run run(const QStringList &arguments)
-{
-    QProcess process;
-    process.start(support::programFile(QStringLiteral("rotorscope-cli")), arguments);
-    if (!process.waitForFinished(60'000))
-        process.kill();
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-        QString::fromUtf8(process.readAllStandardOutput()),
-        QString::fromUtf8(process.readAllStandardError())};
-}
-
-QStringList words(const char *line) { return QString::fromLatin1(line).split(QLatin1Char(' ')); }
 
 QByteArray contents(const QString &path)
 {
@@ -86,23 +71,19 @@ qsizetype firstDataInTheMiddle(const QByteArray &file)
 
 } // namespace
 
-#define COMPARE_STATUS(result, expected)                                                           \
-    QVERIFY2((result).status == (expected),                                                        \
-        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
-                       .arg(QString::number((result).status), (result).err)))
-
 /// One recording for all tests.
 void TestCliRecording::initTestCase()
 {
-    QStringList arguments = words("--port sim --json capture --hf I_A,I_B --mf I_Q_MEAS --mf-rate "
-                                  "15 --seconds 0.5 --link");
+    QStringList arguments =
+        wordsOf("--port sim --json capture --hf I_A,I_B --mf I_Q_MEAS --mf-rate "
+                "15 --seconds 0.5 --link");
     arguments << QStringLiteral("-o") << path("a.csv") << QStringLiteral("--record")
               << path("a.pcapng");
-    const Run result = run(arguments);
+    const CliRun result = typed(arguments);
     COMPARE_STATUS(result, 0);
-    QCOMPARE(result.json().value(QLatin1String("rows")).toInt(), 8000);
-    QVERIFY(result.json().value(QLatin1String("recording_samples")).toInt() >= 16'500);
-    QCOMPARE(result.json().value(QLatin1String("recording_bytes")).toInt(),
+    QCOMPARE(result.object().value(QLatin1String("rows")).toInt(), 8000);
+    QVERIFY(result.object().value(QLatin1String("recording_samples")).toInt() >= 16'500);
+    QCOMPARE(result.object().value(QLatin1String("recording_bytes")).toInt(),
         contents(path("a.pcapng")).size());
 }
 
@@ -110,12 +91,13 @@ void TestCliRecording::initTestCase()
 void TestCliRecording::theRegistersComeOut()
 {
     COMPARE_STATUS(
-        run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"), path("a.json")}), 0);
+        typed({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"), path("a.json")}),
+        0);
     const auto snapshot = session::readSnapshotJson(contents(path("a.json")));
     QVERIFY(snapshot && snapshot->entries.size() > 50);
-    const Run same = run({QStringLiteral("diff"), path("a.json"), path("a.json")});
+    const CliRun same = typed({QStringLiteral("diff"), path("a.json"), path("a.json")});
     COMPARE_STATUS(same, 0);
-    const Run early = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+    const CliRun early = typed({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
         path("none.json"), QStringLiteral("--to"), QStringLiteral("0.0001")});
     COMPARE_STATUS(early, 2);
     QVERIFY(!QFile::exists(path("none.json")));
@@ -124,10 +106,10 @@ void TestCliRecording::theRegistersComeOut()
 /// The CSV of the run is exactly the beginning of what the recording holds.
 void TestCliRecording::captureRecordsWhatItWrites()
 {
-    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+    const CliRun result = typed({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
         path("all.csv"), QStringLiteral("--json")});
     COMPARE_STATUS(result, 0);
-    QVERIFY(result.json().value(QLatin1String("complete")).toBool());
+    QVERIFY(result.object().value(QLatin1String("complete")).toBool());
     const QList<QByteArray> direct = contents(path("a.csv")).split('\n');
     const QList<QByteArray> recorded = contents(path("all.csv")).split('\n');
     QVERIFY(recorded.size() >= direct.size());
@@ -140,9 +122,10 @@ void TestCliRecording::captureRecordsWhatItWrites()
 
 void TestCliRecording::showSaysWhatIsInIt()
 {
-    const Run result = run({QStringLiteral("--json"), QStringLiteral("show"), path("a.pcapng")});
+    const CliRun result =
+        typed({QStringLiteral("--json"), QStringLiteral("show"), path("a.pcapng")});
     COMPARE_STATUS(result, 0);
-    const QJsonObject json = result.json();
+    const QJsonObject json = result.object();
     QCOMPARE(json.value(QLatin1String("ending")).toString(), QStringLiteral("stopped"));
     QCOMPARE(json.value(QLatin1String("source")).toString(), QStringLiteral("sim"));
     QVERIFY(json.value(QLatin1String("link_bytes")).toInt() > 2 * 16'000);
@@ -152,7 +135,8 @@ void TestCliRecording::showSaysWhatIsInIt()
     QCOMPARE(channels[0].toObject().value(QLatin1String("name")).toString(), QStringLiteral("I_A"));
     QCOMPARE(
         channels[2].toObject().value(QLatin1String("kind")).toString(), QStringLiteral("slow"));
-    const Run text = run({QStringLiteral("show"), path("a.pcapng"), QStringLiteral("--events")});
+    const CliRun text =
+        typed({QStringLiteral("show"), path("a.pcapng"), QStringLiteral("--events")});
     COMPARE_STATUS(text, 0);
     QVERIFY(text.out.contains(QLatin1String("link state=connected")));
     QVERIFY(text.out.contains(QLatin1String("I_A [A] fast: ")));
@@ -161,8 +145,8 @@ void TestCliRecording::showSaysWhatIsInIt()
 void TestCliRecording::exportAndImportGiveTheSameFile()
 {
     const auto convert = [this](const char *from, const char *to, const QStringList &more = {}) {
-        const Run result =
-            run(QStringList{QStringLiteral("export"), path(from), QStringLiteral("-o"), path(to)}
+        const CliRun result =
+            typed(QStringList{QStringLiteral("export"), path(from), QStringLiteral("-o"), path(to)}
                 + more);
         COMPARE_STATUS(result, 0);
     };
@@ -171,7 +155,7 @@ void TestCliRecording::exportAndImportGiveTheSameFile()
     convert("continental.csv", "again.csv");
     QCOMPARE(contents(path("again.csv")), contents(path("plain.csv")));
     QVERIFY(contents(path("continental.csv")).startsWith("\xEF\xBB\xBFtime [s];I_A [A];"));
-    convert("plain.csv", "part.csv", words("--signals I_B --from 0.2 --to 0.3"));
+    convert("plain.csv", "part.csv", wordsOf("--signals I_B --from 0.2 --to 0.3"));
     QVERIFY(contents(path("part.csv")).startsWith("time [s],I_B [A]\n"));
     QVERIFY(contents(path("part.csv")).count('\n') <= 1601);
 }
@@ -179,7 +163,7 @@ void TestCliRecording::exportAndImportGiveTheSameFile()
 /// Python's own reader sees every frame.
 void TestCliRecording::aWavFileIsReadByOthers()
 {
-    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+    const CliRun result = typed({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
         path("a.wav"), QStringLiteral("--json")});
     COMPARE_STATUS(result, 0);
     const QString python = QStandardPaths::findExecutable(QStringLiteral("python3"));
@@ -193,7 +177,7 @@ void TestCliRecording::aWavFileIsReadByOthers()
                            "w.getnframes(), len(d))"),
             path("a.wav")});
     QVERIFY(reader.waitForFinished(30'000));
-    const int frames = result.json().value(QLatin1String("rows")).toInt();
+    const int frames = result.object().value(QLatin1String("rows")).toInt();
     QCOMPARE(QString::fromLatin1(reader.readAllStandardOutput()).trimmed(),
         QStringLiteral("2 2 16000 %1 %2")
             .arg(QString::number(frames), QString::number(frames * 4)));
@@ -202,7 +186,7 @@ void TestCliRecording::aWavFileIsReadByOthers()
 /// A reader of our own, in Python, that shares nothing with the writer.
 void TestCliRecording::aMatlabFileIsReadByOthers()
 {
-    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+    const CliRun result = typed({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
         path("a.mat"), QStringLiteral("--json")});
     COMPARE_STATUS(result, 0);
     QProcess reader;
@@ -218,7 +202,7 @@ void TestCliRecording::aMatlabFileIsReadByOthers()
     qsizetype rows = 0;
     for (const QJsonValue &rate : mat)
         rows += rate.toObject().value(QLatin1String("time")).toArray().size();
-    QCOMPARE(result.json().value(QLatin1String("rows")).toInteger(), rows);
+    QCOMPARE(result.object().value(QLatin1String("rows")).toInteger(), rows);
 }
 
 void TestCliRecording::aDamagedRecordingIsExportedAndTold()
@@ -228,18 +212,19 @@ void TestCliRecording::aDamagedRecordingIsExportedAndTold()
     bytes[middle] = static_cast<char>(~bytes[middle]);
     bytes.chop(20);
     put(path("damaged.pcapng"), bytes);
-    const Run shown =
-        run({QStringLiteral("--json"), QStringLiteral("show"), path("damaged.pcapng")});
+    const CliRun shown =
+        typed({QStringLiteral("--json"), QStringLiteral("show"), path("damaged.pcapng")});
     COMPARE_STATUS(shown, 4);
-    QCOMPARE(shown.json().value(QLatin1String("ending")).toString(), QStringLiteral("interrupted"));
-    const QJsonArray damage = shown.json().value(QLatin1String("damage")).toArray();
+    QCOMPARE(
+        shown.object().value(QLatin1String("ending")).toString(), QStringLiteral("interrupted"));
+    const QJsonArray damage = shown.object().value(QLatin1String("damage")).toArray();
     QCOMPARE(damage.size(), 2);
     const QJsonObject first = damage[0].toObject();
     const int offset = first.value(QLatin1String("offset")).toInt();
     QVERIFY(offset <= middle);
     QVERIFY(offset + first.value(QLatin1String("bytes")).toInt() > middle);
     QVERIFY(shown.err.contains(QLatin1String("is not whole: bytes ")));
-    const Run exported = run(
+    const CliRun exported = typed(
         {QStringLiteral("export"), path("damaged.pcapng"), QStringLiteral("-o"), path("d.csv")});
     COMPARE_STATUS(exported, 4);
     QVERIFY(contents(path("d.csv")).count('\n') > 1000);
@@ -248,9 +233,9 @@ void TestCliRecording::aDamagedRecordingIsExportedAndTold()
 void TestCliRecording::aFileThatIsThereIsNotRecordedOver()
 {
     put(path("old.pcapng"), "old");
-    QStringList arguments = words("--port sim capture --hf I_A --seconds 0.1 --start --record");
+    QStringList arguments = wordsOf("--port sim capture --hf I_A --seconds 0.1 --start --record");
     arguments << path("old.pcapng");
-    const Run result = run(arguments);
+    const CliRun result = typed(arguments);
     COMPARE_STATUS(result, 5);
     QCOMPARE(contents(path("old.pcapng")), QByteArray("old"));
     QVERIFY(!result.err.contains(QLatin1String("motor was stopped"))); // it was never started
@@ -285,30 +270,30 @@ void TestCliRecording::eachOfSeveralExperimentsIsTold()
     QVERIFY(file.end());
 
     const auto evaluated = [this](const QString &options) {
-        return run(QStringList{QStringLiteral("evaluate"), path("day.pcapng")}
+        return typed(QStringList{QStringLiteral("evaluate"), path("day.pcapng")}
             + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
     };
-    const Run all = evaluated(QStringLiteral("--json"));
+    const CliRun all = evaluated(QStringLiteral("--json"));
     COMPARE_STATUS(all, 1);
     QCOMPARE(all.out, said.join(QLatin1Char('\n')) + QStringLiteral("\nnull\n"));
     for (const char *words :
         {"Run 3: The experiment ended early: ", "day.pcapng: not conclusive: run 3 of 3."})
         QVERIFY2(all.err.contains(QLatin1String(words)), qPrintable(all.err));
-    const Run text = evaluated({});
+    const CliRun text = evaluated({});
     COMPARE_STATUS(text, 1);
     for (const char *words :
         {"Run 1 of 3: step speed, at ", "Run 2 of 3: step", "Run 3 of 3: identify mechanical, at "})
         QVERIFY2(text.out.contains(QLatin1String(words)), qPrintable(text.out));
 
-    const Run second = evaluated(QStringLiteral("--json --run 2"));
+    const CliRun second = evaluated(QStringLiteral("--json --run 2"));
     COMPARE_STATUS(second, 0);
     QCOMPARE(second.out, said[1] + QLatin1Char('\n'));
     QVERIFY(!evaluated(QStringLiteral("--run 2")).out.contains(QLatin1String("Run 2")));
-    const Run third = evaluated(QStringLiteral("--run 3"));
+    const CliRun third = evaluated(QStringLiteral("--run 3"));
     COMPARE_STATUS(third, 1);
     QVERIFY2(third.out.isEmpty() && third.err.count(QLatin1Char('\n')) == 1,
         qPrintable(third.out + third.err));
-    const Run none = evaluated(QStringLiteral("--run 4"));
+    const CliRun none = evaluated(QStringLiteral("--run 4"));
     COMPARE_STATUS(none, 2);
     QVERIFY2(none.err.contains(QLatin1String("has no run 4, only 3.")), qPrintable(none.err));
 }
@@ -318,12 +303,12 @@ void TestCliRecording::otherFilesAreExitStatus5()
     put(path("text.pcapng"), "hello\n");
     put(path("bad.csv"), "time [s],A\n0,1\n1,x\n");
     for (const char *name : {"text.pcapng", "missing.pcapng"}) {
-        const Run result = run({QStringLiteral("show"), path(name)});
+        const CliRun result = typed({QStringLiteral("show"), path(name)});
         COMPARE_STATUS(result, 5);
         QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
     }
-    const Run result =
-        run({QStringLiteral("export"), path("bad.csv"), QStringLiteral("-o"), path("new.csv")});
+    const CliRun result =
+        typed({QStringLiteral("export"), path("bad.csv"), QStringLiteral("-o"), path("new.csv")});
     COMPARE_STATUS(result, 5);
     QVERIFY(result.err.contains(QLatin1String("line 3, column 2: \"x\" is no number")));
     QVERIFY(!QFile::exists(path("new.csv")));
@@ -343,7 +328,7 @@ void TestCliRecording::wrongUsageIsExitStatus2_data()
 void TestCliRecording::wrongUsageIsExitStatus2()
 {
     QFETCH(QString, line);
-    const Run result = run(line.split(QLatin1Char(' ')));
+    const CliRun result = typed(line.split(QLatin1Char(' ')));
     COMPARE_STATUS(result, 2);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
 }

@@ -19,13 +19,6 @@ using support::CliRun;
 using support::ExperimentProgram;
 using support::Simulator;
 
-#define COMPARE_STATUS(result, expected)                                                           \
-    do {                                                                                           \
-        const CliRun it = result;                                                                  \
-        QVERIFY2(it.status == (expected),                                                          \
-            qPrintable(QStringLiteral("status %1, stderr: %2").arg(it.status).arg(it.err)));       \
-    } while (false)
-
 /// It ended so; or otherwise, and as it should where the machine did not let it run: then there is nothing more to be seen.
 #define COMPARE_OUTCOME(program, expected, text, ...)                                              \
     do {                                                                                           \

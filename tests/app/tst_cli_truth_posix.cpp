@@ -23,9 +23,9 @@ namespace {
 
 constexpr double kHz = 4000.0;
 
-class Bench {
+class TruthBench {
 public:
-    Bench()
+    TruthBench()
         : m_board(options())
     {
         m_board.onHeard = [this](const Bytes &bytes) { says.asks(bytes, true); };
@@ -113,7 +113,7 @@ bool areSent(const std::vector<Row> &rows, const std::deque<judge::McpBoard::Sam
 
 void TestCliTruth::getPrintsWhatTheBoardGave()
 {
-    Bench bench;
+    TruthBench bench;
     const support::CliRun run =
         bench.cli("get SPEED_KP SPEED_KI I_Q_KP I_Q_KI_DIV BUS_VOLTAGE SPEED_MEAS I_A");
     QVERIFY2(run.status == 0, qPrintable(run.err));
@@ -146,7 +146,7 @@ void TestCliTruth::captureHoldsEachSampleThatArrived_data()
 void TestCliTruth::captureHoldsEachSampleThatArrived()
 {
     QFETCH(int, lostAfter);
-    Bench bench;
+    TruthBench bench;
     QElapsedTimer since;
     if (lostAfter > 0)
         bench.lose = [&] {
@@ -183,7 +183,7 @@ void TestCliTruth::captureHoldsEachSampleThatArrived()
 
 void TestCliTruth::showTellsWhatWasSent()
 {
-    Bench bench;
+    TruthBench bench;
     const support::CliRun run =
         bench.cli("--json capture --hf I_A --seconds 0.5 --record FOLDER/x.pcapng");
     QVERIFY2(run.status == 0, qPrintable(run.err));

@@ -34,15 +34,6 @@ private Q_SLOTS:
 
 namespace {
 
-// Runs `result` once, whatever it is: mostly it is a whole run of the program.
-#define COMPARE_STATUS(result, expected)                                                           \
-    do {                                                                                           \
-        const auto &comparedRun = (result);                                                        \
-        QVERIFY2(comparedRun.status == (expected),                                                 \
-            qPrintable(QStringLiteral("status %1, stderr: %2")                                     \
-                           .arg(QString::number(comparedRun.status), comparedRun.err)));           \
-    } while (false)
-
 const QStringList kTwenty = QStringLiteral("SPEED_KP SPEED_KI SPEED_KD I_Q_KP I_Q_KI I_Q_KD I_D_KP "
                                            "I_D_KI I_D_KD STOPLL_C1 STOPLL_C2 STOPLL_KI STOPLL_KP "
                                            "SPEED_KP_DIV SPEED_KI_DIV I_D_KP_DIV I_D_KI_DIV "

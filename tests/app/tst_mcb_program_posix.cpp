@@ -20,7 +20,7 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr int kPatience_ms = 10'000;
+constexpr int kServoTime_ms = 10'000;
 
 /// The program with a rig of one register, 0x011 = 0x1637, which can be written.
 class Program {
@@ -35,7 +35,7 @@ public:
         process.start(support::programFile(QStringLiteral("rotorscope-sim")),
             {QStringLiteral("mcb"), QStringLiteral("--control"), QStringLiteral("--rig"),
                 rig.fileName()});
-        while (!process.canReadLine() && process.waitForReadyRead(kPatience_ms)) { }
+        while (!process.canReadLine() && process.waitForReadyRead(kServoTime_ms)) { }
         const QString path = QString::fromLocal8Bit(process.readLine()).section(u' ', -1).trimmed();
         m_line = ::open(path.toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     }
@@ -45,7 +45,7 @@ public:
     {
         ::close(m_line);
         process.kill();
-        process.waitForFinished(kPatience_ms);
+        process.waitForFinished(kServoTime_ms);
     }
 
     /// What comes back for a frame in hexadecimal digits.
@@ -56,7 +56,7 @@ public:
             return {};
         Bytes answer;
         pollfd state{m_line, POLLIN, 0};
-        while (answer.size() < asked.size() && ::poll(&state, 1, kPatience_ms) > 0) {
+        while (answer.size() < asked.size() && ::poll(&state, 1, kServoTime_ms) > 0) {
             std::array<std::uint8_t, 256> piece{};
             const ssize_t count = ::read(m_line, piece.data(), piece.size());
             if (count <= 0)
@@ -96,13 +96,13 @@ void TestMcbProgram::itObeysItsWordsAndEndsWithItsInput()
     program.process.setReadChannel(QProcess::StandardError);
     program.process.write("dance\nreset\nprance\n");
     QByteArray complaints;
-    while (complaints.count('\n') < 2 && program.process.waitForReadyRead(kPatience_ms))
+    while (complaints.count('\n') < 2 && program.process.waitForReadyRead(kServoTime_ms))
         complaints += program.process.readAllStandardError();
     QVERIFY2(complaints.contains("dance") && complaints.contains("prance"), complaints);
     QCOMPARE(program.exchange(kRead), QLatin1String(kIdle));
     QCOMPARE(program.exchange(kIdle), QLatin1String("011616370000000000009b85"));
     program.process.closeWriteChannel();
-    QVERIFY(program.process.waitForFinished(kPatience_ms));
+    QVERIFY(program.process.waitForFinished(kServoTime_ms));
     QCOMPARE(program.process.exitCode(), 0);
 }
 

@@ -9,8 +9,8 @@
 namespace {
 
 /// Ended with the test, whatever becomes of that.
-struct Simulator : QProcess {
-    ~Simulator() override
+struct Served : QProcess {
+    ~Served() override
     {
         kill();
         waitForFinished();
@@ -40,7 +40,7 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
 {
     QFETCH(QString, options);
     constexpr int kPatience_ms = 60'000;
-    Simulator simulator;
+    Served simulator;
     simulator.start(support::programFile(QStringLiteral("rotorscope-sim")),
         QStringList{QStringLiteral("mcp"), QStringLiteral("--control")}
             + options.split(QLatin1Char(' ')));

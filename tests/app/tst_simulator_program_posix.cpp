@@ -25,13 +25,13 @@
 namespace {
 
 /// The program, ended with the test if it still runs.
-struct Program {
-    explicit Program(const QStringList &arguments)
+struct SimProgram {
+    explicit SimProgram(const QStringList &arguments)
     {
         process.start(support::programFile(QStringLiteral("rotorscope-sim")), arguments);
         process.waitForStarted();
     }
-    ~Program()
+    ~SimProgram()
     {
         process.kill();
         process.waitForFinished();
@@ -131,7 +131,7 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
 void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2()
 {
     QFETCH(QStringList, arguments);
-    Program program(arguments);
+    SimProgram program(arguments);
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(program.process.exitCode(), 2);
@@ -141,7 +141,7 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2()
 
 void TestSimulatorProgram::helpNamesEveryFlag()
 {
-    Program program({QStringLiteral("mcp"), QStringLiteral("--help")});
+    SimProgram program({QStringLiteral("mcp"), QStringLiteral("--help")});
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), 0);
     const QByteArray text = program.process.readAllStandardOutput();
@@ -170,7 +170,7 @@ void TestSimulatorProgram::listsHaveOneThingALine()
 {
     QFETCH(QString, option);
     QFETCH(QByteArrayList, names);
-    Program program({option});
+    SimProgram program({option});
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), 0);
     const QByteArray text = '\n' + program.process.readAllStandardOutput();
@@ -182,7 +182,7 @@ namespace {
 
 QJsonObject described(const QString &options)
 {
-    Program program(QStringList{QStringLiteral("mcp"), QStringLiteral("--describe")}
+    SimProgram program(QStringList{QStringLiteral("mcp"), QStringLiteral("--describe")}
         + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
     if (!program.ended() || program.process.exitCode() != 0)
         return {};
@@ -245,7 +245,7 @@ void TestSimulatorProgram::aMotorFileIsNotTakenForMoreThanItSays()
     QFETCH(QByteArray, complaint);
     const QTemporaryDir folder;
     const QString file = fileWith(folder, text);
-    Program program(
+    SimProgram program(
         {QStringLiteral("mcp"), QStringLiteral("--describe"), QStringLiteral("--motor"), file});
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), complaint.isEmpty() ? 0 : 2);
@@ -257,7 +257,7 @@ void TestSimulatorProgram::aMotorFileIsNotTakenForMoreThanItSays()
 
 void TestSimulatorProgram::overTcpOneClientAtATimeIsServed()
 {
-    Program program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
+    SimProgram program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
     const QString line = program.firstLine();
     QVERIFY2(line.startsWith(QLatin1String("ready 127.0.0.1:")), qPrintable(line));
     sockaddr_in address{};
@@ -316,7 +316,7 @@ void TestSimulatorProgram::browsersAreTurnedAway_data()
 void TestSimulatorProgram::browsersAreTurnedAway()
 {
     QFETCH(QByteArray, first);
-    Program program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
+    SimProgram program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
     const QString line = program.firstLine();
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -342,7 +342,7 @@ void TestSimulatorProgram::itSaysWhereItIsLinksAndEndsOnSigterm()
 {
     const QTemporaryDir folder;
     const QString link = folder.filePath(QStringLiteral("board"));
-    Program program({QStringLiteral("mcp"), QStringLiteral("--link"), link});
+    SimProgram program({QStringLiteral("mcp"), QStringLiteral("--link"), link});
     const QString line = program.firstLine();
     QVERIFY2(line.startsWith(QLatin1String("ready /dev/")), qPrintable(line));
     QCOMPARE(QFileInfo(link).symLinkTarget(), line.mid(6));
@@ -360,17 +360,17 @@ void TestSimulatorProgram::onlyALeftOverLinkIsReplaced()
     const QString old = folder.filePath(QStringLiteral("old"));
     QVERIFY(QFile::link(folder.path(), mine));
     QVERIFY(QFile::link(QStringLiteral("/dev/pts/9999"), old));
-    Program refused({QStringLiteral("mcp"), QStringLiteral("--link"), mine});
+    SimProgram refused({QStringLiteral("mcp"), QStringLiteral("--link"), mine});
     QVERIFY(refused.ended());
     QCOMPARE(refused.process.exitCode(), 5);
     QCOMPARE(QFileInfo(mine).symLinkTarget(), folder.path());
-    Program taken({QStringLiteral("mcp"), QStringLiteral("--link"), old});
+    SimProgram taken({QStringLiteral("mcp"), QStringLiteral("--link"), old});
     QCOMPARE(QFileInfo(old).symLinkTarget(), taken.firstLine().mid(6));
 }
 
 void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
 {
-    Program program({QStringLiteral("mcp")});
+    SimProgram program({QStringLiteral("mcp")});
     const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
     for (int client = 0; client < 2; ++client) {
         const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
@@ -391,7 +391,7 @@ void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
 /// Its header and its payload are read in one piece then, whatever their sender did.
 void TestSimulatorProgram::aRequestThatCameWhileItStoodIsAnswered()
 {
-    Program program({QStringLiteral("mcp")});
+    SimProgram program({QStringLiteral("mcp")});
     const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
     const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
     QVERIFY(fd >= 0);
@@ -429,8 +429,8 @@ void TestSimulatorProgram::aRequestThatCameWhileItStoodIsAnswered()
 
 void TestSimulatorProgram::aRigIsAnsweredAndObeysItsWords()
 {
-    Program program({QStringLiteral("legacy"), QStringLiteral("--control"), QStringLiteral("--rig"),
-        support::dataFile(QStringLiteral("rigs/legacy-P.json"))});
+    SimProgram program({QStringLiteral("legacy"), QStringLiteral("--control"),
+        QStringLiteral("--rig"), support::dataFile(QStringLiteral("rigs/legacy-P.json"))});
     const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
     const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
     QVERIFY(fd >= 0);
@@ -462,7 +462,7 @@ void TestSimulatorProgram::aRigIsAnsweredAndObeysItsWords()
 
 void TestSimulatorProgram::withControlItEndsWithItsInput()
 {
-    Program program({QStringLiteral("mcp"), QStringLiteral("--control")});
+    SimProgram program({QStringLiteral("mcp"), QStringLiteral("--control")});
     QVERIFY(!program.firstLine().isEmpty());
     program.process.write("fault 0x40\nnofault\nload 0.05\nload 0 1\nmute 10\ncorrupt 3\ninject "
                           "0a0b\nreset\ndance\n");
@@ -474,7 +474,7 @@ void TestSimulatorProgram::withControlItEndsWithItsInput()
 
 void TestSimulatorProgram::withoutControlItNeverReadsItsInput()
 {
-    Program program({QStringLiteral("mcp")});
+    SimProgram program({QStringLiteral("mcp")});
     QVERIFY(!program.firstLine().isEmpty());
     program.process.write("quit\n");
     program.process.closeWriteChannel();

@@ -22,15 +22,15 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr int kLong_ms = 30'000;
+constexpr int kTwoProgramsTime_ms = 30'000;
 
 /// rotorscope-sim with its port at a path of our own.
-struct Simulator {
+struct SharedBoard {
     QTemporaryDir folder;
     QProcess process;
     QString port;
 
-    Simulator()
+    SharedBoard()
         : port(folder.filePath(QStringLiteral("port")))
     {
         process.start(support::programFile(QStringLiteral("rotorscope-sim")),
@@ -39,15 +39,15 @@ struct Simulator {
     bool ready()
     {
         while (!process.canReadLine()) {
-            if (!process.waitForReadyRead(kLong_ms))
+            if (!process.waitForReadyRead(kTwoProgramsTime_ms))
                 return false;
         }
         return process.readLine().startsWith("ready ");
     }
-    ~Simulator()
+    ~SharedBoard()
     {
         process.terminate();
-        process.waitForFinished(kLong_ms);
+        process.waitForFinished(kTwoProgramsTime_ms);
     }
 };
 
@@ -86,12 +86,12 @@ struct Cli {
 
 void TestTwoPrograms::aCaptureOverTheTerminalHasEveryRow()
 {
-    Simulator simulator;
+    SharedBoard simulator;
     QVERIFY(simulator.ready());
     const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
     Cli cli(simulator.port,
         QStringLiteral("capture --start --hf I_A --hf-rate 7 --seconds 0.5 -o %1").arg(file));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     // On a busy machine the two may miss each other's bytes; then the status says so, and rows are missing.
     const int status = cli.process.exitCode();
     QVERIFY2(status == 0 || status == 4, qPrintable(cli.err()));
@@ -104,13 +104,13 @@ void TestTwoPrograms::aCaptureOverTheTerminalHasEveryRow()
 
 void TestTwoPrograms::aBoardThatVanishesIsExitStatus3AndSaysThatTheMotorMayTurn()
 {
-    Simulator simulator;
+    SharedBoard simulator;
     QVERIFY(simulator.ready());
     const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
     Cli cli(simulator.port, QStringLiteral("capture --hf I_A --seconds 60 -o %1").arg(file));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.connected(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.connected(), kTwoProgramsTime_ms);
     simulator.process.kill();
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     QCOMPARE(cli.process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(cli.process.exitCode(), 3);
     QCOMPARE(cli.sentences().size(), 1);
@@ -119,13 +119,13 @@ void TestTwoPrograms::aBoardThatVanishesIsExitStatus3AndSaysThatTheMotorMayTurn(
 
 void TestTwoPrograms::whatWasRecordedBeforeTheBoardVanishedIsKept()
 {
-    Simulator simulator;
+    SharedBoard simulator;
     QVERIFY(simulator.ready());
     const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
     Cli cli(simulator.port, QStringLiteral("capture --hf I_A --seconds 60 -o %1").arg(file));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kTwoProgramsTime_ms);
     simulator.process.kill();
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     QCOMPARE(cli.process.exitCode(), 3);
     QVERIFY2(cli.err().contains(QLatin1String("until then is in")), qPrintable(cli.err()));
     QFile csv(file);
@@ -136,7 +136,7 @@ void TestTwoPrograms::whatWasRecordedBeforeTheBoardVanishedIsKept()
 
 void TestTwoPrograms::anOlderRecordingIsWorthMoreThanABrokenOne()
 {
-    Simulator simulator;
+    SharedBoard simulator;
     QVERIFY(simulator.ready());
     const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
     QFile older(file);
@@ -144,9 +144,9 @@ void TestTwoPrograms::anOlderRecordingIsWorthMoreThanABrokenOne()
     older.write("of yesterday\n");
     older.close();
     Cli cli(simulator.port, QStringLiteral("capture --hf I_A --seconds 60 -o %1").arg(file));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kTwoProgramsTime_ms);
     simulator.process.kill();
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     QCOMPARE(cli.process.exitCode(), 3);
     QVERIFY(older.open(QIODevice::ReadOnly));
     QCOMPARE(older.readAll(), QByteArray("of yesterday\n"));
@@ -154,27 +154,27 @@ void TestTwoPrograms::anOlderRecordingIsWorthMoreThanABrokenOne()
 
 void TestTwoPrograms::aPortInUseIsExitStatus3AndNamesTheOther()
 {
-    Simulator simulator;
+    SharedBoard simulator;
     QVERIFY(simulator.ready());
     const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
     Cli first(simulator.port,
         QStringLiteral("capture --hf I_A --hf-rate 255 --seconds 60 -o %1").arg(file));
-    QTRY_VERIFY_WITH_TIMEOUT(first.connected(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(first.connected(), kTwoProgramsTime_ms);
     Cli second(simulator.port, QStringLiteral("info"));
-    QTRY_VERIFY_WITH_TIMEOUT(second.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(second.over(), kTwoProgramsTime_ms);
     QCOMPARE(second.process.exitCode(), 3);
     QVERIFY2(
         second.err().contains(QLatin1String("rotorscope-cli (pid ")), qPrintable(second.err()));
     QVERIFY(!first.over()); // undisturbed
     first.process.terminate();
-    QTRY_VERIFY_WITH_TIMEOUT(first.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(first.over(), kTwoProgramsTime_ms);
 }
 
 void TestTwoPrograms::silenceIsExitStatus3()
 {
     support::PseudoTerminal terminal;
     Cli cli(terminal.path(), QStringLiteral("info"));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     QCOMPARE(cli.process.exitCode(), 3);
     QCOMPARE(cli.sentences().size(), 1);
     QVERIFY2(cli.err().contains(QLatin1String("No board answers")), qPrintable(cli.err()));
@@ -187,7 +187,7 @@ void TestTwoPrograms::garbageIsExitStatus3()
     noise.callOnTimeout([&terminal] { terminal.write(Bytes(200, 0x55)); });
     noise.start(5);
     Cli cli(terminal.path(), QStringLiteral("info --baud 115200"));
-    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kTwoProgramsTime_ms);
     QCOMPARE(cli.process.exitCode(), 3);
     QCOMPARE(cli.sentences().size(), 1);
     QVERIFY2(cli.err().contains(QLatin1String("makes no sense")), qPrintable(cli.err()));

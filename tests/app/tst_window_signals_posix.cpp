@@ -17,13 +17,13 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr int kLong_ms = 30'000;
+constexpr int kWindowTime_ms = 30'000;
 
 bool says(QProcess &process, const QByteArray &words)
 {
     QByteArray heard;
     while (!heard.contains(words)) {
-        if (!process.waitForReadyRead(kLong_ms))
+        if (!process.waitForReadyRead(kWindowTime_ms))
             return false;
         heard += process.readAll();
     }
@@ -60,7 +60,7 @@ void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds()
         {QStringLiteral("--port"), board.port(), QStringLiteral("--connect")});
     QVERIFY(says(window, "stream of ")); // asked for by the window once it knows the board
     QCOMPARE(::kill(static_cast<pid_t>(window.processId()), signal), 0);
-    QVERIFY(window.waitForFinished(kLong_ms));
+    QVERIFY(window.waitForFinished(kWindowTime_ms));
     QCOMPARE(window.exitStatus(), QProcess::NormalExit);
     QCOMPARE(window.exitCode(), 0);
     QCOMPARE(board.cli("get STATUS --raw").out, idle);
@@ -71,7 +71,7 @@ void TestWindowSignals::theCommandLineTakesOneFile()
     QProcess window;
     window.start(support::programFile(QStringLiteral("rotorscope")),
         {QStringLiteral("a.pcapng"), QStringLiteral("b.csv")});
-    QVERIFY(window.waitForFinished(kLong_ms));
+    QVERIFY(window.waitForFinished(kWindowTime_ms));
     QCOMPARE(window.exitCode(), 2);
     const QByteArray told = window.readAllStandardError();
     QVERIFY2(told.contains("\"b.csv\""), told.constData());

@@ -53,6 +53,9 @@ SEEDS = [
      'core/record: kSeeded is in seed_one.cpp:2, seed_two.cpp:2'),
     ('core/record/seed_two.cpp', 'namespace {\nconstexpr int kOther = 1, kSeeded = 2;\nint seededSum(\n    int b)\n{\n    return b;\n}\n'
      '} // namespace\n', 'core/record: seededSum(int) is in seed_one.cpp:3, seed_two.cpp:3'),
+    ('tests/core/record/tst_seed_one.cpp', 'namespace {\nint seededHelp(int a) { return a; }\n} // namespace\n',
+     'tests/core/record: seededHelp is in tst_seed_one.cpp:2, tst_seed_two.cpp:2'),
+    ('tests/core/record/tst_seed_two.cpp', 'namespace {\nint seededHelp(double a) { return int(a); }\n} // namespace\n', None),
     # Functions that only tests call.
     ('core/record/seed_lonely.h', 'int seededProbe();\n', 'core/record/seed_lonely.h: only tests call seededProbe'),
     ('tests/core/record/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),

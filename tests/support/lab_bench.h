@@ -10,6 +10,13 @@
 #include "record/restore.h"
 #include "support/link_pair.h"
 
+// Runs `ended` once. A macro, so that the test ends where it stands, as with QVERIFY.
+#define VERIFY_END(ended, wanted)                                                                  \
+    do {                                                                                           \
+        const lab::Outcome it = ended;                                                             \
+        QVERIFY2(it.end == (wanted), qPrintable(support::outcomeText(it)));                        \
+    } while (false)
+
 namespace support {
 
 /// A board with an encoder.

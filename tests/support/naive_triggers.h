@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scope/trigger_condition.h"
-#include "support/noisy_channel.h"
+#include "support/channels/noisy_channel.h"
 
 #include <algorithm>
 #include <functional>

@@ -24,14 +24,14 @@ public:
     support::Watched<Application> app(argc, argv);                                                 \
     app.setAttribute(Qt::AA_Use96Dpi, true);
 
-// Qt's QTEST_MAIN and its kin are made of this one. `...` are the lines that make an application object.
+// Qt's QTEST_MAIN and its kin are made of this one; several tests may be compiled at once. `...` are the lines that make an application object.
 #undef QTEST_MAIN_WRAPPER
 #define QTEST_MAIN_WRAPPER(TestObject, ...)                                                        \
-    static int runTest(int argc, char *argv[])                                                     \
+    static int run##TestObject(int argc, char *argv[])                                             \
     {                                                                                              \
         QTest::Internal::callInitMain<TestObject>();                                               \
         __VA_ARGS__                                                                                \
         TestObject test;                                                                           \
         return QTest::qExec(&test, argc, argv);                                                    \
     }                                                                                              \
-    static const support::NamedTest namedTest(__FILE__, runTest);
+    static const support::NamedTest named##TestObject(__FILE__, run##TestObject);

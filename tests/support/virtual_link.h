@@ -54,9 +54,12 @@ inline Bytes operator+(Bytes left, const Bytes &right)
     return left;
 }
 
+inline bool isPing(const Bytes &bytes) { return bytes.size() == 4 && (bytes[0] & 0xF) == 6; }
+
 const Bytes kWidest = hex("05 FF FF 0F"); ///< the first offer
 const Bytes kBoard = hex("05 C7 01 14"); ///< a board's answer: 256, 256, 2048
 const Bytes kConfigured = hex("36 00 00 90"); ///< Ping reply: configured, parity 0
+const Bytes kGetStatus = hex("10 00 49 00"); ///< of motor 1
 
 struct VirtualLink {
     TimePoint now{};

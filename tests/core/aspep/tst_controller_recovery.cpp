@@ -41,11 +41,8 @@ private Q_SLOTS:
 
 namespace {
 
-const Bytes kGetStatus = hex("10 00 49 00");
 constexpr auto kConnected = Controller::State::Connected;
 constexpr auto kRecovering = Controller::State::Recovering;
-
-bool isPing(const Bytes &bytes) { return bytes.size() == 4 && (bytes[0] & 0xF) == 6; }
 
 Bytes pong(bool parity = false) { return header(Ping{true, parity, 0, 0}); }
 

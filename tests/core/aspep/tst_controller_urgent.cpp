@@ -31,14 +31,11 @@ private Q_SLOTS:
 namespace {
 
 const Bytes kStop = hex("21 00");
-const Bytes kGetStatus = hex("10 00 49 00");
 
 bool endsWithStop(const Bytes &bytes)
 {
     return bytes.size() >= 6 && Bytes(bytes.end() - 6, bytes.end()) == hex("29 00 00 E0 21 00");
 }
-
-bool isPing(const Bytes &bytes) { return bytes.size() == 4 && (bytes[0] & 0xF) == 6; }
 
 int ends(const VirtualLink &link)
 {

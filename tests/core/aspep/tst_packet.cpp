@@ -15,7 +15,7 @@ private Q_SLOTS:
 
 namespace {
 
-HeaderBytes bytesOf(std::uint32_t wire)
+HeaderBytes headerBytes(std::uint32_t wire)
 {
     return {static_cast<std::uint8_t>(wire >> 24), static_cast<std::uint8_t>(wire >> 16),
         static_cast<std::uint8_t>(wire >> 8), static_cast<std::uint8_t>(wire)};
@@ -73,8 +73,8 @@ void TestPacket::headersMatchTheWire()
 {
     QFETCH(int, index);
     const Vector &vector = kVectors[index];
-    QCOMPARE(encodeHeader(vector.header), bytesOf(vector.wire));
-    const auto decoded = decodeHeader(bytesOf(vector.wire));
+    QCOMPARE(encodeHeader(vector.header), headerBytes(vector.wire));
+    const auto decoded = decodeHeader(headerBytes(vector.wire));
     QVERIFY(decoded.has_value());
     QVERIFY(*decoded == vector.header);
 }
@@ -83,7 +83,7 @@ void TestPacket::everySingleFlippedBitIsRefused()
 {
     for (const Vector &vector : kVectors) {
         for (int bit = 0; bit < 32; ++bit) {
-            const auto decoded = decodeHeader(bytesOf(vector.wire ^ (1U << bit)));
+            const auto decoded = decodeHeader(headerBytes(vector.wire ^ (1U << bit)));
             QVERIFY(!decoded.has_value());
         }
     }

@@ -44,7 +44,7 @@ Session readSession(const QString &path)
     return session;
 }
 
-Bytes bytesOf(const QString &hex)
+Bytes unhexed(const QString &hex)
 {
     const QByteArray bytes = QByteArray::fromHex(hex.toLatin1());
     return {bytes.begin(), bytes.end()};
@@ -130,7 +130,7 @@ public:
         type("RESPONSE");
         number("length", static_cast<double>(item.length));
         number("status", item.status);
-        if (bytesOf(m_want.value("data").toString()) != item.data)
+        if (unhexed(m_want.value("data").toString()) != item.data)
             differ("data", "other bytes", m_want.value("data"));
         if (m_want.contains("version"))
             number("version", item.version.value_or(0));
@@ -193,7 +193,7 @@ private:
         if (idOf(want.value("register")) != got.reg.id.bits)
             differ("register", QString::number(got.reg.id.bits), want);
         if (want.contains("raw")) {
-            if (std::get<Bytes>(got.value) != bytesOf(want.value("raw").toString()))
+            if (std::get<Bytes>(got.value) != unhexed(want.value("raw").toString()))
                 differ("raw", "other bytes", want);
             QList<QJsonValue> leaves;
             collectLeaves(want.value("fields"), leaves);
@@ -332,7 +332,7 @@ void TestTranscripts::theDecoderReproducesWhatWasExpected()
     });
     for (qsizetype i = 0; i < session.lines.size(); ++i) {
         const QJsonObject &line = session.lines[i];
-        const Bytes bytes = bytesOf(line.value("hex").toString());
+        const Bytes bytes = unhexed(line.value("hex").toString());
         const TraceItem item = decoder.next(directionOf(line.value("dir").toString()), bytes);
         Comparison comparison(session.expect[i].toObject(), m_catalog);
         std::visit(comparison, item);

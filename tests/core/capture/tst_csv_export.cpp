@@ -43,7 +43,8 @@ StreamSignal signal(catalog::RegisterId id, double factor = 0.5)
     return {id, "R" + std::to_string(id), "A", factor, 0.0};
 }
 
-SampleBlock block(StreamId stream, Tick tick, std::uint32_t count, std::vector<std::int16_t> codes)
+SampleBlock blockOfCodes(
+    StreamId stream, Tick tick, std::uint32_t count, std::vector<std::int16_t> codes)
 {
     return {stream, tick, count, std::move(codes), {}, 0};
 }
@@ -87,7 +88,7 @@ void TestCsvExport::theFileLooksAsDocumented()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1), signal(2, -0.1)}));
-    capture.append(block(1, 0, 3, {1, 2, -3, 10, 0, 30}));
+    capture.append(blockOfCodes(1, 0, 3, {1, 2, -3, 10, 0, 30}));
     QCOMPARE(textOf(allOf(capture)),
         std::string("time [s],R1 [A],R2 [A]\n"
                     "0,0.5,-1\n"
@@ -103,7 +104,7 @@ void TestCsvExport::theFastestThatHasSamplesMakesTheRows()
     capture.appendPolled(5, "P", "rpm", 0.2, 1600.5);
     QCOMPARE(
         textOf(allOf(capture)), std::string("time [s],R1 [A],P [rpm]\n0.1,,1500.5\n0.2,,1600.5\n"));
-    capture.append(block(1, 16000, 1, {7}));
+    capture.append(blockOfCodes(1, 16000, 1, {7}));
     QCOMPARE(textOf(allOf(capture)), std::string("time [s],R1 [A],P [rpm]\n1,3.5,1600.5\n"));
     // Where it has none, the slower one makes them, and what was fast does not stay.
     capture.appendPolled(5, "P", "rpm", 1.5, 1.0);
@@ -121,7 +122,7 @@ void TestCsvExport::whatNoRowShowsIsKnown()
     capture.begin(layout(1, {signal(1)}));
     capture.appendPolled(5, "P", "rpm", 0.9, 1.0);
     QVERIFY(everySampleHasARow(allOf(capture)));
-    capture.append(block(1, 16000, 100, std::vector<std::int16_t>(100, 7)));
+    capture.append(blockOfCodes(1, 16000, 100, std::vector<std::int16_t>(100, 7)));
     QVERIFY(everySampleHasARow(allOf(capture))); // it holds when the first row comes
     capture.appendPolled(5, "P", "rpm", 1.001, 2.0);
     QVERIFY(everySampleHasARow(allOf(capture)));
@@ -134,7 +135,7 @@ void TestCsvExport::whatNoRowShowsIsKnown()
     QVERIFY(!everySampleHasARow(allOf(capture)));
     Capture after;
     after.begin(layout(1, {signal(1)}));
-    after.append(block(1, 0, 100, std::vector<std::int16_t>(100, 7)));
+    after.append(blockOfCodes(1, 0, 100, std::vector<std::int16_t>(100, 7)));
     after.appendPolled(5, "P", "rpm", 60.0, 2.0);
     QVERIFY(!everySampleHasARow(allOf(after)));
     for (const Snapshot &part : splitByRate(allOf(after)))
@@ -157,7 +158,7 @@ void TestCsvExport::everyCodeReadsBackAsItself()
     std::vector<std::int16_t> codes(65536);
     for (int i = 0; i < 65536; ++i)
         codes[std::size_t(i)] = static_cast<std::int16_t>(i - 32768);
-    capture.append(block(1, 7, 65536, codes));
+    capture.append(blockOfCodes(1, 7, 65536, codes));
     const QList<QByteArray> lines = linesOf(textOf(allOf(capture)));
     QCOMPARE(lines.size(), 65537);
     for (int i = 0; i < 65536; ++i) {
@@ -172,7 +173,7 @@ void TestCsvExport::signalsOfAScaleKeepTheirOwnValues()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 0.5), signal(2, -0.1), signal(3, 0.5)}));
-    capture.append(block(1, 0, 2, {1, 2, 1, 2, -1, 2}));
+    capture.append(blockOfCodes(1, 0, 2, {1, 2, 1, 2, -1, 2}));
     QCOMPARE(textOf(allOf(capture)),
         std::string("time [s],R1 [A],R2 [A],R3 [A]\n0,0.5,-0.1,-0.5\n0.0000625,1,-0.2,1\n"));
 }
@@ -190,7 +191,7 @@ void TestCsvExport::timesAreExactToTheTick()
     odd.originSeconds = 3600.0;
     capture.begin(odd);
     std::vector<std::int16_t> codes(90'000, 1);
-    capture.append(block(1, 0, 90'000, codes));
+    capture.append(blockOfCodes(1, 0, 90'000, codes));
     const QList<QByteArray> lines = linesOf(textOf(allOf(capture)));
     QCOMPARE(lines[2].split(',')[0], QByteArray("3600.000033333"));
     for (int i = 0; i < 90'000; i += 7) {
@@ -203,8 +204,8 @@ void TestCsvExport::lostRowsAreAbsent()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1)}));
-    capture.append(block(1, 0, 2, {2, 4}));
-    SampleBlock later = block(1, 16000, 2, {6, 8});
+    capture.append(blockOfCodes(1, 0, 2, {2, 4}));
+    SampleBlock later = blockOfCodes(1, 16000, 2, {6, 8});
     later.lostTicks = 15998;
     capture.append(later);
     QCOMPARE(textOf(allOf(capture)),
@@ -215,10 +216,10 @@ void TestCsvExport::slowValuesAreHeldAndBlankWhereUnknown()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 1)}, {signal(9, 0.1)}));
-    SampleBlock first = block(1, 0, 3, {1, 2, 3});
+    SampleBlock first = blockOfCodes(1, 0, 3, {1, 2, 3});
     first.slow.push_back({1, {100001}});
     capture.append(first);
-    SampleBlock later = block(1, 1600, 3, {4, 5, 6});
+    SampleBlock later = blockOfCodes(1, 1600, 3, {4, 5, 6});
     later.lostTicks = 1597;
     later.slow.push_back({1602, {-7}});
     capture.append(later);
@@ -236,11 +237,11 @@ void TestCsvExport::channelsOfDifferentTimesShareTheFileWithBlanks()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 1)}));
-    capture.append(block(1, 0, 2, {1, 2}));
+    capture.append(blockOfCodes(1, 0, 2, {1, 2}));
     capture.begin(layout(2, {signal(2, 1), signal(1, 1)}));
-    capture.append(block(2, 16, 2, {10, 20, 3, 4}));
+    capture.append(blockOfCodes(2, 16, 2, {10, 20, 3, 4}));
     capture.begin(layout(3, {signal(2, 1)}));
-    capture.append(block(3, 32, 1, {30}));
+    capture.append(blockOfCodes(3, 32, 1, {30}));
     QCOMPARE(textOf(allOf(capture)),
         std::string("time [s],R1 [A],R2 [A]\n0,1,\n0.0000625,2,\n0.001,3,10\n0.0010625,4,20\n"
                     "0.002,,30\n"));
@@ -250,7 +251,7 @@ void TestCsvExport::aRangeHoldsExactlyItsRows()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1)}));
-    capture.append(block(1, 0, 40000, std::vector<std::int16_t>(40000, 1)));
+    capture.append(blockOfCodes(1, 0, 40000, std::vector<std::int16_t>(40000, 1)));
     CsvOptions options;
     options.range = TimeSpan{1.0, 2.0};
     const QList<QByteArray> lines = linesOf(textOf(allOf(capture), options));
@@ -263,7 +264,7 @@ void TestCsvExport::aHeldValueFromBeforeTheRangeIsShown()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 1)}));
-    capture.append(block(1, 0, 16000, std::vector<std::int16_t>(16000, 1)));
+    capture.append(blockOfCodes(1, 0, 16000, std::vector<std::int16_t>(16000, 1)));
     capture.appendPolled(5, "P", "rpm", 0.1, 1500.5);
     CsvOptions options;
     options.range = TimeSpan{0.5, 0.50005};
@@ -275,7 +276,7 @@ void TestCsvExport::perRateGivesEverySampleOnce()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 1), signal(2, 1)}, {signal(9, 1)}));
-    SampleBlock first = block(1, 0, 2, {1, 2, 3, 4});
+    SampleBlock first = blockOfCodes(1, 0, 2, {1, 2, 3, 4});
     first.slow.push_back({0, {9}});
     capture.append(first);
     capture.appendPolled(5, "P", "rpm", 0.25, 1500.5);
@@ -292,7 +293,7 @@ void TestCsvExport::columnsComeInTheOrderAsked()
 {
     Capture capture;
     capture.begin(layout(1, {signal(1, 1), signal(2, 1)}, {signal(9, 1)}));
-    SampleBlock first = block(1, 0, 1, {1, 2});
+    SampleBlock first = blockOfCodes(1, 0, 1, {1, 2});
     first.slow.push_back({0, {9}});
     capture.append(first);
     const std::vector<ChannelId> order{*capture.find(9), *capture.find(2), *capture.find(1)};
@@ -328,7 +329,7 @@ void TestCsvExport::progressEndsAtOne()
     Capture capture;
     capture.begin(layout(1, {signal(1), signal(2)}));
     for (Tick tick = 0; tick < 300'000; tick += 1000)
-        capture.append(block(1, tick, 1000, std::vector<std::int16_t>(2000, 12345)));
+        capture.append(blockOfCodes(1, tick, 1000, std::vector<std::int16_t>(2000, 12345)));
     CsvWriter writer(allOf(capture));
     std::string_view piece;
     double last = -1;

@@ -2,6 +2,7 @@
 // what is no such file is one error that names its place.
 #include "capture/csv_export.h"
 #include "capture/csv_import.h"
+#include "support/channels/every_channel.h"
 
 #include <QtTest>
 
@@ -38,14 +39,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-Snapshot all(const Capture &capture)
-{
-    std::vector<ChannelId> ids;
-    for (const ChannelInfo &info : capture.channels())
-        ids.push_back(info.id);
-    return capture.snapshot(ids);
-}
 
 std::string csv(const Snapshot &channels, CsvOptions options = {})
 {
@@ -109,15 +102,15 @@ void TestCsvImport::ourOwnFilesReadBackIdentical()
     options.dialect = static_cast<CsvDialect>(dialect);
     again.dialect = static_cast<CsvDialect>(back);
     const Capture capture = recording();
-    const std::string text = csv(all(capture), options);
+    const std::string text = csv(support::everyChannel(capture), options);
     QCOMPARE(std::count(text.begin(), text.end(), '\n'), 2901);
     Capture read;
     CsvImport import(read);
     QVERIFY(import.feed(text) && import.finish());
     QCOMPARE(import.rows(), 2900U);
-    QCOMPARE(csv(all(read), again), csv(all(capture), again));
+    QCOMPARE(csv(support::everyChannel(read), again), csv(support::everyChannel(capture), again));
     for (const std::size_t fast : {0U, 1U}) {
-        const auto lost = all(capture)->at(fast).gaps(0, 10, 0.0);
+        const auto lost = support::everyChannel(capture)->at(fast).gaps(0, 10, 0.0);
         const auto found = read.channel(import.channels()[fast])->gaps(0, 10, 0.0);
         QCOMPARE(lost.size(), std::size_t(6));
         QCOMPARE(found.size(), lost.size());
@@ -148,7 +141,7 @@ void TestCsvImport::whatSeparatesIsNotGuessedFromNames()
         options.dialect = dialect;
         Capture read;
         CsvImport import(read);
-        QVERIFY(import.feed(csv(all(capture), options)) && import.finish());
+        QVERIFY(import.feed(csv(support::everyChannel(capture), options)) && import.finish());
         QCOMPARE(import.channels().size(), std::size_t(1));
         QCOMPARE(read.info(import.channels()[0])->name, name.toStdString());
         QCOMPARE(read.lastValue(import.channels()[0]), std::optional(-2.5));
@@ -163,14 +156,14 @@ void TestCsvImport::continentalIsAsSpreadsheetsWantIt()
     capture.append({1, 0, 2, {3, 4, -5, 0}, {}, 0});
     CsvOptions options;
     options.dialect = CsvDialect::Continental;
-    QCOMPARE(csv(all(capture), options),
+    QCOMPARE(csv(support::everyChannel(capture), options),
         std::string("\xEF\xBB\xBF"
                     "time [s];\"A;1 [A]\";\"B,1 [A]\"\r\n0,25;1,5;-2,5\r\n0,2500625;2;0\r\n"));
 }
 
 void TestCsvImport::itReadsTheSameHoweverItIsCut()
 {
-    const std::string text = csv(all(recording())).substr(0, 5000);
+    const std::string text = csv(support::everyChannel(recording())).substr(0, 5000);
     const std::string whole = text.substr(0, text.rfind('\n'));
     std::string first;
     for (const std::size_t piece : {1U, 2U, 7U, 100U, 5000U}) {
@@ -179,7 +172,7 @@ void TestCsvImport::itReadsTheSameHoweverItIsCut()
         for (std::size_t at = 0; at < whole.size(); at += piece)
             QVERIFY(import.feed(std::string_view(whole).substr(at, piece)));
         QVERIFY(import.finish());
-        const std::string again = csv(all(read));
+        const std::string again = csv(support::everyChannel(read));
         if (first.empty())
             first = again;
         QCOMPARE(again, first);
@@ -223,9 +216,9 @@ void TestCsvImport::gapsOfEveryLengthComeBack()
     }
     Capture read;
     CsvImport import(read);
-    QVERIFY(import.feed(csv(all(capture))) && import.finish());
-    const auto lost = all(capture)->front().gaps(0, 100, 0.0);
-    const auto found = all(read)->front().gaps(0, 100, 0.0);
+    QVERIFY(import.feed(csv(support::everyChannel(capture))) && import.finish());
+    const auto lost = support::everyChannel(capture)->front().gaps(0, 100, 0.0);
+    const auto found = support::everyChannel(read)->front().gaps(0, 100, 0.0);
     QCOMPARE(lost.size(), std::size_t(39));
     QCOMPARE(found.size(), lost.size());
     for (std::size_t i = 0; i < lost.size(); ++i) {
@@ -259,9 +252,10 @@ void TestCsvImport::rowsThatComeUnevenlyAreNoGaps()
     Capture read;
     CsvImport import(read);
     QVERIFY(import.feed(text) && import.finish());
-    QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
+    QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
     QVERIFY(import.feed(std::to_string(time + 20.0) + ",1\n") && import.finish());
-    QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(1)); // this is one
+    QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(),
+        std::size_t(1)); // this is one
 }
 
 void TestCsvImport::anotherRateIsNoGap()
@@ -276,8 +270,8 @@ void TestCsvImport::anotherRateIsNoGap()
         Capture read;
         CsvImport import(read);
         QVERIFY(import.feed(text) && import.finish());
-        QCOMPARE(all(read)->front().size(), 300U);
-        QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
+        QCOMPARE(support::everyChannel(read)->front().size(), 300U);
+        QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
     }
 }
 
@@ -430,7 +424,7 @@ void TestCsvImport::aColumnWithoutANameIsCalledByItsPlace()
     QCOMPARE(capture.channels().back().name, std::string("#3"));
     Capture again; // what is written of it is read again
     CsvImport second(again);
-    QVERIFY(second.feed(csv(all(capture))) && second.finish());
+    QVERIFY(second.feed(csv(support::everyChannel(capture))) && second.finish());
     QCOMPARE(again.channels().size(), std::size_t(2));
 }
 

@@ -44,12 +44,12 @@ private:
     int &m_alive;
 };
 
-StreamLayout layout(int signalCount)
+StreamLayout layoutOf(int signalCount)
 {
-    StreamLayout layout{1, 16000.0, 0.0, 1, {}, {}};
+    StreamLayout layoutOf{1, 16000.0, 0.0, 1, {}, {}};
     for (int i = 0; i < signalCount; ++i)
-        layout.fast.push_back({catalog::RegisterId(i + 1), "S", "A", 1.0, 0.0});
-    return layout;
+        layoutOf.fast.push_back({catalog::RegisterId(i + 1), "S", "A", 1.0, 0.0});
+    return layoutOf;
 }
 
 void record(Capture &capture, int signalCount, Tick from, Tick to)
@@ -106,7 +106,7 @@ void TestSampleMemory::channelsOfACaptureShareArenas()
     int alive = 0;
     {
         Capture capture({.memory = std::make_shared<CountingMemory>(alive)});
-        capture.begin(layout(8));
+        capture.begin(layoutOf(8));
         record(capture, 8, 0, 4096);
         QCOMPARE(alive, 2); // a slice of codes each, and one of extremes
     }
@@ -119,7 +119,7 @@ void TestSampleMemory::aSnapshotOutlivesTheCapture()
     Snapshot snapshot;
     {
         Capture capture({.memory = std::make_shared<CountingMemory>(alive)});
-        capture.begin(layout(2));
+        capture.begin(layoutOf(2));
         record(capture, 2, 0, Tick{4096} * 40);
         const std::vector<ChannelId> ids = capture.streaming();
         snapshot = capture.snapshot(ids);
@@ -136,7 +136,7 @@ void TestSampleMemory::releasedChunksGiveTheirMemoryBack()
 {
     int alive = 0;
     Capture capture({.maxBytes = 8'000'000, .memory = std::make_shared<CountingMemory>(alive)});
-    capture.begin(layout(4));
+    capture.begin(layoutOf(4));
     record(capture, 4, 0, Tick{4096} * 1000);
     QVERIFY(capture.bytes() <= 8'600'000);
     QVERIFY2(alive <= 6, qPrintable(QString::number(alive)));

@@ -1,6 +1,7 @@
 // The WAV file, byte by byte against RIFF: every code is in it, gaps are marked and never filled.
 #include "base/bytes.h"
 #include "capture/wav_export.h"
+#include "support/channels/every_channel.h"
 
 #include <QtTest>
 
@@ -75,14 +76,6 @@ std::string write(WavWriter &writer)
     return file;
 }
 
-Snapshot all(const Capture &capture)
-{
-    std::vector<ChannelId> ids;
-    for (const ChannelInfo &info : capture.channels())
-        ids.push_back(info.id);
-    return capture.snapshot(ids);
-}
-
 std::int16_t code(int signal, Tick tick)
 {
     return static_cast<std::int16_t>(tick * 13 + std::int64_t(signal) * 7001);
@@ -98,7 +91,7 @@ void append(Capture &capture, StreamId stream, Tick tick, int count, Tick lost =
     capture.append(block);
 }
 
-StreamLayout layout(StreamId id = 1)
+StreamLayout wavLayout(StreamId id = 1)
 {
     return {id, 16000.0, 0.5, 1, {{1, "A", "A", 0.1, 0.0}, {2, "B", "V", 0.25, 32768.0}}, {}};
 }
@@ -108,12 +101,12 @@ StreamLayout layout(StreamId id = 1)
 void TestWavExport::everyCodeIsInItsPlace()
 {
     Capture capture;
-    capture.begin(layout());
+    capture.begin(wavLayout());
     constexpr int kCount = 150'001; // more than a chunk of the store and a piece of the file
     for (Tick tick = 0; tick < kCount; tick += 1000)
         append(capture, 1, tick, int(std::min<Tick>(1000, kCount - tick)));
     capture.appendPolled(9, "U", "V", 0.6, 1.0); // not fast: left out
-    WavWriter writer(all(capture));
+    WavWriter writer(support::everyChannel(capture));
     QCOMPARE(writer.problem(), ExportProblem::None);
     const Wav wav = parse(write(writer));
     QCOMPARE(wav.rate, 16000U);
@@ -135,11 +128,11 @@ void TestWavExport::everyCodeIsInItsPlace()
 void TestWavExport::gapsAreCuePointsAndNothingIsFilledIn()
 {
     Capture capture;
-    capture.begin(layout());
+    capture.begin(wavLayout());
     append(capture, 1, 0, 100);
     append(capture, 1, 1700, 100, 1600);
     append(capture, 1, 1800, 50);
-    WavWriter writer(all(capture));
+    WavWriter writer(support::everyChannel(capture));
     QCOMPARE(writer.gaps(), std::size_t(1));
     const Wav wav = parse(write(writer));
     QCOMPARE(wav.channels.at(0).size(), std::size_t(250));
@@ -154,10 +147,10 @@ void TestWavExport::gapsAreCuePointsAndNothingIsFilledIn()
 void TestWavExport::theLongestFileHasRoomForAllItsGaps()
 {
     Capture capture;
-    capture.begin(layout());
+    capture.begin(wavLayout());
     for (Tick tick = 0; tick < 12'000 * Tick{1'234'567}; tick += 1'234'567)
         append(capture, 1, tick, 2, 1'234'565);
-    WavWriter writer(all(capture));
+    WavWriter writer(support::everyChannel(capture));
     QCOMPARE(writer.gaps(), std::size_t(10'000)); // more are not marked
     const std::string file = write(writer);
     const Wav wav = parse(file);
@@ -170,13 +163,13 @@ void TestWavExport::theLongestFileHasRoomForAllItsGaps()
 void TestWavExport::onlyInstantsThatAllSignalsHaveAreWritten()
 {
     Capture capture;
-    StreamLayout one = layout(1);
+    StreamLayout one = wavLayout(1);
     one.fast.pop_back();
     capture.begin(one);
     capture.append({1, 0, 3, {1, 2, 3}, {}, 0});
-    capture.begin(layout(2));
+    capture.begin(wavLayout(2));
     append(capture, 2, 3, 10);
-    WavWriter writer(all(capture));
+    WavWriter writer(support::everyChannel(capture));
     const Wav wav = parse(write(writer));
     QCOMPARE(wav.channels.size(), std::size_t(2));
     QCOMPARE(wav.channels[0].size(), std::size_t(10));
@@ -186,15 +179,16 @@ void TestWavExport::onlyInstantsThatAllSignalsHaveAreWritten()
 void TestWavExport::aRangeIsExact()
 {
     Capture capture;
-    capture.begin(layout());
+    capture.begin(wavLayout());
     append(capture, 1, 0, 1000);
-    WavWriter writer(all(capture), TimeSpan{0.5 + 160 / 16000.0, 0.5 + 320 / 16000.0});
+    WavWriter writer(
+        support::everyChannel(capture), TimeSpan{0.5 + 160 / 16000.0, 0.5 + 320 / 16000.0});
     const Wav wav = parse(write(writer));
     QCOMPARE(wav.channels.at(1).size(), std::size_t(160));
     QCOMPARE(wav.channels[1].front(), code(1, 160));
     QCOMPARE(wav.channels[1].back(), code(1, 319));
     // From sample to sample, wherever the time in seconds lies as a floating-point number.
-    const Snapshot channels = all(capture);
+    const Snapshot channels = support::everyChannel(capture);
     for (Index first = 0; first + 10 < 1000; ++first) {
         const Channel &channel = channels->front();
         const TimeSpan ten{toSeconds(channel.timeOf(first)), toSeconds(channel.timeOf(first + 10))};
@@ -208,13 +202,13 @@ void TestWavExport::aRangeIsExact()
 void TestWavExport::onlyRatesInTheRangeCount()
 {
     Capture capture;
-    capture.begin(layout());
+    capture.begin(wavLayout());
     append(capture, 1, 0, 160); // up to 0.51 s
-    StreamLayout slower = layout(2);
+    StreamLayout slower = wavLayout(2);
     slower.fastStep = 2;
     capture.begin(slower);
     append(capture, 2, 160, 80); // up to 0.52 s
-    const Snapshot channels = all(capture);
+    const Snapshot channels = support::everyChannel(capture);
     QCOMPARE(channels->size(), 2U);
     const WavWriter fast(channels, TimeSpan{0.0, 0.51});
     QCOMPARE(fast.problem(), ExportProblem::None);
@@ -233,17 +227,17 @@ void TestWavExport::whatCannotBeAWavFileIsNamed()
 {
     Capture none;
     none.appendPolled(9, "U", "V", 0.6, 1.0);
-    QCOMPARE(WavWriter(all(none)).problem(), ExportProblem::NoFastSamples);
+    QCOMPARE(WavWriter(support::everyChannel(none)).problem(), ExportProblem::NoFastSamples);
     Capture rates;
-    rates.begin(layout());
+    rates.begin(wavLayout());
     append(rates, 1, 0, 10);
-    StreamLayout slower = layout(2);
+    StreamLayout slower = wavLayout(2);
     slower.fast = {{5, "C", "A", 1.0, 0.0}};
     slower.fastStep = 2;
     rates.begin(slower);
     rates.append({2, 20, 2, {1, 2}, {}, 0});
-    QCOMPARE(WavWriter(all(rates)).problem(), ExportProblem::DifferentRates);
-    WavWriter writer(all(rates));
+    QCOMPARE(WavWriter(support::everyChannel(rates)).problem(), ExportProblem::DifferentRates);
+    WavWriter writer(support::everyChannel(rates));
     std::string_view piece;
     QVERIFY(!writer.next(piece));
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-std::vector<RegisterInfo> table(std::string_view family)
+std::vector<RegisterInfo> currentTable(std::string_view family)
 {
     return readTable(builtInTable("mcp"), family, 0x060402).value();
 }
@@ -26,7 +26,7 @@ std::vector<RegisterInfo> table(std::string_view family)
 std::shared_ptr<const Catalog> standard()
 {
     return std::make_shared<const Catalog>(
-        table("std"), 1, std::vector<Scales>{{.ampsPerDigit = 0.001}});
+        currentTable("std"), 1, std::vector<Scales>{{.ampsPerDigit = 0.001}});
 }
 
 bool takes(const char *name, const Value &value)
@@ -87,7 +87,7 @@ void TestWriteLimits::onlyValuesThatMeanSomethingAreTaken()
 void TestWriteLimits::whatIsNotFiniteIsNeverTaken()
 {
     for (const char *family : {"std", "hso"})
-        for (const RegisterInfo &info : table(family))
+        for (const RegisterInfo &info : currentTable(family))
             for (const double bad : {kNan, kInf, -kInf})
                 QVERIFY2(!refuseValue(info, bad).empty(), info.name.c_str());
 }
@@ -95,7 +95,7 @@ void TestWriteLimits::whatIsNotFiniteIsNeverTaken()
 void TestWriteLimits::noRegisterTakesMoreThanItsTypeHolds()
 {
     for (const char *family : {"std", "hso"})
-        for (const RegisterInfo &info : table(family)) {
+        for (const RegisterInfo &info : currentTable(family)) {
             const Limits limits = writeLimits(info);
             QVERIFY2(limits.least <= limits.greatest, info.name.c_str());
             const double beyond = info.type == ValueType::F32 ? 4e38 : limits.greatest + 1.0;
@@ -106,7 +106,7 @@ void TestWriteLimits::noRegisterTakesMoreThanItsTypeHolds()
 void TestWriteLimits::everyWritableEnumerationHasNames()
 {
     for (const char *family : {"std", "hso"})
-        for (const RegisterInfo &info : table(family)) {
+        for (const RegisterInfo &info : currentTable(family)) {
             const bool writable = info.writable() && !info.stub;
             if (info.meaning == Meaning::Enumeration && writable)
                 QVERIFY2(!namedValues(info.name).empty(), info.name.c_str());

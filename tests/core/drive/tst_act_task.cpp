@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr TimePoint t{10s};
+constexpr TimePoint kGiven{10s};
 
 /// Its plan is empty: the board has what was wanted.
 class Nothing final : public ActTask<support::toy::Protocol> {
@@ -32,7 +32,7 @@ void TestActTask::whatHasNothingToAskIsDone()
 {
     const BoardFacts board;
     Nothing act(1, Command{MotorAction::StopMotor}, board);
-    QVERIFY(!act.nextRequest(t));
+    QVERIFY(!act.nextRequest(kGiven));
     QVERIFY(act.finished());
     QVERIFY(act.ended().outcome == Outcome::Ok);
     act.cut("stopped"); // too late: it ends once

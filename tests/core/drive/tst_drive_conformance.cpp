@@ -71,9 +71,9 @@ Value other(const Value &value)
 }
 
 /// A drive and a board, joined by a line that may be cut.
-class Bench {
+class ConformanceBench {
 public:
-    explicit Bench(const Spoken &spoken)
+    explicit ConformanceBench(const Spoken &spoken)
         : drive(spoken.row.make({spoken.row.choice.protocol, spoken.row.baud}, Search::No))
         , m_board(spoken.board(spoken.row))
         , m_baud(spoken.row.baud)
@@ -225,7 +225,7 @@ private Q_SLOTS:
     void itIsMetAndDescribed_data() { rows(); }
     void itIsMetAndDescribed()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet());
         QVERIFY(bench.link == LinkState::Connected);
         QVERIFY(bench.status->state == MotorState::Idle);
@@ -236,7 +236,7 @@ private Q_SLOTS:
     void itSaysOfAllWhetherItCan_data() { rows(); }
     void itSaysOfAllWhetherItCan()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet());
         std::set<Feature> told;
         for (const Capability &one : bench.identified->capabilities) {
@@ -249,7 +249,7 @@ private Q_SLOTS:
     void nothingActsUnarmed_data() { rows(); }
     void nothingActsUnarmed()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet());
         const RegisterId id = bench.gain();
         QVERIFY(bench.ask(Write{{{id, std::int64_t{1}}}}).outcome == Outcome::NotSent);
@@ -260,7 +260,7 @@ private Q_SLOTS:
     void aWriteHasItsLedger_data() { rows(); }
     void aWriteHasItsLedger()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         const RegisterId id = bench.gain();
         QVERIFY(bench.ask(Read{{id}}).outcome == Outcome::Ok);
@@ -278,7 +278,7 @@ private Q_SLOTS:
     void whatWasReadAMomentAgoIsNotAskedBeforeAWrite_data() { rows(); }
     void whatWasReadAMomentAgoIsNotAskedBeforeAWrite()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         const RegisterId id = bench.gain();
         QVERIFY(bench.watchOnce(id));
@@ -300,7 +300,7 @@ private Q_SLOTS:
     void whatWasReadLongerAgoIsAskedBeforeAWrite()
     {
         for (const bool doubted : {false, true}) {
-            Bench bench(spoken());
+            ConformanceBench bench(spoken());
             QVERIFY(bench.meet() && bench.arm());
             const RegisterId id = bench.gain();
             QVERIFY(bench.watchOnce(id));
@@ -325,7 +325,7 @@ private Q_SLOTS:
     void whatIsWatchedIsReadBesideMuchElse_data() { rows(); }
     void whatIsWatchedIsReadBesideMuchElse()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         const RegisterId id = bench.gain();
         constexpr int kReads = 12, kEach = 16;
@@ -342,7 +342,7 @@ private Q_SLOTS:
     void whatIsNotThereIsRefused_data() { rows(); }
     void whatIsNotThereIsRefused()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         constexpr RegisterId kNone = 0x7FF9;
         const Ended end = bench.ask(Write{{{kNone, std::int64_t{1}}}});
@@ -353,7 +353,7 @@ private Q_SLOTS:
     void noSpeedBeyondTheLimitLeaves_data() { rows(); }
     void noSpeedBeyondTheLimitLeaves()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         QVERIFY(bench.ask(UserLimits{800.0, 0.0}).outcome == Outcome::Ok);
         const Ended end = bench.ask(SpeedRamp{1, 801, 100ms});
@@ -364,7 +364,7 @@ private Q_SLOTS:
     void aMotorRunsAndIsStopped_data() { rows(); }
     void aMotorRunsAndIsStopped()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         QVERIFY(bench.start());
         bench.drive->stop(bench.now);
@@ -380,7 +380,7 @@ private Q_SLOTS:
     void aStopThatNobodyHearsIsAlarmed_data() { rows(); }
     void aStopThatNobodyHearsIsAlarmed()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         QVERIFY(bench.start());
         bench.cut = true;
@@ -392,7 +392,7 @@ private Q_SLOTS:
     void aLostLinkEndsWishesAndComesBack_data() { rows(); }
     void aLostLinkEndsWishesAndComesBack()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         const RegisterId id = bench.gain();
         bench.cut = true;
@@ -409,7 +409,7 @@ private Q_SLOTS:
     void disconnectingClosesIt_data() { rows(); }
     void disconnectingClosesIt()
     {
-        Bench bench(spoken());
+        ConformanceBench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
         bench.drive->disconnect(bench.now);
         QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Closed; }, 2s));

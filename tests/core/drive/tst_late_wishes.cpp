@@ -25,7 +25,7 @@ WishId submitOld(Session &session, decltype(Wish::what) what, Duration age)
 
 const Command kStart{MotorAction::Start, 1};
 
-simulation::BoardOptions boardOf(const QString &profile)
+simulation::BoardOptions boardWithProfile(const QString &profile)
 {
     simulation::BoardOptions options;
     options.profile = profile.toStdString();
@@ -74,7 +74,7 @@ private Q_SLOTS:
 void TestLateWishes::whatWasAskedForLongAgoIsNeverSent()
 {
     QFETCH(const QString, profile);
-    Session session(true, boardOf(profile));
+    Session session(true, boardWithProfile(profile));
     QVERIFY(session.ready && becomeExpert(session));
     const WishId late = submitOld(session, kStart, kWishExpiresAfter + 1ms);
     const WishId ramp = submitOld(session, SpeedRamp{1, 1000, 1s}, 8s);
@@ -109,7 +109,7 @@ void TestLateWishes::aMotorsEndAndReadingAreNeverTooLate()
 void TestLateWishes::whatWaitsBehindASilentLineExpires()
 {
     QFETCH(const QString, profile);
-    Session session(true, boardOf(profile));
+    Session session(true, boardWithProfile(profile));
     QVERIFY(session.ready && becomeExpert(session));
     session.runFor(200ms);
     session.toBoard.cut = true;
@@ -149,7 +149,7 @@ void TestLateWishes::onlyWhatActsAndHasNotLeftExpires()
 void TestLateWishes::afterAGapTheStatesAreReadFirst()
 {
     QFETCH(const QString, profile);
-    Session session(true, boardOf(profile));
+    Session session(true, boardWithProfile(profile));
     QVERIFY(session.ready && becomeExpert(session) && session.startMotor());
     session.runFor(300ms);
     // A wish is in flight and two wait while everything stands still.
@@ -194,7 +194,7 @@ void TestLateWishes::anAnswerFromBeforeAGapConfirmsNoStop()
 {
     int confirmedLater = 0;
     for (Duration offset{}; offset < 30ms; offset += 500us) {
-        Session session(true, boardOf(QStringLiteral("mcsdk-6.4")));
+        Session session(true, boardWithProfile(QStringLiteral("mcsdk-6.4")));
         QVERIFY(session.ready && session.startMotor());
         session.drive->stop(session.now);
         session.exchange();

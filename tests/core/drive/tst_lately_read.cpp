@@ -12,7 +12,7 @@ namespace {
 constexpr RegisterId kGain = toy::idOf(toy::Gain);
 
 /// The toy and its board, on a line without delay.
-struct Bench {
+struct ToyBench {
     toy::ToyDrive drive;
     toy::Board board;
     TimePoint now{1s};
@@ -69,7 +69,7 @@ void TestLatelyRead::anAnswerFromBeforeAGapIsNoValueOfNow_data()
 void TestLatelyRead::anAnswerFromBeforeAGapIsNoValueOfNow()
 {
     QFETCH(bool, gap);
-    Bench bench;
+    ToyBench bench;
     bench.drive.connect(bench.now);
     QVERIFY(bench.arms());
     bench.holds = true;

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-void profiles()
+void fcpProfileRows()
 {
     QTest::addColumn<QByteArray>("profile");
     for (const std::string_view name : simulation::fcpProfiles())
@@ -29,29 +29,29 @@ void profiles()
 class TestFcpDrive : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void identificationOnlyReads_data() { profiles(); }
+    void identificationOnlyReads_data() { fcpProfileRows(); }
     void identificationOnlyReads();
     void theDialectIsFoundOut_data();
     void theDialectIsFoundOut();
     void theWrongDialectIsReadOnly_data();
     void theWrongDialectIsReadOnly();
-    void namesAreThoseOfTheForms_data() { profiles(); }
+    void namesAreThoseOfTheForms_data() { fcpProfileRows(); }
     void namesAreThoseOfTheForms();
-    void aWriteIsReadBack_data() { profiles(); }
+    void aWriteIsReadBack_data() { fcpProfileRows(); }
     void aWriteIsReadBack();
     void aWriteNeedsArming();
     void aRefusedWriteIsRefused();
     void stagesOfTheRevUpAreOneRegister();
     void withoutARevUpItsStagesAreNeverSent();
-    void withoutKnownLimitsNothingMoves_data() { profiles(); }
+    void withoutKnownLimitsNothingMoves_data() { fcpProfileRows(); }
     void withoutKnownLimitsNothingMoves();
-    void theMotorStartsRampsAndStops_data() { profiles(); }
+    void theMotorStartsRampsAndStops_data() { fcpProfileRows(); }
     void theMotorStartsRampsAndStops();
     void beyondAPersonsLimitNothingIsSent();
     void ofTwoMotorsOnlyTheNamedOneMoves();
     void afterAStopNothingButStopsAndReads();
     void aStopWithoutALinkIsSentBlind();
-    void aMotorThatBecomesKnownWhileStoppingIsStopped_data() { profiles(); }
+    void aMotorThatBecomesKnownWhileStoppingIsStopped_data() { fcpProfileRows(); }
     void aMotorThatBecomesKnownWhileStoppingIsStopped();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
     void anOutagePutsNoLookAtTheMotorsOff();

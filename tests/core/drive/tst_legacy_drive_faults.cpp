@@ -16,8 +16,8 @@ namespace {
 /// Registers of the board, each with a value that no other has: taken for another's it would be noticed.
 constexpr std::int64_t kMarkBase = 4000;
 
-struct Session : support::LinkPair {
-    Session(const simulation::BoardOptions &options, std::uint64_t seed)
+struct FaultySession : support::LinkPair {
+    FaultySession(const simulation::BoardOptions &options, std::uint64_t seed)
         : LinkPair(options, seed)
         , random(seed)
         , stalls(seed + 1)
@@ -86,7 +86,7 @@ struct Session : support::LinkPair {
     int values = 0;
 };
 
-void Session::work()
+void FaultySession::work()
 {
     const char *const names[] = {"SPEED_KP", "SPEED_KI", "I_Q_KP", "I_Q_KI", "I_D_KP", "I_D_KI"};
     std::int64_t next = kMarkBase;
@@ -159,7 +159,7 @@ simulation::BoardOptions boardOf(const QByteArray &profile, std::uint64_t seed)
 
 std::string runSession(const QByteArray &profile, std::uint64_t seed)
 {
-    Session session(boardOf(profile, seed), seed);
+    FaultySession session(boardOf(profile, seed), seed);
     session.connect();
     if (session.runUntilIdentified(20s) && session.identified->identity.knownFirmware)
         session.work();
@@ -201,7 +201,7 @@ void TestFcpDriveFaults::everyWishEndsOnceAndNoValueGoesAstray()
 void TestFcpDriveFaults::onAGoodLineTheSameSessionsReadTheirValues()
 {
     // Otherwise the campaign above could pass by reading nothing at all.
-    Session session(boardOf("legacy", 7), 7);
+    FaultySession session(boardOf("legacy", 7), 7);
     session.toBoard = session.toDrive = {};
     session.connect();
     QVERIFY(session.runUntilIdentified());

@@ -3,6 +3,7 @@
 // set-point that travels with the frames does not outlive a stop, a reset or the link.
 // All 10,000 with ROTORSCOPE_LONG=1; support/seeds.h says which others.
 #include "support/mcb/pair.h"
+#include "support/random.h"
 #include "support/seeds.h"
 #include "support/wire/wire_tape.h"
 
@@ -11,6 +12,7 @@
 #include <bit>
 #include <cmath>
 
+using support::Random;
 using namespace drive;
 using namespace std::chrono_literals;
 using support::McbPair;
@@ -24,24 +26,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-class Random {
-public:
-    explicit Random(std::uint64_t seed)
-        : m_state(seed)
-    {
-    }
-    std::uint64_t below(std::uint64_t bound)
-    {
-        std::uint64_t z = m_state += 0x9E3779B97F4A7C15ULL;
-        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
-        z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
-        return (z ^ z >> 31) % bound;
-    }
-
-private:
-    std::uint64_t m_state;
-};
 
 simulation::McbBoardOptions optionsOf(Random &random, std::uint64_t seed, bool &resets)
 {
@@ -71,18 +55,18 @@ struct Signal {
 constexpr Signal kSignals[] = {{"DRV_PROT_VBUS_VALUE", 20.0, 28.0}, // V
     {"DRV_STATE_STATUS", 512.0, 8191.0}, {"DRV_OP_VALUE", 2.0, 40.0}};
 
-constexpr Duration kLongestStall = 900ms;
+constexpr Duration kLongestBusy = 900ms;
 
-struct Session {
+struct ServoSession {
     /// @param busy  the computer is, and the program has no core now and then
     /// @param rough  cables are pulled, currents too high for a moment, and speeds of all kinds asked for
-    Session(std::uint64_t seed, bool busy, bool rough)
+    ServoSession(std::uint64_t seed, bool busy, bool rough)
         : isBusy(busy)
         , isRough(rough)
         , stalls(seed + 1)
         , rest(seed + 2)
         , random(seed)
-        , pair(optionsOf(random, seed, resets), busy ? kLongestStall : Duration())
+        , pair(optionsOf(random, seed, resets), busy ? kLongestBusy : Duration())
     {
         pair.verdictTaken = true;
         mayReset = resets;
@@ -271,7 +255,7 @@ struct Session {
         for (std::uint64_t i = 0; i < acts && wrong.isEmpty(); ++i) {
             act();
             if (isBusy && stalls.below(8) == 0)
-                pair.stall(stalls.below(1000) * kLongestStall / 1000);
+                pair.stall(stalls.below(1000) * kLongestBusy / 1000);
             if (isRough)
                 roughen();
             pair.runFor(std::chrono::milliseconds(1 + random.below(120)));
@@ -301,7 +285,7 @@ void TestMcbSessions::everythingEndsOnceWhateverHappens()
     const support::Seeds seeds = support::seedsOf(150, 10'000);
     std::uint64_t identified = 0, samples = 0, travelled = 0;
     const std::string wrong = support::playSeeds(seeds, [&](std::uint64_t seed) {
-        Session session(seed, seed % 2 == 0, seed % 4 < 2);
+        ServoSession session(seed, seed % 2 == 0, seed % 4 < 2);
         const QString what = session.run();
         if (seeds.one)
             std::fputs(session.tapeThen.c_str(), stderr);
@@ -337,7 +321,7 @@ void TestMcbSessions::whatFailedOnceDoesNotFailAgain()
 {
     QFETCH(const quint64, seed);
     QFETCH(const bool, isBusy);
-    const QString what = Session(seed, isBusy, false).run();
+    const QString what = ServoSession(seed, isBusy, false).run();
     QVERIFY2(what.isEmpty(), qPrintable(what));
 }
 

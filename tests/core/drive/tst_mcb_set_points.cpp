@@ -18,13 +18,13 @@ constexpr std::uint16_t kControl = 0x010, kMode = 0x014, kIq = 0x01A, kPosition 
                         kVelocity = 0x021;
 constexpr Duration kStall = 700ms;
 
-void arm(McbPair &pair)
+void armServo(McbPair &pair)
 {
     pair.drive->arm();
     pair.exchange();
 }
 
-bool start(McbPair &pair)
+bool startServo(McbPair &pair)
 {
     return pair.ask(Command{}).outcome == Outcome::Ok && pair.runUntilState(MotorState::Running);
 }
@@ -44,13 +44,13 @@ bool wrote(const McbPair &pair, std::uint16_t address)
 }
 
 /// Notes what the bench sends and tells.
-struct Bench {
+struct SetPointBench {
     McbPair pair;
     std::vector<bool> told;
     std::vector<mcb::Frame> sent; ///< frames with cyclic words
     bool keep = false;
 
-    explicit Bench(simulation::McbBoardOptions options = {}, Duration stall = {})
+    explicit SetPointBench(simulation::McbBoardOptions options = {}, Duration stall = {})
         : pair(std::move(options), stall)
     {
         pair.onEvent = [this](const Event &event) {
@@ -67,7 +67,7 @@ struct Bench {
     {
         if (!pair.meet())
             return false;
-        arm(pair);
+        armServo(pair);
         return pair.ask(CyclicSetPoints{}).outcome == Outcome::Ok
             && told == std::vector<bool>{true};
     }
@@ -78,7 +78,7 @@ struct Bench {
     }
     bool turnAt(int rpm)
     {
-        return start(pair) && pair.ask(SpeedRamp{1, rpm, 0ms}).outcome == Outcome::Ok
+        return startServo(pair) && pair.ask(SpeedRamp{1, rpm, 0ms}).outcome == Outcome::Ok
             && pair.runUntil(
                 [&] { return pair.status->speedRpm && *pair.status->speedRpm > 0.8 * rpm; }, 5s);
     }
@@ -115,7 +115,7 @@ private Q_SLOTS:
 
 void TestMcbSetPoints::theyBeginArmedOnly()
 {
-    Bench bench;
+    SetPointBench bench;
     McbPair &pair = bench.pair;
     QVERIFY(pair.meet());
     const auto done = pair.ask(CyclicSetPoints{});
@@ -129,10 +129,10 @@ void TestMcbSetPoints::theyBeginArmedOnly()
 
 void TestMcbSetPoints::theyBeginWhileTheMotorStandsOnly()
 {
-    Bench bench;
+    SetPointBench bench;
     McbPair &pair = bench.pair;
     QVERIFY(pair.meet());
-    arm(pair);
+    armServo(pair);
     QVERIFY(bench.turnAt(600));
     const auto done = pair.ask(CyclicSetPoints{});
     QVERIFY(done.outcome == Outcome::Refused);
@@ -149,10 +149,10 @@ void TestMcbSetPoints::theyBeginWhileTheMotorStandsOnly()
 
 void TestMcbSetPoints::mappingMovesNothing()
 {
-    Bench bench;
+    SetPointBench bench;
     McbPair &pair = bench.pair;
     QVERIFY(pair.meet());
-    arm(pair);
+    armServo(pair);
     QVERIFY(pair.ask(SpeedRamp{1, 300, 0ms}).outcome == Outcome::Ok); // for the next start
     QCOMPARE(has(pair, kVelocity), 5.0);
     bench.keep = true;
@@ -167,10 +167,10 @@ void TestMcbSetPoints::mappingMovesNothing()
 
 void TestMcbSetPoints::aSpeedGoesWithTheFramesAndIsReadBack()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
-    QVERIFY(start(pair));
+    QVERIFY(startServo(pair));
     pair.writes.clear();
     bench.keep = true;
     QVERIFY(pair.ask(SpeedRamp{1, 900, 0ms}).outcome == Outcome::Ok);
@@ -190,7 +190,7 @@ void TestMcbSetPoints::aSpeedGoesWithTheFramesAndIsReadBack()
 
 void TestMcbSetPoints::currentsGoWithTheFrames()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     pair.writes.clear();
@@ -205,7 +205,7 @@ void TestMcbSetPoints::currentsGoWithTheFrames()
 
 void TestMcbSetPoints::aRegisterWrittenByHandGoesWithTheFrames()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     pair.writes.clear();
@@ -219,7 +219,7 @@ void TestMcbSetPoints::aRegisterWrittenByHandGoesWithTheFrames()
 
 void TestMcbSetPoints::aPositionIsNeverMapped()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     pair.writes.clear();
@@ -229,7 +229,7 @@ void TestMcbSetPoints::aPositionIsNeverMapped()
 
 void TestMcbSetPoints::theMotionLogHasTheFrame()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     pair.motions.clear();
@@ -247,7 +247,7 @@ void TestMcbSetPoints::theMotionLogHasTheFrame()
 
 void TestMcbSetPoints::signalsAreStreamedBesideThem()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     Stream stream;
@@ -266,7 +266,7 @@ void TestMcbSetPoints::signalsAreStreamedBesideThem()
 
 void TestMcbSetPoints::signalsChangeWhileTheMotorTurns()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -294,7 +294,7 @@ void TestMcbSetPoints::signalsChangeWhileTheMotorTurns()
 
 void TestMcbSetPoints::switchedOffTheDriveKeepsItsSetPoint()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -309,7 +309,7 @@ void TestMcbSetPoints::switchedOffTheDriveKeepsItsSetPoint()
 
 void TestMcbSetPoints::aStopPutsThemToRestWithItsFirstFrame()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -331,8 +331,8 @@ void TestMcbSetPoints::aStopPutsThemToRestWithItsFirstFrame()
     QCOMPARE(pair.ended.at(ramp).size(), std::size_t{1});
     QVERIFY(pair.ended.at(ramp).front().outcome == Outcome::Unknown);
     // A start after it goes to nothing old.
-    arm(pair);
-    QVERIFY(start(pair));
+    armServo(pair);
+    QVERIFY(startServo(pair));
     pair.runFor(500ms);
     QCOMPARE(has(pair, kVelocity), 0.0);
     QVERIFY(std::abs(*pair.status->speedRpm) < 60.0);
@@ -342,7 +342,7 @@ void TestMcbSetPoints::aStopPutsThemToRestWithItsFirstFrame()
 
 void TestMcbSetPoints::aFaultPutsThemToRest()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -355,14 +355,14 @@ void TestMcbSetPoints::aFaultPutsThemToRest()
     QVERIFY(pair.drive->armed());
     QVERIFY(pair.ask(Command{MotorAction::AcknowledgeFaults, 1}).outcome == Outcome::Ok);
     QVERIFY(pair.runUntilState(MotorState::Idle));
-    QVERIFY(start(pair));
+    QVERIFY(startServo(pair));
     pair.runFor(500ms);
     QVERIFY(std::abs(*pair.status->speedRpm) < 60.0);
 }
 
 void TestMcbSetPoints::disarmingHoldsThem()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -414,7 +414,7 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
     int notSent = 0;
     constexpr int kInstants = 60;
     for (int i = 0; i < kInstants; ++i) {
-        Bench bench({}, stall);
+        SetPointBench bench({}, stall);
         bench.pair.look = 250us;
         QVERIFY(bench.travels());
         McbPair &pair = bench.pair;
@@ -441,7 +441,7 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
 
 void TestMcbSetPoints::aResetEndsThem()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     Stream stream;
@@ -463,15 +463,15 @@ void TestMcbSetPoints::aResetEndsThem()
         QCOMPARE(bench.velocitySent(frame), 0.0);
     QCOMPARE(has(pair, kVelocity), 0.0);
     QCOMPARE(bench.told.size(), std::size_t{2});
-    arm(pair);
-    QVERIFY(start(pair));
+    armServo(pair);
+    QVERIFY(startServo(pair));
     pair.runFor(500ms);
     QVERIFY(std::abs(*pair.status->speedRpm) < 60.0);
 }
 
 void TestMcbSetPoints::aProgramThatWasKilledRepeatsNothing()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -487,7 +487,7 @@ void TestMcbSetPoints::aProgramThatWasKilledRepeatsNothing()
 
 void TestMcbSetPoints::aLostLinkEndsThem()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -512,7 +512,7 @@ void TestMcbSetPoints::aLostLinkEndsThem()
 
 void TestMcbSetPoints::damagedFramesChangeNothing()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
@@ -542,7 +542,7 @@ void TestMcbSetPoints::damagedFramesChangeNothing()
 
 void TestMcbSetPoints::anotherValueReadBackIsTold()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     // The drive answers every question for its velocity set-point with another value.
@@ -566,7 +566,7 @@ void TestMcbSetPoints::anotherValueReadBackIsTold()
 
 void TestMcbSetPoints::disconnectingLeavesTheConfigState()
 {
-    Bench bench;
+    SetPointBench bench;
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));

@@ -52,7 +52,7 @@ double mean(const std::vector<double> &values)
     return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-simulation::BoardOptions board(const char *profile, int motors = 1)
+simulation::BoardOptions boardLike(const char *profile, int motors = 1)
 {
     simulation::BoardOptions options;
     options.profile = profile;
@@ -102,7 +102,7 @@ void TestMcpDriveBoards::everyBoardIsIdentifiedStartedAndStopped()
 {
     QFETCH(QString, profile);
     QFETCH(int, motors);
-    Session session(true, board(profile.toUtf8().constData(), motors));
+    Session session(true, boardLike(profile.toUtf8().constData(), motors));
     QVERIFY(session.ready);
     QVERIFY(session.identified->identity.knownFirmware);
     QCOMPARE(session.identified->identity.motors, motors);
@@ -150,7 +150,7 @@ void TestMcpDriveBoards::everyMotorIsDescribedAndTurns()
     QFETCH(QString, preset);
     QFETCH(QString, profile);
     const auto &motor = simulation::findPreset(preset.toStdString())->motor;
-    simulation::BoardOptions options = board(profile.toUtf8().constData());
+    simulation::BoardOptions options = boardLike(profile.toUtf8().constData());
     options.motor = preset.toStdString();
     Session session(true, options);
     QVERIFY(session.ready);
@@ -169,7 +169,7 @@ void TestMcpDriveBoards::everyMotorIsDescribedAndTurns()
 
 void TestMcpDriveBoards::aBoardWithAnEncoderAloneTurnsAndStreams()
 {
-    simulation::BoardOptions options = board("mcsdk-6.4");
+    simulation::BoardOptions options = boardLike("mcsdk-6.4");
     options.motor = "servo24";
     for (const simulation::BuildOption &option : simulation::buildOptions())
         if (option.name == "sensor-alone")
@@ -219,7 +219,7 @@ void TestMcpDriveBoards::sensorSpeedsReadRightOnEveryVersion_data()
 void TestMcpDriveBoards::sensorSpeedsReadRightOnEveryVersion()
 {
     QFETCH(QString, profile);
-    Session session(true, board(profile.toUtf8().constData()));
+    Session session(true, boardLike(profile.toUtf8().constData()));
     QVERIFY(session.runAt(1500));
     session.runFor(1s);
     const RegisterId id = session.id("STOPLL_ROT_SPEED");
@@ -237,7 +237,7 @@ void TestMcpDriveBoards::sensorSpeedsReadRightOnEveryVersion()
 void TestMcpDriveBoards::theMainSensorsSpeedIsToldWhereItIsStreamed()
 {
     for (const simulation::Preset &preset : simulation::presets()) {
-        simulation::BoardOptions options = board("mcsdk-6.4");
+        simulation::BoardOptions options = boardLike("mcsdk-6.4");
         options.motor = preset.name;
         Session session(true, options);
         QVERIFY(session.ready);
@@ -254,14 +254,14 @@ void TestMcpDriveBoards::theMainSensorsSpeedIsToldWhereItIsStreamed()
         QVERIFY(session.runUntilEnded(stream));
         QVERIFY(session.outcome(stream) == Outcome::Ok);
     }
-    Session sixStep(true, board("six-step"));
+    Session sixStep(true, boardLike("six-step"));
     QVERIFY(sixStep.ready);
     QCOMPARE(sixStep.identified->identity.speedSignals, std::vector<std::string>{""});
 }
 
 void TestMcpDriveBoards::twoMotorsAreTwo()
 {
-    Session session(true, board("mcsdk-6.4", 2));
+    Session session(true, boardLike("mcsdk-6.4", 2));
     QVERIFY(session.ready);
     const RegisterId first = session.id("SPEED_KD@1"), second = session.id("SPEED_KD@2");
     QVERIFY(first != second && second != 0);
@@ -287,7 +287,7 @@ void TestMcpDriveBoards::twoMotorsAreTwo()
 
 void TestMcpDriveBoards::bothMotorsOfAStreamShareItsTicks()
 {
-    Session session(true, board("mcsdk-6.4", 2));
+    Session session(true, boardLike("mcsdk-6.4", 2));
     QVERIFY(session.runAt(1500));
     QCOMPARE(session.identified->streaming.tickHz, 32000.0);
     Recorder recorder(session);
@@ -307,7 +307,7 @@ void TestMcpDriveBoards::bothMotorsOfAStreamShareItsTicks()
 
 void TestMcpDriveBoards::sixStepHasNoScopeAndNoTorque()
 {
-    Session session(true, board("six-step"));
+    Session session(true, boardLike("six-step"));
     QVERIFY(session.ready);
     QVERIFY(!offers(session, Feature::Stream));
     QVERIFY(!offers(session, Feature::TorqueRamp));
@@ -327,7 +327,7 @@ void TestMcpDriveBoards::sixStepHasNoScopeAndNoTorque()
 
 void TestMcpDriveBoards::hsoValuesCarryTheirUnits()
 {
-    Session session(true, board("hso"));
+    Session session(true, boardLike("hso"));
     QVERIFY(session.ready);
     QVERIFY(session.identified->identity.knownFirmware);
     const WishId start = session.submit(Command{MotorAction::Start, 1});
@@ -355,7 +355,7 @@ void TestMcpDriveBoards::hsoValuesCarryTheirUnits()
 
 void TestMcpDriveBoards::hsoStreamsTheUpperHalf()
 {
-    Session session(true, board("hso"));
+    Session session(true, boardLike("hso"));
     const WishId start = session.submit(Command{MotorAction::Start, 1});
     QVERIFY(session.runUntilEnded(start));
     QVERIFY(session.runUntilState(MotorState::Running));

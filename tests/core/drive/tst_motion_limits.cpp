@@ -25,7 +25,7 @@ simulation::BoardOptions lying(Lie lie)
     return options;
 }
 
-std::string reasonOf(Session &session, WishId wish)
+std::string reasonOfEnd(Session &session, WishId wish)
 {
     return session.runUntilEnded(wish) ? session.ended[wish].front().reason : "never ended";
 }
@@ -139,11 +139,11 @@ void TestMotionLimits::whatTheBoardDoesNotTellMovesNothing()
     QVERIFY(session.ready);
     const std::size_t before = session.requests.size();
     for (const std::string &reason :
-        {reasonOf(session, session.submit(Command{MotorAction::Start, 1})),
-            reasonOf(session, session.submit(TorqueRamp{1, 0.1, 100ms}))}) {
+        {reasonOfEnd(session, session.submit(Command{MotorAction::Start, 1})),
+            reasonOfEnd(session, session.submit(TorqueRamp{1, 0.1, 100ms}))}) {
         QVERIFY2(reason.find("current") != std::string::npos, reason.c_str());
     }
-    const std::string why = reasonOf(session, session.submit(Command{MotorAction::Start, 1}));
+    const std::string why = reasonOfEnd(session, session.submit(Command{MotorAction::Start, 1}));
     QVERIFY2(why.find("expert mode") != std::string::npos, why.c_str());
     QVERIFY(!changedSomething(session, before));
 }
@@ -173,7 +173,7 @@ void TestMotionLimits::expertModeEndsWithTheConnection()
     QVERIFY(session.runUntilIdentified(10s));
     session.drive->arm();
     const WishId start = session.submit(Command{MotorAction::Start, 1});
-    QVERIFY(reasonOf(session, start).find("expert mode") != std::string::npos);
+    QVERIFY(reasonOfEnd(session, start).find("expert mode") != std::string::npos);
 }
 
 void TestMotionLimits::expertModeIsForWhatIsUnknownOnly()
@@ -203,11 +203,11 @@ void TestMotionLimits::theLowerLimitWins()
     QVERIFY(ends(CurrentReference{1, 0.8, 0.8}) == Outcome::Refused);
     QVERIFY(ends(CurrentReference{1, 0.6, 0.6}) == Outcome::Ok);
     const WishId beyond = session.submit(SpeedRamp{1, 2000, 0ms});
-    QVERIFY(reasonOf(session, beyond).find("your own limit of 1000 rpm") != std::string::npos);
+    QVERIFY(reasonOfEnd(session, beyond).find("your own limit of 1000 rpm") != std::string::npos);
 
     QVERIFY(ends(UserLimits{1234.56, 1.0}) == Outcome::Ok);
     const WishId fine = session.submit(SpeedRamp{1, 2000, 0ms});
-    QVERIFY(reasonOf(session, fine).find("your own limit of 1234.56 rpm") != std::string::npos);
+    QVERIFY(reasonOfEnd(session, fine).find("your own limit of 1234.56 rpm") != std::string::npos);
 
     QVERIFY(ends(UserLimits{1e6, 1e6}) == Outcome::Ok);
     QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm) + 1, 0ms}) == Outcome::Refused);
@@ -230,7 +230,7 @@ void TestMotionLimits::loweringALimitEndsWhatWaits()
     QVERIFY(session.outcome(ramps[0]) != Outcome::Refused); // it had begun
     for (const WishId late : {ramps[1], ramps[2]}) {
         QVERIFY(session.outcome(late) == Outcome::NotSent);
-        QVERIFY(reasonOf(session, late).find("limits") != std::string::npos);
+        QVERIFY(reasonOfEnd(session, late).find("limits") != std::string::npos);
     }
     QVERIFY(session.outcome(read) == Outcome::Ok);
     QVERIFY(session.outcome(stop) == Outcome::Ok);
@@ -322,7 +322,7 @@ void TestMotionLimits::theLastRampSaysWhereAStartGoes()
 
     QVERIFY(session.runUntilEnded(session.submit(UserLimits{limit, 0.0})));
     const WishId start = session.submit(Command{MotorAction::Start, 1});
-    const std::string why = reasonOf(session, start);
+    const std::string why = reasonOfEnd(session, start);
     QCOMPARE(session.outcome(start) == Outcome::Ok, starts);
     QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), starts ? 1U : 0U);
     if (!starts) {
@@ -353,12 +353,12 @@ void TestMotionLimits::theLastTorqueSaysWhereAStartGoes()
         return session.submit(Command{MotorAction::Start, 1});
     };
     for (const double amps : {5.0, -5.0}) {
-        const std::string why = reasonOf(session, starts(amps));
+        const std::string why = reasonOfEnd(session, starts(amps));
         QVERIFY2(why.starts_with("TORQUE_RAMP is beyond your own limit of 4 A"), why.c_str());
     }
     QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), 0U);
     const WishId within = starts(0.2);
-    const std::string why = reasonOf(session, within);
+    const std::string why = reasonOfEnd(session, within);
     QVERIFY2(session.outcome(within) == Outcome::Ok, why.c_str());
 }
 
@@ -372,7 +372,7 @@ void TestMotionLimits::aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit()
         session.submit(Write{{{source, std::int64_t{1}}}, Reach::Everything})));
     session.runUntilEnded(session.submit(UserLimits{3900.0, 0.0}));
     const WishId start = session.submit(Command{MotorAction::Start, 1});
-    const std::string why = reasonOf(session, start);
+    const std::string why = reasonOfEnd(session, start);
     QVERIFY(session.outcome(start) == Outcome::Refused);
     QVERIFY2(why.starts_with("FOC_SPEED_SOURCE_SELECT is on"), why.c_str());
 }
@@ -394,7 +394,7 @@ void TestMotionLimits::stagesOfTheStartUpAreWithinTheLimits()
                                 .take();
         std::copy(stage.begin(), stage.end(), raw.begin());
         const WishId wish = session.submit(Write{{{id, raw}}, Reach::Parameters});
-        why = reasonOf(session, wish);
+        why = reasonOfEnd(session, wish);
         return session.outcome(wish);
     };
     const MotionBounds bounds = boundsOf(session.identified->limits.at(0), {}, false);

@@ -6,12 +6,11 @@
 
 using namespace drive;
 using namespace std::chrono_literals;
-using catalog::SetPoint;
 using What = decltype(Wish::what);
 
 namespace {
 
-constexpr RegisterId kSpeed = 0x1000, kMode = 0x2000, kGain = 0x3000, kBoard = 0x4000;
+constexpr RegisterId kSpeedRef = 0x1000, kControlMode = 0x2000, kAnyGain = 0x3000, kBoard = 0x4000;
 
 /// Two motors; a set-point, a register that can do harm, one that cannot, and one of the whole board.
 const catalog::Catalog &registers()
@@ -20,10 +19,10 @@ const catalog::Catalog &registers()
         std::vector<catalog::RegisterInfo> infos(4);
         const char *names[] = {"SPEED_REF", "MODE", "GAIN", "RESET"};
         for (std::size_t i = 0; i < infos.size(); ++i) {
-            infos[i].id = kSpeed * static_cast<RegisterId>(i + 1);
+            infos[i].id = kSpeedRef * static_cast<RegisterId>(i + 1);
             infos[i].name = names[i];
         }
-        infos[0].setPoint = SetPoint::Speed;
+        infos[0].setPoint = catalog::SetPoint::Speed;
         infos[0].unit = "rpm";
         infos[0].fractionBits = 1;
         infos[1].dangerous = infos[3].dangerous = true;
@@ -117,18 +116,18 @@ void TestMotionTexts::writesNameWhatCanMoveSomething()
         const char *detail = ""; ///< empty: no motion
     };
     const Row rows[] = {
-        {{{ofMotor(kSpeed, 2), std::int64_t{1200}}}, 2, "SPEED_REF@2 = 600 rpm"},
-        {{{ofMotor(kMode, 1), std::int64_t{3}}}, 1, "MODE@1 = 3"},
-        {{{ofMotor(kGain, 1), std::int64_t{3}}}, 0, ""},
+        {{{ofMotor(kSpeedRef, 2), std::int64_t{1200}}}, 2, "SPEED_REF@2 = 600 rpm"},
+        {{{ofMotor(kControlMode, 1), std::int64_t{3}}}, 1, "MODE@1 = 3"},
+        {{{ofMotor(kAnyGain, 1), std::int64_t{3}}}, 0, ""},
         {{{0x7000, std::int64_t{3}}}, 0, ""}, // nobody knows it
         {{{kBoard, std::int64_t{1}}}, 0, "RESET = 1"},
-        {{{kBoard, std::int64_t{1}}, {ofMotor(kMode, 2), std::int64_t{3}}}, 0,
+        {{{kBoard, std::int64_t{1}}, {ofMotor(kControlMode, 2), std::int64_t{3}}}, 0,
             "RESET = 1; MODE@2 = 3"},
-        {{{ofMotor(kGain, 1), std::int64_t{9}}, {ofMotor(kMode, 2), std::int64_t{3}},
-             {ofMotor(kMode, 1), std::int64_t{4}}},
+        {{{ofMotor(kAnyGain, 1), std::int64_t{9}}, {ofMotor(kControlMode, 2), std::int64_t{3}},
+             {ofMotor(kControlMode, 1), std::int64_t{4}}},
             2, "MODE@2 = 3; MODE@1 = 4"},
-        {{{ofMotor(kMode, 1), Bytes{0x00, 0xA5, 0x1F}}}, 1, "MODE@1 = 0x00A51F"},
-        {{{ofMotor(kMode, 1), std::string("text")}}, 1, "MODE@1 = ?"},
+        {{{ofMotor(kControlMode, 1), Bytes{0x00, 0xA5, 0x1F}}}, 1, "MODE@1 = 0x00A51F"},
+        {{{ofMotor(kControlMode, 1), std::string("text")}}, 1, "MODE@1 = ?"},
     };
     for (const Row &row : rows) {
         const auto record = recordOf(writeOf(row.writes));
@@ -144,8 +143,8 @@ void TestMotionTexts::writesNameWhatCanMoveSomething()
 void TestMotionTexts::aLongListIsCut()
 {
     for (const std::size_t count : {8U, 9U, 11U}) {
-        const auto record = recordOf(
-            writeOf(std::vector<RegisterWrite>(count, {ofMotor(kMode, 1), std::int64_t{3}})));
+        const auto record = recordOf(writeOf(
+            std::vector<RegisterWrite>(count, {ofMotor(kControlMode, 1), std::int64_t{3}})));
         const QString detail = QString::fromStdString(record->detail);
         QCOMPARE(detail.count(QLatin1String("MODE@1 = 3")), 8);
         QCOMPARE(detail.endsWith(QStringLiteral("3; and %1 more").arg(count - 8)), count > 8);

@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::uint16_t kStart = 3U << 3, kStop = 4U << 3, kToggle = 6U << 3, kAck = 7U << 3,
-                        kSet = 1U << 3, kGet = 2U << 3, kBeat = 33U << 3;
+constexpr std::uint16_t kStartWord = 3U << 3, kStopWord = 4U << 3, kToggle = 6U << 3,
+                        kAck = 7U << 3, kSet = 1U << 3, kGet = 2U << 3, kBeat = 33U << 3;
 
 Bytes withCheck(std::uint32_t header)
 {
@@ -26,12 +26,12 @@ Bytes withCheck(std::uint32_t header)
 }
 
 /// A connected, identified board of MCP with one motor that does what the test says.
-struct Bench {
+struct JudgeBench {
     MsRules judge;
     TimePoint now{1s};
     std::vector<judge::Motor> truth{judge::Motor{}};
 
-    explicit Bench(int motors = 1)
+    explicit JudgeBench(int motors = 1)
     {
         judge::Line line;
         line.motors = motors;
@@ -96,13 +96,13 @@ struct Bench {
     {
         act(Act::Kind::Arm);
         act(Act::Kind::Start);
-        request({kStart | 1});
+        request({kStartWord | 1});
         drive();
         run(10ms);
     }
 };
 
-using Story = std::function<void(Bench &)>;
+using Story = std::function<void(JudgeBench &)>;
 
 Bytes frameOf(std::vector<unsigned> words)
 {
@@ -118,12 +118,12 @@ Bytes frameOf(std::vector<unsigned> words)
 }
 
 /// A servo whose velocity is mapped and holds 5 turns a second; nobody is armed.
-struct ServoBench {
+struct ServoJudgeBench {
     MsRules judge;
     TimePoint now{1s};
     bool driven = false;
 
-    ServoBench()
+    ServoJudgeBench()
     {
         judge::Line line;
         line.maxRpm = 3000.0;
@@ -165,7 +165,7 @@ struct ServoBench {
     }
 };
 
-using ServoStory = std::function<void(ServoBench &)>;
+using ServoStory = std::function<void(ServoJudgeBench &)>;
 constexpr unsigned kFive = 0x40A0, kTen = 0x4120; ///< the upper halves of 5.0 and 10.0
 constexpr unsigned kHundred = 0x42C8;
 
@@ -202,91 +202,93 @@ void TestMsRules::aBrokenRuleSpeaks_data()
     const auto story = [](const char *name, const char *rule, Story what) {
         QTest::newRow(name) << QString(rule) << what;
     };
-    story("a toggle", "never", [](Bench &b) {
+    story("a toggle", "never", [](JudgeBench &b) {
         b.arm();
         b.request({kToggle | 1});
     });
-    story("an empty request", "never", [](Bench &b) { b.judge.sent(withCheck(9U), b.now); });
-    story("a false check", "never", [](Bench &b) { b.judge.sent(Bytes{9, 0, 0, 0}, b.now); });
-    story("motor 0", "motors that are there", [](Bench &b) { b.request({kStop}); });
-    story("motor 2 of 1", "motors that are there", [](Bench &b) { b.request({kStop | 2}); });
-    story("never armed", "armed", [](Bench &b) {
+    story("an empty request", "never", [](JudgeBench &b) { b.judge.sent(withCheck(9U), b.now); });
+    story("a false check", "never", [](JudgeBench &b) { b.judge.sent(Bytes{9, 0, 0, 0}, b.now); });
+    story("motor 0", "motors that are there", [](JudgeBench &b) { b.request({kStopWord}); });
+    story(
+        "motor 2 of 1", "motors that are there", [](JudgeBench &b) { b.request({kStopWord | 2}); });
+    story("never armed", "armed", [](JudgeBench &b) {
         b.act(Act::Kind::Start);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("armed before a Stop", "armed", [](Bench &b) {
+    story("armed before a Stop", "armed", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Stop);
         b.request({kAck | 1});
     });
-    story("armed before the link was lost", "armed", [](Bench &b) {
+    story("armed before the link was lost", "armed", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.judge.said(judge::Link::Lost, b.now);
         b.judge.said(judge::Link::Connected, b.now);
         b.request({kSet, 0x91, 5});
     });
-    story("a start that nobody asked for", "asked for", [](Bench &b) {
+    story("a start that nobody asked for", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("a start twice", "asked for", [](Bench &b) {
+    story("a start twice", "asked for", [](JudgeBench &b) {
         b.arm();
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("another speed than the one asked for", "asked for", [](Bench &b) {
+    story("another speed than the one asked for", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.setPoint(1000.0);
         b.ramp(2000);
     });
-    story("a write after its wish has ended", "asked for", [](Bench &b) {
+    story("a write after its wish has ended", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Acknowledge, 1, 7);
         b.judge.saidEnded(7, b.now);
         b.request({kAck | 1});
     });
-    story("a read during a Stop", "stop first", [](Bench &b) {
+    story("a read during a Stop", "stop first", [](JudgeBench &b) {
         b.arm();
         b.act(Act::Kind::Stop);
-        b.request({kStop | 1});
+        b.request({kStopWord | 1});
         b.request({kGet, 0x691});
     });
-    story("a heartbeat unarmed", "heartbeats", [](Bench &b) { b.request({kBeat | 1, 500}); });
-    story("a restore that moves", "asked for", [](Bench &b) {
+    story("a heartbeat unarmed", "heartbeats", [](JudgeBench &b) { b.request({kBeat | 1, 500}); });
+    story("a restore that moves", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Input);
         b.act(Act::Kind::Restore);
         b.request({kSet, 0x91, 5}); // a gain may be restored
         b.ramp(1000);
     });
-    story("a set-point among parameters", "asked for", [](Bench &b) {
+    story("a set-point among parameters", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Restore, 0, 7);
         b.request({kSet, 0x91, 5});
         b.request({kSet, 0x99, 1000, 0}); // the speed's reference
     });
-    story("a first start without a question", "first starts are asked", [](Bench &b) {
+    story("a first start without a question", "first starts are asked", [](JudgeBench &b) {
         b.judge.line().asksFirst = true;
         b.act(Act::Kind::Confirm);
         b.act(Act::Kind::Stop);
         b.run(5ms);
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Input);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("agreed to a jog, then started by the button", "first starts are asked", [](Bench &b) {
-        b.judge.line().asksFirst = true;
-        b.act(Act::Kind::Arm);
-        b.act(Act::Kind::AgreeToHold);
-        b.run(2s);
-        b.act(Act::Kind::Input);
-        b.request({kStart | 1});
-    });
-    story("too fast for the board", "bounded", [](Bench &b) {
+    story(
+        "agreed to a jog, then started by the button", "first starts are asked", [](JudgeBench &b) {
+            b.judge.line().asksFirst = true;
+            b.act(Act::Kind::Arm);
+            b.act(Act::Kind::AgreeToHold);
+            b.run(2s);
+            b.act(Act::Kind::Input);
+            b.request({kStartWord | 1});
+        });
+    story("too fast for the board", "bounded", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.setPoint(5000.0);
         b.ramp(5000);
     });
-    story("too fast for the person", "bounded", [](Bench &b) {
+    story("too fast for the person", "bounded", [](JudgeBench &b) {
         Act limits;
         limits.kind = Act::Kind::Limits;
         limits.rpm = 800.0;
@@ -295,44 +297,44 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.setPoint(-1000.0);
         b.ramp(-1000);
     });
-    story("two requests at once", "one in flight", [](Bench &b) {
+    story("two requests at once", "one in flight", [](JudgeBench &b) {
         b.request({kGet, 0x49}, 1500us, false);
         b.request({kGet, 0x49});
     });
-    story("a write is the first request", "looks first", [](Bench &b) {
+    story("a write is the first request", "looks first", [](JudgeBench &b) {
         b.act(Act::Kind::Close);
         b.act(Act::Kind::Open);
         b.act(Act::Kind::Arm);
         b.request({kSet, 0x91, 5});
     });
-    story("a start that comes late", "asked for", [](Bench &b) {
+    story("a start that comes late", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Start);
         b.now += 600ms;
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("a start that was meant for another time", "asked for", [](Bench &b) {
+    story("a start that was meant for another time", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         Act start;
         start.kind = Act::Kind::Start;
         start.motor = 1;
         start.at = b.now - 600ms;
         b.judge.act(start);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
     });
-    story("a series that nobody agreed to", "asked for", [](Bench &b) {
+    story("a series that nobody agreed to", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Series);
         b.ramp(1500);
     });
-    story("a series after a Stop", "armed", [](Bench &b) {
+    story("a series after a Stop", "armed", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::AgreeToSeries);
         b.act(Act::Kind::Stop);
         b.act(Act::Kind::Series);
         b.ramp(1500);
     });
-    story("a series that was agreed to before it was disarmed", "asked for", [](Bench &b) {
+    story("a series that was agreed to before it was disarmed", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::AgreeToSeries);
         b.act(Act::Kind::Disarm);
@@ -340,68 +342,68 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.act(Act::Kind::Series);
         b.ramp(1500);
     });
-    story("a series that starts twice", "asked for", [](Bench &b) {
+    story("a series that starts twice", "asked for", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::AgreeToSeries);
-        b.request({kStart | 1});
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
+        b.request({kStartWord | 1});
     });
-    story("gone from a motor that turns", "stops before it goes", [](Bench &b) {
+    story("gone from a motor that turns", "stops before it goes", [](JudgeBench &b) {
         b.arm();
         b.judge.closes(b.now);
     });
-    story("no pause before the payload", "payload pause", [](Bench &b) {
+    story("no pause before the payload", "payload pause", [](JudgeBench &b) {
         b.request({kGet, 0x49}, 100us);
     });
-    story("a Stop that does not leave", "stop in time", [](Bench &b) {
+    story("a Stop that does not leave", "stop in time", [](JudgeBench &b) {
         b.arm();
         b.act(Act::Kind::Stop);
         b.run(150ms);
     });
-    story("a Stop that is not repeated", "stop in time", [](Bench &b) {
+    story("a Stop that is not repeated", "stop in time", [](JudgeBench &b) {
         b.arm();
         b.act(Act::Kind::Stop);
-        b.request({kStop | 1});
+        b.request({kStopWord | 1});
         b.run(250ms);
     });
-    story("no alarm", "alarm", [](Bench &b) {
+    story("no alarm", "alarm", [](JudgeBench &b) {
         b.arm();
         b.act(Act::Kind::Stop);
         for (int i = 0; i < 8; ++i) {
-            b.request({kStop | 1});
+            b.request({kStopWord | 1});
             b.run(98ms);
         }
     });
-    story("pressing again puts off the alarm", "alarm", [](Bench &b) {
+    story("pressing again puts off the alarm", "alarm", [](JudgeBench &b) {
         b.arm();
         for (int i = 0; i < 8; ++i) {
             b.act(Act::Kind::Stop);
-            b.request({kStop | 1});
+            b.request({kStopWord | 1});
             b.run(98ms);
         }
     });
-    story("\"drive idle\" of a driven motor", "true words", [](Bench &b) {
+    story("\"drive idle\" of a driven motor", "true words", [](JudgeBench &b) {
         b.arm();
         b.run(600ms);
         b.judge.said(judge::Word::DriveIdle, 1, b.now);
     });
-    story("\"standstill\" of a turning motor", "true words", [](Bench &b) {
+    story("\"standstill\" of a turning motor", "true words", [](JudgeBench &b) {
         b.arm();
         b.run(600ms);
         b.judge.said(judge::Word::Standstill, 1, b.now);
     });
     story("an old state told as new", "fresh",
-        [](Bench &b) { b.judge.saidStatus(b.now - 700ms, b.now); });
-    story("silence called connected", "silence is told", [](Bench &b) {
+        [](JudgeBench &b) { b.judge.saidStatus(b.now - 700ms, b.now); });
+    story("silence called connected", "silence is told", [](JudgeBench &b) {
         for (int i = 0; i < 700; ++i, b.now += 1ms)
             b.judge.look(b.now, b.truth);
     });
-    story("a wish that ends twice", "ends once", [](Bench &b) {
+    story("a wish that ends twice", "ends once", [](JudgeBench &b) {
         b.judge.asked(3, b.now);
         b.judge.saidEnded(3, b.now);
         b.judge.saidEnded(3, b.now);
     });
-    story("a wish that never ends", "ends once", [](Bench &b) {
+    story("a wish that never ends", "ends once", [](JudgeBench &b) {
         b.judge.asked(3, b.now);
         b.judge.settle(b.now);
     });
@@ -411,7 +413,7 @@ void TestMsRules::aBrokenRuleSpeaks()
 {
     QFETCH(QString, rule);
     QFETCH(Story, story);
-    Bench bench;
+    JudgeBench bench;
     QCOMPARE(bench.judge.verdict(), std::string());
     story(bench);
     QVERIFY2(QString::fromStdString(bench.judge.verdict()).startsWith(rule + ": "),
@@ -420,7 +422,7 @@ void TestMsRules::aBrokenRuleSpeaks()
 
 void TestMsRules::whatIsKeptIsSilent()
 {
-    Bench b;
+    JudgeBench b;
     b.arm();
     b.setPoint(1500.0);
     b.ramp(1500);
@@ -429,8 +431,8 @@ void TestMsRules::whatIsKeptIsSilent()
     b.judge.sent(withCheck(2U << 4 | 9U), b.now);
     b.act(Act::Kind::Stop);
     b.now += 2ms;
-    b.judge.sent(Bytes{kStop | 1, 0}, b.now);
-    b.request({kStop | 1});
+    b.judge.sent(Bytes{kStopWord | 1, 0}, b.now);
+    b.request({kStopWord | 1});
     b.request({kGet, 0x49, 0x59});
     b.run(20ms);
     b.truth[0] = {};
@@ -440,7 +442,7 @@ void TestMsRules::whatIsKeptIsSilent()
     b.request({kGet, 0x691});
     b.arm();
     b.act(Act::Kind::Stop);
-    b.request({kStop | 1});
+    b.request({kStopWord | 1});
     b.run(50ms);
     b.truth[0] = {};
     b.run(1s);
@@ -452,7 +454,7 @@ void TestMsRules::whatIsKeptIsSilent()
 void TestMsRules::aYesBeforeTheStopIsForWhatWasUnderWay()
 {
     for (const bool asked : {false, true}) {
-        Bench b;
+        JudgeBench b;
         b.judge.line().asksFirst = true;
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Start);
@@ -461,13 +463,13 @@ void TestMsRules::aYesBeforeTheStopIsForWhatWasUnderWay()
         b.judge.sent(withCheck(2U << 4 | 9U), b.now);
         b.act(Act::Kind::Stop);
         b.now += 2ms;
-        b.judge.sent(Bytes{kStart | 1, 0}, b.now);
+        b.judge.sent(Bytes{kStartWord | 1, 0}, b.now);
         QCOMPARE(b.judge.verdict().empty(), asked);
-        b.request({kStop | 1});
+        b.request({kStopWord | 1});
         b.run(20ms);
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Start);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
         QVERIFY(b.judge.verdict().starts_with("first starts are asked: "));
     }
 }
@@ -475,44 +477,44 @@ void TestMsRules::aYesBeforeTheStopIsForWhatWasUnderWay()
 void TestMsRules::whoArmsWhileTheMotorComesToRestMayBeHeard()
 {
     for (const bool threads : {false, true}) {
-        Bench b;
+        JudgeBench b;
         b.judge.line().grace = threads ? 300ms : 0ms;
         b.arm();
         b.act(Act::Kind::Stop);
-        b.request({kStop | 1});
+        b.request({kStopWord | 1});
         b.act(Act::Kind::
                 Arm); // at the window; the line's thread hears of it after the motor came to rest
         b.truth[0] = {};
         b.run(20ms);
         b.act(Act::Kind::Start);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
         QCOMPARE(b.judge.verdict().empty(), threads);
         // A Stop that comes after it counts.
         b.drive();
         b.run(2ms);
         b.act(Act::Kind::Stop);
-        b.request({kStop | 1});
+        b.request({kStopWord | 1});
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Stop);
         b.truth[0] = {};
         b.run(20ms);
         b.act(Act::Kind::Start);
-        b.request({kStart | 1});
+        b.request({kStartWord | 1});
         QVERIFY(!b.judge.verdict().empty());
     }
 }
 
 void TestMsRules::theOrderOfStopsIsTheDrives()
 {
-    Bench b(2);
+    JudgeBench b(2);
     b.act(Act::Kind::Arm);
     b.drive(1);
     b.drive(2);
     b.act(Act::Kind::Stop);
     b.run(80ms);
-    b.request({kStop | 2});
+    b.request({kStopWord | 2});
     b.run(80ms);
-    b.request({kStop | 1});
+    b.request({kStopWord | 1});
     QCOMPARE(b.judge.verdict(), std::string());
     b.run(220ms);
     QCOMPARE(b.judge.verdict(), std::string());
@@ -523,13 +525,13 @@ void TestMsRules::theOrderOfStopsIsTheDrives()
 
 void TestMsRules::aListOfParametersTakesNothingFromOthers()
 {
-    Bench b;
+    JudgeBench b;
     b.act(Act::Kind::Arm);
     b.act(Act::Kind::Start, 1, 6); // waits to leave
     b.act(Act::Kind::Restore, 0, 7);
     b.request({kSet, 0x91, 5});
     b.judge.saidEnded(7, b.now);
-    b.request({kStart | 1});
+    b.request({kStartWord | 1});
     QCOMPARE(b.judge.verdict(), std::string());
     b.request({kSet, 0x91, 5});
     QVERIFY(QString::fromStdString(b.judge.verdict()).startsWith(QLatin1String("asked for: ")));
@@ -537,11 +539,11 @@ void TestMsRules::aListOfParametersTakesNothingFromOthers()
 
 void TestMsRules::aSeriesMayStepAsLongAsItLasts()
 {
-    Bench b;
+    JudgeBench b;
     b.act(Act::Kind::Arm);
     b.act(Act::Kind::AgreeToSeries);
     b.ramp(1000);
-    b.request({kStart | 1});
+    b.request({kStartWord | 1});
     b.drive();
     for (int i = 0; i < 10; ++i) {
         b.ramp(i % 2 == 0 ? 1500 : 1000);
@@ -557,12 +559,12 @@ void TestMsRules::aSeriesMayStepAsLongAsItLasts()
 
 void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()
 {
-    Bench b(2);
+    JudgeBench b(2);
     b.drive(1);
     b.drive(2);
     b.act(Act::Kind::Open);
     b.act(Act::Kind::Stop);
-    b.request({kStop | 1}); // nobody knows of another one
+    b.request({kStopWord | 1}); // nobody knows of another one
     b.truth[0] = {};
     b.judge.said(judge::Word::NotConfirmed, 1, b.now);
     b.run(200ms);
@@ -575,14 +577,14 @@ void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()
 
 void TestMsRules::theTwoSecondsOfAStopGoOnInAGap()
 {
-    Bench b;
+    JudgeBench b;
     b.drive(1);
     b.act(Act::Kind::Stop);
-    b.request({kStop | 1});
+    b.request({kStopWord | 1});
     b.run(100ms);
     b.now += 2s; // no thread ran
     b.run(10ms);
-    b.request({kStop | 1});
+    b.request({kStopWord | 1});
     b.judge.said(judge::Word::NotConfirmed, 1, b.now);
     b.request({kGet, 0x91});
     QCOMPARE(b.judge.verdict(), std::string());
@@ -590,14 +592,14 @@ void TestMsRules::theTwoSecondsOfAStopGoOnInAGap()
 
 void TestMsRules::aGapBeforeAStopPutsNothingOff()
 {
-    Bench bench;
+    JudgeBench bench;
     bench.arm();
     bench.now += 500ms; // nobody ran
     bench.judge.said(judge::Link::Lost, bench.now);
     bench.act(Act::Kind::Stop);
     for (int i = 0; i < 25; ++i) { // blind, for two seconds from the press
         if (i < 20)
-            bench.request({kStop | 1}, 1500us, false);
+            bench.request({kStopWord | 1}, 1500us, false);
         if (i == 4)
             bench.judge.said(judge::Word::NotConfirmed, 1, bench.now);
         bench.run(96ms);
@@ -609,7 +611,7 @@ void TestMsRules::aGapBeforeAStopPutsNothingOff()
 void TestMsRules::anAlarmThatStandsIsNotRepeated()
 {
     for (const bool told : {true, false}) {
-        Bench bench;
+        JudgeBench bench;
         bench.act(Act::Kind::Stop);
         bench.run(5ms);
         bench.drive();
@@ -617,7 +619,7 @@ void TestMsRules::anAlarmThatStandsIsNotRepeated()
             bench.judge.said(judge::Word::NotConfirmed, 1, bench.now);
         bench.act(Act::Kind::Stop);
         for (int i = 0; i < 7; ++i) {
-            bench.request({kStop | 1});
+            bench.request({kStopWord | 1});
             bench.run(97ms);
         }
         QCOMPARE(bench.judge.violations().empty(), told);
@@ -666,78 +668,78 @@ void TestMsRules::whatTravelsIsJudgedWhereItChanges_data()
     const auto story = [](const char *name, const char *rule, ServoStory what) {
         QTest::newRow(name) << QString(rule) << what;
     };
-    story("what it holds goes on", "", [](ServoBench &b) {
+    story("what it holds goes on", "", [](ServoJudgeBench &b) {
         for (int i = 0; i < 5; ++i)
             b.travel(0, kFive);
     });
-    story("mapping moves it", "armed", [](ServoBench &b) { b.travel(0, kTen); });
-    story("it was asked for", "", [](ServoBench &b) {
+    story("mapping moves it", "armed", [](ServoJudgeBench &b) { b.travel(0, kTen); });
+    story("it was asked for", "", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::SetPoint, 600.0);
         b.travel(0, kTen);
         b.travel(0, kTen);
     });
-    story("nobody asked for it", "asked for", [](ServoBench &b) {
+    story("nobody asked for it", "asked for", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.travel(0, kTen);
     });
-    story("it was asked for once", "asked for", [](ServoBench &b) {
+    story("it was asked for once", "asked for", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::SetPoint, 600.0);
         b.travel(0, kTen);
         b.travel(0, kFive);
         b.travel(0, kTen);
     });
-    story("beyond the limit", "bounded", [](ServoBench &b) {
+    story("beyond the limit", "bounded", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::SetPoint, 6000.0);
         b.travel(0, kHundred);
     });
-    story("rest with a Stop", "", [](ServoBench &b) {
+    story("rest with a Stop", "", [](ServoJudgeBench &b) {
         b.driven = true;
         b.travel(0, kFive);
         b.act(Act::Kind::Stop);
         b.travel(0, 0);
     });
-    story("it goes on in spite of a Stop", "stop first", [](ServoBench &b) {
+    story("it goes on in spite of a Stop", "stop first", [](ServoJudgeBench &b) {
         b.driven = true;
         b.travel(0, kFive);
         b.act(Act::Kind::Stop);
         b.travel(0, kFive);
     });
-    story("another value with a Stop", "armed", [](ServoBench &b) {
+    story("another value with a Stop", "armed", [](ServoJudgeBench &b) {
         b.driven = true;
         b.travel(0, kFive);
         b.act(Act::Kind::Stop);
         b.travel(0, kTen);
     });
-    story("back after the Stop", "asked for", [](ServoBench &b) {
+    story("back after the Stop", "asked for", [](ServoJudgeBench &b) {
         b.travel(0, kFive);
         b.act(Act::Kind::Stop);
         b.travel(0, 0);
         b.act(Act::Kind::Arm);
         b.travel(0, kFive);
     });
-    story("to zero under a motor that turns", "asked for", [](ServoBench &b) {
+    story("to zero under a motor that turns", "asked for", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.driven = true;
         b.travel(0, kFive);
         b.travel(0, 0);
     });
-    story("to zero by a person's wish", "", [](ServoBench &b) {
+    story("to zero by a person's wish", "", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Arm);
         b.driven = true;
         b.travel(0, kFive);
         b.act(Act::Kind::SetPoint, 0.0);
         b.travel(0, 0);
     });
-    story("the drive's own mind", "", [](ServoBench &b) {
+    story("the drive's own mind", "", [](ServoJudgeBench &b) {
         b.travel(0, kFive);
         b.exchange({0x0212, 0, 0, 0, 0, 0, kFive}, {0x000E, 0, 0, 0, 0, 0, 0});
         b.exchange({0x000E, 0, 0, 0, 0, 0, kFive}, {0x0216, 0, kTen, 0, 0, 0, 0});
         b.travel(0, kTen);
     });
-    story("what a damaged answer says is nobody's", "armed", [](ServoBench &b) {
+    story("what a damaged answer says is nobody's", "armed", [](ServoJudgeBench &b) {
         b.travel(0, kFive);
         b.judge.sent(frameOf({0x0212, 0, 0, 0, 0, 0, kFive}), b.now);
         Bytes answer = frameOf({0x0216, 0, kTen, 0, 0, 0, 0});
@@ -745,13 +747,13 @@ void TestMsRules::whatTravelsIsJudgedWhereItChanges_data()
         b.judge.heard(answer, b.now);
         b.travel(0, kTen);
     });
-    story("words of no mapping", "never", [](ServoBench &b) {
+    story("words of no mapping", "never", [](ServoJudgeBench &b) {
         b.exchange({0x000E, 0, 0, 0, 0, 0, kFive, 0});
     });
-    story("zeros of no mapping", "", [](ServoBench &b) {
+    story("zeros of no mapping", "", [](ServoJudgeBench &b) {
         b.exchange({0x000E, 0, 0, 0, 0, 0, 0, 0});
     });
-    story("after the line has gone no mapping is known", "never", [](ServoBench &b) {
+    story("after the line has gone no mapping is known", "never", [](ServoJudgeBench &b) {
         b.act(Act::Kind::Unplugged);
         b.act(Act::Kind::Open);
         b.travel(0, kFive);
@@ -763,7 +765,7 @@ void TestMsRules::whatTravelsIsJudgedWhereItChanges()
 {
     QFETCH(QString, rule);
     QFETCH(ServoStory, story);
-    ServoBench bench;
+    ServoJudgeBench bench;
     story(bench);
     QVERIFY2(bench.rule() == rule, bench.judge.verdict().c_str());
 }

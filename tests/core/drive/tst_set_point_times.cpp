@@ -14,12 +14,12 @@ constexpr double kHz = 16000.0;
 constexpr std::uint32_t kCount = 160; ///< samples a packet: 10 ms
 
 /// A board whose count began at 0 s of its own, and packets that take their time.
-struct Bench {
+struct PacketBench {
     SetPointTimes times;
     capture::Tick tick = 0;
     Duration behind; ///< of the axis, behind the clock here, as the first packet has it
 
-    explicit Bench(Duration first = 0ms)
+    explicit PacketBench(Duration first = 0ms)
         : behind(first)
     {
         Identified board;
@@ -77,7 +77,7 @@ class TestSetPointTimes : public QObject {
 private Q_SLOTS:
     void itLeftWithTheLastBytesBeforeItsAnswer()
     {
-        Bench bench;
+        PacketBench bench;
         bench.times.onSent(TimePoint(1s)); // something else
         bench.times.onWish(wish(7, SpeedRamp{1, -1500, 250ms}));
         bench.times.onReceived(TimePoint(1s + 2ms)); // its answer
@@ -99,7 +99,7 @@ private Q_SLOTS:
 
     void theOtherKindsAreTold()
     {
-        Bench bench;
+        PacketBench bench;
         bench.times.onWish(wish(1, TorqueRamp{2, 1.5, 100ms}));
         bench.times.onWish(wish(2, CurrentReference{1, -0.5, 0.1}));
         bench.times.onWish(wish(3, PositionRamp{1, 3.0, 1s}));
@@ -118,7 +118,7 @@ private Q_SLOTS:
 
     void whatDidNotLeaveIsNoSetPoint()
     {
-        Bench bench;
+        PacketBench bench;
         for (const Outcome outcome : {Outcome::Refused, Outcome::NotSent}) {
             bench.times.onWish(wish(1, SpeedRamp{1, 100, 0ms}));
             QVERIFY(!bench.ends(1, TimePoint(1s), outcome));
@@ -133,7 +133,7 @@ private Q_SLOTS:
 
     void aRampThatIsStoppedStaysFromThenOn()
     {
-        Bench bench;
+        PacketBench bench;
         bench.times.onWish(wish(4, Command{MotorAction::StopRamp, 2}));
         bench.times.onSent(TimePoint(1s));
         bench.times.onReceived(TimePoint(1s + 2ms));
@@ -162,7 +162,7 @@ private Q_SLOTS:
     void aMotorThatIsDrivenNoMoreFollowsNothing()
     {
         for (const MotorState over : {MotorState::Idle, MotorState::FaultNow}) {
-            Bench bench;
+            PacketBench bench;
             QVERIFY(!bench.status(MotorState::Idle, 0s)); // nothing was driven before
             QVERIFY(!bench.status(MotorState::Starting, 900ms));
             QVERIFY(!bench.status(MotorState::Running, 1s));
@@ -176,7 +176,7 @@ private Q_SLOTS:
 
     void aMotorThatStandsRampsNothing()
     {
-        Bench bench;
+        PacketBench bench;
         const auto runs = [&](WishId id) {
             bench.times.onWish(wish(id, SpeedRamp{1, 100, 1s}));
             return bench.ends(id, TimePoint(1s))->runs;
@@ -194,7 +194,7 @@ private Q_SLOTS:
 
     void aRegisterThatIsWrittenPastItEndsIt()
     {
-        Bench bench;
+        PacketBench bench;
         std::vector<catalog::RegisterInfo> registers(2);
         registers[0].id = 0x40;
         registers[0].name = "SPEED_KP";
@@ -221,7 +221,7 @@ private Q_SLOTS:
 
     void whatALinkTookAlongIsNotKnown()
     {
-        Bench bench;
+        PacketBench bench;
         const auto told = [&](LinkState state, LinkReason reason) {
             const auto news = bench.times.onEvent(LinkChanged{state, reason}, TimePoint(9s));
             return news ? std::get<SetPointsEnd>(*news).seconds : -1.0;
@@ -236,7 +236,7 @@ private Q_SLOTS:
     /// A first packet that came 20 ms late puts the axis 20 ms behind; the ones after it tell.
     void aLateFirstPacketIsAllowedFor()
     {
-        Bench bench(20ms);
+        PacketBench bench(20ms);
         for (int i = 0; i < 100; ++i)
             bench.packet(i == 0 ? Duration(20ms) : i % 5 ? Duration(3ms) : Duration(0));
         bench.times.onWish(wish(1, SpeedRamp{1, 100, 0ms}));
@@ -254,7 +254,7 @@ private Q_SLOTS:
     void clocksThatDriftApartAreFollowed()
     {
         for (const double drift : {1e-4, -1e-4}) {
-            Bench bench;
+            PacketBench bench;
             double worst = 0.0;
             for (int i = 0; i < 60000; ++i) {
                 capture::SampleBlock block{1, bench.tick, kCount, {}, {}, 0};
@@ -279,7 +279,7 @@ private Q_SLOTS:
     /// Another board, or the same after a reset, has another axis.
     void aNewAxisIsLearntAnew()
     {
-        Bench bench(50ms);
+        PacketBench bench(50ms);
         bench.packet(0ms);
         capture::StreamLayout layout{2, kHz, 0.0, 1, {}, {}};
         bench.times.onEvent(StreamStarted{layout}, {});

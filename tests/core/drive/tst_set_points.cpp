@@ -13,13 +13,13 @@ using Held = catalog::SetPoint; // what a register holds
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 enum Id : RegisterId { Speed = 0x1000, Current = 0x2000, Gain = 0x3000 };
 
 /// Two motors of 4000 rpm and 5 A; nothing is known of the second one.
-BoardFacts board()
+BoardFacts boardFacts()
 {
     const auto info = [](RegisterId id, const char *name, Held setPoint, const char *unit) {
         catalog::RegisterInfo one;
@@ -72,7 +72,7 @@ private Q_SLOTS:
 void TestSetPoints::aLimitIsKnownUpToItsCeiling()
 {
     const std::pair<double, bool> speeds[] = {{kHighestRpm, true}, {kHighestRpm * 1.001, false},
-        {0.5, true}, {0.0, false}, {-0.5, false}, {kNan, false}, {kInfinity, false}};
+        {0.5, true}, {0.0, false}, {-0.5, false}, {kNotANumber, false}, {kInfinite, false}};
     for (const auto &[rpm, known] : speeds)
         QCOMPARE(gapsIn({rpm, 32.0, 5.0, 4.0, 0.1}).empty(), known);
     for (const auto &[rpm, known] : speeds) { // the same of a current
@@ -122,14 +122,14 @@ void TestSetPoints::theRealBoundsAreWithoutCeilings()
 void TestSetPoints::whatCanBound()
 {
     for (const auto &[number, good] : {std::pair(0.0, true), std::pair(0.5, true),
-             std::pair(-0.5, false), std::pair(kNan, false), std::pair(kInfinity, false)}) {
+             std::pair(-0.5, false), std::pair(kNotANumber, false), std::pair(kInfinite, false)}) {
         QCOMPARE(isPlausible(UserLimits{number, 1.0}), good);
         QCOMPARE(isPlausible(UserLimits{1.0, number}), good);
     }
     for (const auto &[amps, good] :
         {std::pair(0.0, true), std::pair(1e-3, true), std::pair(0.9e-3, false),
             std::pair(kHighestAmps, true), std::pair(kHighestAmps * 1.001, false),
-            std::pair(-1.0, false), std::pair(kNan, false), std::pair(kInfinity, false)})
+            std::pair(-1.0, false), std::pair(kNotANumber, false), std::pair(kInfinite, false)})
         QCOMPARE(isPlausible(CurrentScale{1, amps}), good);
 }
 
@@ -150,8 +150,8 @@ void TestSetPoints::whatADigitAsksFor()
         {Held::Speed, 2.0, "A", 4.0, 0.0, 0.0},
         {Held::Speed, 0.0, "rpm", 4.0, 0.0, 0.0},
         {Held::Speed, -6.0, "rpm", 4.0, 0.0, 0.0},
-        {Held::Speed, kNan, "rpm", 4.0, 0.0, 0.0},
-        {Held::Speed, kInfinity, "rpm", 4.0, 0.0, 0.0},
+        {Held::Speed, kNotANumber, "rpm", 4.0, 0.0, 0.0},
+        {Held::Speed, kInfinite, "rpm", 4.0, 0.0, 0.0},
         {Held::Current, 0.5, "A", 0.0, 0.0, 0.5},
         {Held::Current, 0.5, "rpm", 0.0, 0.0, 0.0},
         {Held::Torque, 3.0, "N m", 0.0, 0.5, 6.0},
@@ -171,9 +171,9 @@ void TestSetPoints::whatADigitAsksFor()
 void TestSetPoints::motorsAreCountedFromOne()
 {
     for (const int motor : {1, 2})
-        QCOMPARE(refuseMotor(board(), motor), std::string());
+        QCOMPARE(refuseMotor(boardFacts(), motor), std::string());
     for (const int motor : {-1, 0, 3})
-        QCOMPARE(refuseMotor(board(), motor), "there is no motor " + std::to_string(motor));
+        QCOMPARE(refuseMotor(boardFacts(), motor), "there is no motor " + std::to_string(motor));
 }
 
 void TestSetPoints::aRampHasAWireLength()
@@ -186,7 +186,7 @@ void TestSetPoints::aRampHasAWireLength()
 
 void TestSetPoints::aStartNeedsEveryLimit()
 {
-    BoardFacts facts = board();
+    BoardFacts facts = boardFacts();
     QCOMPARE(refuseStart(facts, 1), std::string());
     QCOMPARE(refuseStart(facts, 2),
         std::string("the board does not tell the greatest speed, greatest current, nominal current "
@@ -201,14 +201,14 @@ void TestSetPoints::aStartNeedsEveryLimit()
 
 void TestSetPoints::aSetPointUpToTheBoundIsAllowed()
 {
-    BoardFacts facts = board();
+    BoardFacts facts = boardFacts();
     for (const double sign : {1.0, -1.0}) {
         QCOMPARE(refuseSpeed(facts, 1, sign * 4000.0), std::string());
         QCOMPARE(refuseSpeed(facts, 1, sign * 4000.1), std::string("beyond the limit of 4000 rpm"));
         QCOMPARE(refuseCurrent(facts, 1, sign * 5.0), std::string());
         QCOMPARE(refuseCurrent(facts, 1, sign * 5.1), std::string("beyond the limit of 5 A"));
     }
-    for (const double odd : {kNan, kInfinity, -kInfinity}) {
+    for (const double odd : {kNotANumber, kInfinite, -kInfinite}) {
         QCOMPARE(refuseSpeed(facts, 1, odd), std::string("not a finite number"));
         QCOMPARE(refuseCurrent(facts, 1, odd), std::string("not a finite number"));
     }
@@ -228,7 +228,7 @@ void TestSetPoints::aSetPointUpToTheBoundIsAllowed()
 
 void TestSetPoints::numbersForRegistersAreJudgedByTheirScale()
 {
-    const BoardFacts facts = board();
+    const BoardFacts facts = boardFacts();
     const auto refuse = [&](RegisterId id, int motor, catalog::Value value) {
         const auto *info = facts.catalog->find(id);
         return refuseNumber(facts,
@@ -243,7 +243,7 @@ void TestSetPoints::numbersForRegistersAreJudgedByTheirScale()
     QCOMPARE(refuse(Gain, 1, std::int64_t{99999}), std::string());
     QCOMPARE(refuse(Speed, 1, Bytes{1, 2}), std::string()); // no number: its type refuses it
     QCOMPARE(refuse(0x7000, 1, std::int64_t{99999}), std::string());
-    BoardFacts digits = board();
+    BoardFacts digits = boardFacts();
     catalog::RegisterInfo info = *digits.catalog->find(RegisterId{Speed});
     info.unit = "digits";
     digits.catalog = std::make_shared<const catalog::Catalog>(
@@ -278,7 +278,7 @@ void TestSetPoints::whatAWishSetsIsReadFromIt()
 
 void TestSetPoints::aWordOnTheWireHolds16Bits()
 {
-    BoardFacts facts = board();
+    BoardFacts facts = boardFacts();
     QCOMPARE(refuseWireSpeed(facts, 1, 4001.0), std::string("beyond the limit of 4000 rpm"));
     facts.limits[0].maxSpeedRpm = 50000.0;
     for (const double sign : {1.0, -1.0}) {
@@ -290,7 +290,7 @@ void TestSetPoints::aWordOnTheWireHolds16Bits()
 
 void TestSetPoints::everyPartOfASetPointIsLookedAt()
 {
-    BoardFacts facts = board();
+    BoardFacts facts = boardFacts();
     facts.scales = scalesOf(0.001);
     const SetPoint speed{Feature::SpeedRamp, 1, 4000.0, 0.0, 10ms};
     const SetPoint current{Feature::CurrentReference, 1, 3.0, -4.0, {}};
@@ -329,7 +329,7 @@ void TestSetPoints::everyPartOfASetPointIsLookedAt()
 
 void TestSetPoints::digitsAreRoundedAndClamped()
 {
-    BoardFacts facts = board();
+    BoardFacts facts = boardFacts();
     facts.scales = scalesOf(0.5);
     const std::pair<double, int> rows[] = {{0.0, 0}, {1.2, 2}, {1.3, 3}, {-1.3, -3},
         {16383.5, 32767}, {20000.0, 32767}, {-20000.0, -32767}};

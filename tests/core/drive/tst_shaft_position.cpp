@@ -8,12 +8,12 @@
 
 namespace {
 
-constexpr drive::RegisterId kPosition = 0x40, kCounts = 0x80;
+constexpr drive::RegisterId kShaft = 0x40, kCounts = 0x80;
 
 catalog::Catalog catalogWith(const char *position, bool readable = true)
 {
     std::vector<catalog::RegisterInfo> registers(2);
-    registers[0].id = kPosition;
+    registers[0].id = kShaft;
     registers[0].name = position;
     registers[0].access = readable ? catalog::Access::Read : catalog::Access::Write;
     registers[1].id = kCounts;
@@ -27,9 +27,9 @@ catalog::Catalog catalogWith(const char *position, bool readable = true)
 drive::ValueSource holds(drive::Value position, std::optional<std::int64_t> counts = {})
 {
     return [=](drive::RegisterId id) {
-        return id == kPosition ? std::optional(position)
-            : counts           ? std::optional<drive::Value>(*counts)
-                               : std::nullopt;
+        return id == kShaft ? std::optional(position)
+            : counts        ? std::optional<drive::Value>(*counts)
+                            : std::nullopt;
     };
 }
 
@@ -42,14 +42,14 @@ private Q_SLOTS:
     void radiansAreTakenAsTheyAre()
     {
         const auto catalog = catalogWith("CURRENT_POSITION");
-        QCOMPARE(drive::shaftRegisters(catalog, 1), std::vector<drive::RegisterId>{kPosition});
+        QCOMPARE(drive::shaftRegisters(catalog, 1), std::vector<drive::RegisterId>{kShaft});
         QCOMPARE(drive::shaftAngle_rad(catalog, 1, holds(-2.5)), std::optional(-2.5));
     }
     void countsNeedATurn()
     {
         const auto catalog = catalogWith("CL_POS_FBK_VALUE");
-        QCOMPARE(drive::shaftRegisters(catalog, 1),
-            (std::vector<drive::RegisterId>{kPosition, kCounts}));
+        QCOMPARE(
+            drive::shaftRegisters(catalog, 1), (std::vector<drive::RegisterId>{kShaft, kCounts}));
         QVERIFY(!drive::shaftAngle_rad(catalog, 1, holds(std::int64_t{1024})));
         QVERIFY(!drive::shaftAngle_rad(catalog, 1, holds(std::int64_t{1024}, 0)));
         const auto angle = drive::shaftAngle_rad(catalog, 1, holds(std::int64_t{-1024}, 4096));

@@ -10,7 +10,7 @@ using catalog::RegisterId;
 
 namespace {
 
-constexpr std::uint32_t kMode = 0x10, kSpeed = 0x20, kCurrent = 0x30;
+constexpr std::uint32_t kModeId = 0x10, kSpeedId = 0x20, kCurrentId = 0x30;
 
 catalog::RegisterInfo reference(
     std::uint32_t id, const char *name, catalog::SetPoint what, const char *unit)
@@ -31,11 +31,11 @@ std::shared_ptr<const catalog::Catalog> catalogOf(
 {
     std::vector<catalog::RegisterInfo> registers;
     if (mode != nullptr)
-        registers.push_back(reference(kMode, mode, catalog::SetPoint::None, ""));
+        registers.push_back(reference(kModeId, mode, catalog::SetPoint::None, ""));
     if (speed != nullptr)
-        registers.push_back(reference(kSpeed, speed, catalog::SetPoint::Speed, "rpm"));
+        registers.push_back(reference(kSpeedId, speed, catalog::SetPoint::Speed, "rpm"));
     if (current != nullptr)
-        registers.push_back(reference(kCurrent, current, catalog::SetPoint::Current, "A"));
+        registers.push_back(reference(kCurrentId, current, catalog::SetPoint::Current, "A"));
     return std::make_shared<const catalog::Catalog>(
         std::move(registers), 2, std::vector<catalog::Scales>{{}, {}});
 }
@@ -61,19 +61,20 @@ private Q_SLOTS:
         const auto id = [&](std::uint32_t bare) {
             return board->withMotor(*board->find(RegisterId{bare}), 2);
         };
-        QVERIFY((startRegisters(*board, 2) == std::vector{id(kMode), id(kSpeed), id(kCurrent)}));
-        const StartTarget speed =
-            targetOf(*board, 2, {{id(kMode), 3.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        QVERIFY(
+            (startRegisters(*board, 2) == std::vector{id(kModeId), id(kSpeedId), id(kCurrentId)}));
+        const StartTarget speed = targetOf(
+            *board, 2, {{id(kModeId), 3.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
         QVERIFY(speed.control == ControlMode::Speed);
         QVERIFY(speed.rpm == -1500.0);
         QVERIFY(!speed.amps);
-        const StartTarget torque =
-            targetOf(*board, 2, {{id(kMode), 4.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        const StartTarget torque = targetOf(
+            *board, 2, {{id(kModeId), 4.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
         QVERIFY(torque.control == ControlMode::Torque);
         QVERIFY(torque.amps == 2.0);
         QVERIFY(!torque.rpm);
-        const StartTarget other =
-            targetOf(*board, 2, {{id(kMode), 7.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        const StartTarget other = targetOf(
+            *board, 2, {{id(kModeId), 7.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
         QVERIFY(other.control == ControlMode::Other);
         QVERIFY(!other.rpm && !other.amps);
     }
@@ -83,17 +84,17 @@ private Q_SLOTS:
     {
         constexpr std::uint32_t kRamp = 0x40;
         std::vector<catalog::RegisterInfo> registers{
-            reference(kMode, "CONTROL_MODE", catalog::SetPoint::None, ""),
-            reference(kSpeed, "SPEED_REF", catalog::SetPoint::Speed, "rpm"),
+            reference(kModeId, "CONTROL_MODE", catalog::SetPoint::None, ""),
+            reference(kSpeedId, "SPEED_REF", catalog::SetPoint::Speed, "rpm"),
             reference(kRamp, "SPEED_RAMP", catalog::SetPoint::None, "")};
         registers.back().type = catalog::ValueType::Raw;
         const catalog::Catalog board(std::move(registers), 1, {{}});
         const auto id = [&](std::uint32_t bare) {
             return board.withMotor(*board.find(RegisterId{bare}), 1);
         };
-        QCOMPARE(startRegisters(board, 1), (std::vector{id(kMode), id(kRamp), id(kSpeed)}));
+        QCOMPARE(startRegisters(board, 1), (std::vector{id(kModeId), id(kRamp), id(kSpeedId)}));
         std::map<RegisterId, catalog::Value> held{
-            {id(kMode), std::int64_t{3}}, {id(kSpeed), std::int64_t{1380}}};
+            {id(kModeId), std::int64_t{3}}, {id(kSpeedId), std::int64_t{1380}}};
         const auto rpm = [&] {
             return startTarget(board, {}, 1, [&](RegisterId of) -> std::optional<catalog::Value> {
                 const auto found = held.find(of);
@@ -105,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(rpm(), -2000.0);
         held[id(kRamp)] = Bytes{0x30, 0xF8}; // no such structure
         QCOMPARE(rpm(), 1380.0);
-        held[id(kMode)] = std::int64_t{4};
+        held[id(kModeId)] = std::int64_t{4};
         QVERIFY(!rpm());
     }
 
@@ -115,13 +116,13 @@ private Q_SLOTS:
         const auto id = [&](std::uint32_t bare) {
             return board->withMotor(*board->find(RegisterId{bare}), 1);
         };
-        QVERIFY((startRegisters(*board, 1) == std::vector{id(kMode), id(kSpeed)}));
-        QVERIFY(!targetOf(*board, 1, {{id(kSpeed), 900.0}}).rpm); // the mode was not read
-        QVERIFY(!targetOf(*board, 1, {{id(kMode), 3.0}}).rpm);
-        QVERIFY(targetOf(*board, 1, {{id(kMode), 3.0}}).control == ControlMode::Speed);
-        QVERIFY(!targetOf(*board, 1, {{id(kMode), 4.0}, {id(kSpeed), 900.0}}).amps);
+        QVERIFY((startRegisters(*board, 1) == std::vector{id(kModeId), id(kSpeedId)}));
+        QVERIFY(!targetOf(*board, 1, {{id(kSpeedId), 900.0}}).rpm); // the mode was not read
+        QVERIFY(!targetOf(*board, 1, {{id(kModeId), 3.0}}).rpm);
+        QVERIFY(targetOf(*board, 1, {{id(kModeId), 3.0}}).control == ControlMode::Speed);
+        QVERIFY(!targetOf(*board, 1, {{id(kModeId), 4.0}, {id(kSpeedId), 900.0}}).amps);
         const auto none = catalogOf(nullptr, "SPEED_REF", nullptr);
-        QVERIFY(targetOf(*none, 1, {{none->withMotor(*none->find(RegisterId{kSpeed}), 1), 900.0}})
+        QVERIFY(targetOf(*none, 1, {{none->withMotor(*none->find(RegisterId{kSpeedId}), 1), 900.0}})
                     .control
             == ControlMode::Other);
     }
@@ -134,7 +135,7 @@ private Q_SLOTS:
         };
         const auto controlOf = [&](double mode) {
             return targetOf(
-                *board, 1, {{id(kMode), mode}, {id(kSpeed), 600.0}, {id(kCurrent), 1.5}});
+                *board, 1, {{id(kModeId), mode}, {id(kSpeedId), 600.0}, {id(kCurrentId), 1.5}});
         };
         QVERIFY(controlOf(0x03).control == ControlMode::Speed); // cyclic velocity
         QVERIFY(controlOf(0x03).rpm == 600.0);

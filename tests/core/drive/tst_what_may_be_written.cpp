@@ -98,8 +98,8 @@ std::vector<std::pair<std::string, RegisterInfo>> allRegisters()
 }
 
 /// A board of any protocol, met and armed, with the few verbs that these tests need.
-struct Bench {
-    virtual ~Bench() = default;
+struct WriteBench {
+    virtual ~WriteBench() = default;
     virtual drive::Ended ask(decltype(drive::Wish::what) what) = 0;
     virtual const drive::Identified &board() const = 0;
     virtual const std::map<drive::RegisterId, drive::Reading> &values() const = 0;
@@ -123,7 +123,7 @@ struct Bench {
     }
 };
 
-struct LineBench : Bench {
+struct LineBench : WriteBench {
     explicit LineBench(const std::string &profile)
         : isFcp(simulation::isFcpProfile(profile))
         , dialect(profile == "powerpc" ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32)
@@ -205,8 +205,8 @@ struct LineBench : Bench {
     std::optional<support::LinkPair> pair;
 };
 
-struct ServoBench : Bench {
-    ServoBench()
+struct ServoWriteBench : WriteBench {
+    ServoWriteBench()
     {
         pair.meet();
         pair.drive->arm();
@@ -253,10 +253,10 @@ struct ServoBench : Bench {
     support::McbPair pair;
 };
 
-std::unique_ptr<Bench> benchOf(const QString &profile)
+std::unique_ptr<WriteBench> benchOf(const QString &profile)
 {
     if (profile == QLatin1String("mcb"))
-        return std::make_unique<ServoBench>();
+        return std::make_unique<ServoWriteBench>();
     return std::make_unique<LineBench>(profile.toStdString());
 }
 

@@ -9,24 +9,24 @@ using namespace std::chrono_literals;
 
 namespace {
 
-struct Nothing {
+struct NoProtocol {
     struct Request { };
     struct Answer { };
 };
-using Queue = WishQueue<Nothing>;
+using Queue = WishQueue<NoProtocol>;
 
-constexpr TimePoint t{10s};
+constexpr TimePoint kAdded{10s};
 
-class Probe final : public WishTask<Nothing> {
+class QueuedProbe final : public WishTask<NoProtocol> {
 public:
-    Probe(WishId id, Permission permission, bool reads)
+    QueuedProbe(WishId id, Permission permission, bool reads)
         : WishTask(id, permission)
         , m_reads(reads)
     {
-        freshen(t);
+        freshen(kAdded);
     }
-    std::optional<Nothing::Request> nextRequest(TimePoint) override { return {}; }
-    void onResponse(const Nothing::Answer &, TimePoint) override { }
+    std::optional<NoProtocol::Request> nextRequest(TimePoint) override { return {}; }
+    void onResponse(const NoProtocol::Answer &, TimePoint) override { }
     void onNoResponse(std::optional<bool>, TimePoint) override { }
     bool onlyReads() const override { return m_reads; }
     void supersede(const Write &) override { ++superseded; }
@@ -40,16 +40,16 @@ private:
     bool m_reads;
 };
 
-struct Bench {
+struct QueueBench {
     Queue queue;
 
-    Probe *add(WishId id, bool reads = false, Permission permission = Permission::Always)
+    QueuedProbe *add(WishId id, bool reads = false, Permission permission = Permission::Always)
     {
-        auto task = std::make_unique<Probe>(id, permission, reads);
-        Probe *probe = task.get();
+        auto task = std::make_unique<QueuedProbe>(id, permission, reads);
+        QueuedProbe *probe = task.get();
         return queue.add(std::move(task)) ? probe : nullptr;
     }
-    std::vector<Event> collect(TimePoint now = t)
+    std::vector<Event> collect(TimePoint now = kAdded)
     {
         std::vector<Event> events;
         queue.collect(events, now);
@@ -65,7 +65,10 @@ struct Bench {
     }
 };
 
-std::string reasonOf(const Probe *probe) { return probe->finished() ? probe->ended().reason : ""; }
+std::string reasonOf(const QueuedProbe *probe)
+{
+    return probe->finished() ? probe->ended().reason : "";
+}
 
 } // namespace
 
@@ -85,27 +88,27 @@ private Q_SLOTS:
 
 void TestWishQueue::whatActsGoesBeforeWhatReads()
 {
-    Bench bench;
-    QVERIFY(bench.queue.next(true, t) == nullptr);
-    const Probe *read = bench.add(1, true);
-    Probe *first = bench.add(2);
-    const Probe *second = bench.add(3);
-    QVERIFY(bench.queue.next(true, t) == first);
+    QueueBench bench;
+    QVERIFY(bench.queue.next(true, kAdded) == nullptr);
+    const QueuedProbe *read = bench.add(1, true);
+    QueuedProbe *first = bench.add(2);
+    const QueuedProbe *second = bench.add(3);
+    QVERIFY(bench.queue.next(true, kAdded) == first);
     first->succeed();
-    QVERIFY(bench.queue.next(true, t) == second);
+    QVERIFY(bench.queue.next(true, kAdded) == second);
     bench.queue.cut("", nullptr, [](OpenWish &wish) { return !wish.onlyReads(); });
-    QVERIFY(bench.queue.next(true, t) == read);
+    QVERIFY(bench.queue.next(true, kAdded) == read);
 }
 
 void TestWishQueue::theDrivesOwnGoesFirst()
 {
-    Bench bench;
+    QueueBench bench;
     for (std::size_t i = 0; i < Queue::kMaxWaiting; ++i)
         bench.add(1 + i);
-    auto own = std::make_unique<Probe>(0, Permission::Always, false);
-    Probe *probe = own.get();
+    auto own = std::make_unique<QueuedProbe>(0, Permission::Always, false);
+    QueuedProbe *probe = own.get();
     bench.queue.addFirst(std::move(own));
-    QVERIFY(bench.queue.next(true, t) == probe);
+    QVERIFY(bench.queue.next(true, kAdded) == probe);
     probe->succeed();
     QVERIFY(bench.ended().empty()); // nobody asked for it
 }
@@ -113,7 +116,7 @@ void TestWishQueue::theDrivesOwnGoesFirst()
 void TestWishQueue::tooManyAreRefused()
 {
     for (const bool reads : {false, true}) {
-        Bench bench;
+        QueueBench bench;
         for (WishId id = 1; id <= 1000; ++id)
             QVERIFY(bench.add(id, reads) != nullptr);
         QVERIFY(bench.add(1001, reads) == nullptr);
@@ -123,33 +126,33 @@ void TestWishQueue::tooManyAreRefused()
 
 void TestWishQueue::unarmedNothingActs()
 {
-    Bench bench;
-    const Probe *acts = bench.add(1, false, Permission::Armed);
-    const Probe *always = bench.add(2);
-    QVERIFY(bench.queue.next(true, t) == acts);
-    QVERIFY(bench.queue.next(false, t) == always);
+    QueueBench bench;
+    const QueuedProbe *acts = bench.add(1, false, Permission::Armed);
+    const QueuedProbe *always = bench.add(2);
+    QVERIFY(bench.queue.next(true, kAdded) == acts);
+    QVERIFY(bench.queue.next(false, kAdded) == always);
     QCOMPARE(reasonOf(acts), std::string("not armed"));
     QVERIFY(acts->ended().outcome == Outcome::NotSent);
 }
 
 void TestWishQueue::whatIsTooLateIsCut()
 {
-    Bench bench;
-    const Probe *acts = bench.add(1, false, Permission::Armed);
-    const Probe *always = bench.add(2);
-    QVERIFY(bench.queue.next(true, t + kWishExpiresAfter) == acts);
-    QVERIFY(bench.queue.next(true, t + kWishExpiresAfter + 1ms) == always);
+    QueueBench bench;
+    const QueuedProbe *acts = bench.add(1, false, Permission::Armed);
+    const QueuedProbe *always = bench.add(2);
+    QVERIFY(bench.queue.next(true, kAdded + kWishExpiresAfter) == acts);
+    QVERIFY(bench.queue.next(true, kAdded + kWishExpiresAfter + 1ms) == always);
     QCOMPARE(reasonOf(acts), std::string(kTooLate));
-    QVERIFY(bench.queue.next(true, t + 1h) == always);
+    QVERIFY(bench.queue.next(true, kAdded + 1h) == always);
 }
 
 void TestWishQueue::allButOneAreCut()
 {
     for (const bool reads : {false, true}) {
-        Bench bench;
-        const Probe *inFlight = bench.add(1, reads);
-        const Probe *acts = bench.add(2);
-        const Probe *read = bench.add(3, true);
+        QueueBench bench;
+        const QueuedProbe *inFlight = bench.add(1, reads);
+        const QueuedProbe *acts = bench.add(2);
+        const QueuedProbe *read = bench.add(3, true);
         bench.queue.cut("stopped", inFlight);
         QVERIFY(!inFlight->finished());
         QCOMPARE(reasonOf(acts), std::string("stopped"));
@@ -162,11 +165,11 @@ void TestWishQueue::allButOneAreCut()
 
 void TestWishQueue::onlyOneKindIsCut()
 {
-    Bench bench;
-    const Probe *inFlight = bench.add(1, false, Permission::Armed);
-    const Probe *armed = bench.add(2, false, Permission::Armed);
-    const Probe *always = bench.add(3);
-    const Probe *read = bench.add(4, true);
+    QueueBench bench;
+    const QueuedProbe *inFlight = bench.add(1, false, Permission::Armed);
+    const QueuedProbe *armed = bench.add(2, false, Permission::Armed);
+    const QueuedProbe *always = bench.add(3);
+    const QueuedProbe *read = bench.add(4, true);
     bench.queue.cut("disarmed", inFlight,
         [](OpenWish &wish) { return wish.permission() == Permission::Armed; });
     QVERIFY(!inFlight->finished() && !always->finished() && !read->finished());
@@ -176,8 +179,8 @@ void TestWishQueue::onlyOneKindIsCut()
 
 void TestWishQueue::aNewerWriteIsToldToWhatActs()
 {
-    Bench bench;
-    const Probe *first = bench.add(1), *second = bench.add(2), *read = bench.add(3, true);
+    QueueBench bench;
+    const QueuedProbe *first = bench.add(1), *second = bench.add(2), *read = bench.add(3, true);
     bench.queue.supersede({});
     QCOMPARE(first->superseded, 1);
     QCOMPARE(second->superseded, 1);
@@ -186,8 +189,8 @@ void TestWishQueue::aNewerWriteIsToldToWhatActs()
 
 void TestWishQueue::eachEndIsToldOnceWithItsResults()
 {
-    Bench bench;
-    Probe *probe = bench.add(7, true);
+    QueueBench bench;
+    QueuedProbe *probe = bench.add(7, true);
     QVERIFY(bench.collect().empty());
     probe->readings = {Reading{}};
     const auto some = bench.collect();
@@ -195,25 +198,25 @@ void TestWishQueue::eachEndIsToldOnceWithItsResults()
     QVERIFY(std::holds_alternative<RegistersRead>(some[0]));
     probe->readings = {Reading{}};
     probe->motion() = MotionRecord{};
-    probe->motion()->asked = t;
+    probe->motion()->asked = kAdded;
     QCOMPARE(bench.collect().size(), std::size_t{1}); // its record waits for its end
     probe->readings = {Reading{}};
     probe->cut("gone");
-    const auto events = bench.collect(t + 5ms);
+    const auto events = bench.collect(kAdded + 5ms);
     QCOMPARE(events.size(), std::size_t{3});
     QVERIFY(std::holds_alternative<RegistersRead>(events[0]));
     const auto &motion = std::get<MotionRecord>(events[1]);
-    QVERIFY(motion.ended == t + 5ms && motion.outcome == Outcome::NotSent);
+    QVERIFY(motion.ended == kAdded + 5ms && motion.outcome == Outcome::NotSent);
     QCOMPARE(motion.reason, std::string("gone"));
     QCOMPARE(std::get<Ended>(events[2]).id, WishId{7});
     QVERIFY(bench.collect().empty());
     // No act ends before it was asked for, whichever clock told that.
-    Probe *early = bench.add(8);
+    QueuedProbe *early = bench.add(8);
     early->motion() = MotionRecord{};
-    early->motion()->asked = t + 1s;
+    early->motion()->asked = kAdded + 1s;
     early->succeed();
-    const auto last = bench.collect(t);
-    QVERIFY(std::get<MotionRecord>(last.at(0)).ended == t + 1s);
+    const auto last = bench.collect(kAdded);
+    QVERIFY(std::get<MotionRecord>(last.at(0)).ended == kAdded + 1s);
 }
 
 QTEST_APPLESS_MAIN(TestWishQueue)

@@ -13,7 +13,7 @@ using drive::RegisterWrite;
 
 namespace {
 
-struct Board {
+struct CautionBoard {
     Catalog catalog{
         catalog::readTable(catalog::builtInTable("mcp"), "std", 0x060400).value(), 2, {{}, {}}};
     std::map<RegisterId, std::int64_t> held;
@@ -50,7 +50,7 @@ class TestWriteCaution : public QObject {
 private Q_SLOTS:
     void theHalvesOfAGainFindEachOther()
     {
-        const Board board;
+        const CautionBoard board;
         for (const auto &[one, other] : {std::pair("SPEED_KP", "SPEED_KP_DIV"),
                  std::pair("I_Q_KI@2", "I_Q_KI_DIV@2"), std::pair("FLUXWK_KP", "FLUXWK_KP_DIV")}) {
             QVERIFY(drive::otherHalf(board.catalog, board.id(one)) == board.id(other));
@@ -62,7 +62,7 @@ private Q_SLOTS:
 
     void everyExponentOfTheTableHasANumerator()
     {
-        const Board board;
+        const CautionBoard board;
         int exponents = 0;
         for (const catalog::RegisterInfo &info : board.catalog.registers()) {
             if (info.gain != catalog::Gain::Exponent)
@@ -76,7 +76,7 @@ private Q_SLOTS:
 
     void fourTimesTheNumeratorOverTwoMoreIsNoChange()
     {
-        Board board;
+        CautionBoard board;
         board.held = {{board.id("SPEED_KP"), 1000}, {board.id("SPEED_KP_DIV"), 8}};
         QVERIFY(board.cautions({board.write("SPEED_KP", 4000), board.write("SPEED_KP_DIV", 10)})
             == std::vector(2, Caution::None));
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     void twoSmallStepsInOneDirectionAreAJump()
     {
-        Board board;
+        CautionBoard board;
         board.held = {{board.id("SPEED_KP"), 1000}, {board.id("SPEED_KP_DIV"), 8}};
         // Neither is by more than the double, both are.
         QVERIFY(board.cautions({board.write("SPEED_KP", 2000)}) == std::vector{Caution::None});
@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void whatIsNotKnownIsAJump()
     {
-        Board board;
+        CautionBoard board;
         board.held = {{board.id("SPEED_KP"), 1000}};
         QVERIFY(board.cautions({board.write("SPEED_KP", 1001), board.write("SPEED_KP_DIV", 8)})
             == std::vector(2, Caution::GainJump));
@@ -114,7 +114,7 @@ private Q_SLOTS:
 
     void atRestAndOfAnotherMotorNobodyIsAsked()
     {
-        Board board;
+        CautionBoard board;
         QVERIFY(board.cautions({board.write("SPEED_KP@2", 1), board.write("SPEED_KP_DIV@2", 1)})
             == std::vector(2, Caution::None));
         board.held = {{board.id("SPEED_KP@2"), 1000}, {board.id("SPEED_KP_DIV"), 8}};
@@ -126,7 +126,7 @@ private Q_SLOTS:
 
     void theHalfThatLowersTheGainGoesFirst()
     {
-        Board board;
+        CautionBoard board;
         board.held = {{board.id("SPEED_KP"), 1000}, {board.id("SPEED_KP_DIV"), 8}};
         using Names = std::vector<std::string>;
         QVERIFY(board.order({board.write("SPEED_KP", 4000), board.write("I_Q_KP", 1),

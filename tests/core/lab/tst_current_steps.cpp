@@ -15,12 +15,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-#define VERIFY_END(ended, wanted)                                                                  \
-    do {                                                                                           \
-        const Outcome it = ended;                                                                  \
-        QVERIFY2(it.end == (wanted), qPrintable(support::outcomeText(it)));                        \
-    } while (false)
-
 simulation::BoardOptions board(std::string_view motor)
 {
     simulation::BoardOptions options;

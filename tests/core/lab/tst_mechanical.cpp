@@ -10,14 +10,14 @@ using support::LabBench;
 
 namespace {
 
-struct Measured {
+struct MeasuredMechanics {
     Outcome outcome;
     Result<Mechanics, std::string> found = fail(std::string());
     std::vector<drive::TorqueRamp> torques;
     double slowest_rpm = 1e9; ///< of the rotor while torques drove it
 };
 
-Measured measure(simulation::BoardOptions options, std::uint64_t seed,
+MeasuredMechanics measure(simulation::BoardOptions options, std::uint64_t seed,
     const std::function<void(LabBench &)> &also = {})
 {
     options.seed = seed;
@@ -25,7 +25,7 @@ Measured measure(simulation::BoardOptions options, std::uint64_t seed,
     SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
     plan.seed = static_cast<std::uint32_t>(seed);
     bench.experiment.plan = plan;
-    Measured measured;
+    MeasuredMechanics measured;
     bool turning = false;
     bench.eachTurn = [&] {
         turning = turning || bench.pair.board->truth(1).rpm > plan.highRpm * 0.9;
@@ -40,7 +40,7 @@ Measured measure(simulation::BoardOptions options, std::uint64_t seed,
     return measured;
 }
 
-Measured measure(const PlantParameters &plant, std::string_view motor, std::uint64_t seed,
+MeasuredMechanics measure(const PlantParameters &plant, std::string_view motor, std::uint64_t seed,
     const std::function<void(LabBench &)> &also = {})
 {
     simulation::BoardOptions options;
@@ -106,7 +106,7 @@ private Q_SLOTS:
         simulation::BoardOptions options;
         options.plant = support::fastMotor();
         const simulation::MotorParameters &truth = options.plant->motor;
-        const Measured measured = measure(options, 1);
+        const MeasuredMechanics measured = measure(options, 1);
         QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
         const Mechanics &found = *measured.found;
         VERIFY_WITHIN(found.inertia_kgm2, truth.inertia_kgm2, 2.0);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QFETCH(const QString, motor);
         QFETCH(const quint64, seed);
         const PlantParameters &truth = *simulation::findPreset(motor.toStdString());
-        const Measured measured = measure(truth, motor.toStdString(), seed);
+        const MeasuredMechanics measured = measure(truth, motor.toStdString(), seed);
         QVERIFY2(measured.outcome.end == End::Complete && measured.outcome.reason.empty(),
             qPrintable(support::outcomeText(measured.outcome)));
         QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
@@ -224,7 +224,7 @@ private Q_SLOTS:
         simulation::BoardOptions options;
         options.plant = hubMotor(rpm, polePairs, inertia, brake);
         for (const std::uint64_t seed : {1U, 2U}) {
-            const Measured measured = measure(options, seed);
+            const MeasuredMechanics measured = measure(options, seed);
             QVERIFY2(measured.outcome.end == End::Complete,
                 qPrintable(support::outcomeText(measured.outcome)));
             QVERIFY2(measured.found.has_value() == told,
@@ -262,7 +262,7 @@ private Q_SLOTS:
         PlantParameters plant = *simulation::findPreset("servo24");
         plant.load.constant_nm = brake * 1.5 * 5 * plant.motor.flux_wb * plant.motor.nominal_a;
         for (const std::uint64_t seed : {1U, 2U}) {
-            const Measured measured = measure(plant, "servo24", seed);
+            const MeasuredMechanics measured = measure(plant, "servo24", seed);
             QVERIFY2(measured.outcome.end == End::Complete,
                 qPrintable(support::outcomeText(measured.outcome)));
             QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
@@ -283,7 +283,7 @@ private Q_SLOTS:
     {
         PlantParameters plant = *simulation::findPreset("servo24");
         plant.load.constant_nm = 0.05;
-        const Measured measured = measure(plant, "servo24", 1, [](LabBench &bench) {
+        const MeasuredMechanics measured = measure(plant, "servo24", 1, [](LabBench &bench) {
             for (auto &[at, what] : bench.happenings)
                 for (auto &[name, value] : what.fields)
                     if (name == "voltage d")
@@ -301,7 +301,7 @@ private Q_SLOTS:
     {
         PlantParameters plant = *simulation::findPreset("blower36");
         plant.load.constant_nm = 0.05;
-        const Measured measured = measure(plant, "blower36", 1);
+        const MeasuredMechanics measured = measure(plant, "blower36", 1);
         QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
         VERIFY_WITHIN(measured.found->dry_nm, plant.motor.coulomb_nm + 0.05, 5.0);
         VERIFY_WITHIN(measured.found->inertia_kgm2, plant.motor.inertia_kgm2, 1.5);
@@ -350,7 +350,7 @@ private Q_SLOTS:
         QFETCH(const double, heavier);
         const simulation::BoardOptions options = swingingBoard(heavier);
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
-            const Measured measured = measure(options, seed);
+            const MeasuredMechanics measured = measure(options, seed);
             QVERIFY2(measured.outcome.end == End::Complete && measured.outcome.reason.empty(),
                 qPrintable(support::outcomeText(measured.outcome)));
             QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
@@ -396,12 +396,12 @@ private Q_SLOTS:
     void whatIsMissingIsSaid()
     {
         const PlantParameters &truth = *simulation::findPreset("pm24");
-        const Measured none = measure(truth, "pm24", 1, [](LabBench &bench) {
+        const MeasuredMechanics none = measure(truth, "pm24", 1, [](LabBench &bench) {
             std::erase_if(
                 bench.happenings, [](const auto &one) { return one.second.name == "torque ramp"; });
         });
         QVERIFY(!none.found);
-        const Measured cut = measure(truth, "pm24", 1, [](LabBench &bench) {
+        const MeasuredMechanics cut = measure(truth, "pm24", 1, [](LabBench &bench) {
             std::size_t seen = 0;
             std::erase_if(bench.happenings,
                 [&](const auto &one) { return one.second.name == "torque ramp" && ++seen > 3; });

@@ -12,20 +12,20 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-struct Measured {
+struct MeasuredSpeed {
     Outcome outcome;
     ResponsePlan plan;
     Result<SpeedResponse, std::string> found = fail(std::string());
 };
 
-Measured measure(std::string_view motor, const std::function<void(LabBench &)> &also = {})
+MeasuredSpeed measure(std::string_view motor, const std::function<void(LabBench &)> &also = {})
 {
     simulation::BoardOptions options;
     options.motor = motor;
     LabBench bench(options);
-    Measured measured;
+    MeasuredSpeed measured;
     measured.plan = responsePlanFor(bench.experiment.subject, {});
     bench.experiment.plan = measured.plan;
     measured.outcome = bench.run();
@@ -57,7 +57,7 @@ class TestResponse : public QObject {
 private Q_SLOTS:
     void anEncoderTellsTheMotorUpTo40Hz()
     {
-        const Measured measured = measure("servo24");
+        const MeasuredSpeed measured = measure("servo24");
         VERIFY_COMPLETE(measured);
         const auto &plant = *simulation::findPreset("servo24");
         int clear = 0, within = 0;
@@ -72,7 +72,7 @@ private Q_SLOTS:
             // The set-point is held for 30 ms: little of it is left up there.
             QVERIFY2(std::abs(std::abs(ratio) - 1.0) < (point.hz < 35.0 ? 0.03 : 0.04),
                 qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::abs(ratio))));
-            QVERIFY2(std::abs(std::arg(ratio)) * kDegrees < 3.0,
+            QVERIFY2(std::abs(std::arg(ratio)) * kDegreesPerRadian < 3.0,
                 qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::arg(ratio))));
         }
         QVERIFY2(clear >= 15, qPrintable(QString::number(clear)));
@@ -123,7 +123,7 @@ private Q_SLOTS:
     void anObservedSpeedTellsItUpTo10Hz()
     {
         QFETCH(const QString, motor);
-        const Measured measured = measure(motor.toStdString());
+        const MeasuredSpeed measured = measure(motor.toStdString());
         VERIFY_COMPLETE(measured);
         const auto &plant = *simulation::findPreset(motor.toStdString());
         int known = 0;
@@ -143,7 +143,7 @@ private Q_SLOTS:
 
     void withoutGainsTheLoopIsNotTold()
     {
-        const Measured measured = measure("servo24", [](LabBench &bench) {
+        const MeasuredSpeed measured = measure("servo24", [](LabBench &bench) {
             for (auto &[at, what] : bench.happenings)
                 for (auto &[key, value] : what.fields)
                     if (key == "proportional A per rpm" || key == "integral A per rpm")
@@ -238,12 +238,12 @@ private Q_SLOTS:
 
     void whatIsMissingIsSaid()
     {
-        const Measured none = measure("servo24", [](LabBench &bench) {
+        const MeasuredSpeed none = measure("servo24", [](LabBench &bench) {
             std::erase_if(
                 bench.happenings, [](const auto &one) { return one.second.name == "speed ramp"; });
         });
         QVERIFY(!none.found && !none.found.error().empty());
-        const Measured other =
+        const MeasuredSpeed other =
             measure("servo24", [](LabBench &bench) { bench.happenings.clear(); });
         QVERIFY(!other.found);
     }

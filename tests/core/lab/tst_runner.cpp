@@ -7,12 +7,6 @@ using lab::End;
 using support::LabBench;
 using namespace std::chrono_literals;
 
-#define VERIFY_END(ended, wanted)                                                                  \
-    do {                                                                                           \
-        const lab::Outcome it = ended;                                                             \
-        QVERIFY2(it.end == (wanted), qPrintable(support::outcomeText(it)));                        \
-    } while (false)
-
 class TestRunner : public QObject {
     Q_OBJECT
 private Q_SLOTS:

@@ -11,7 +11,7 @@ using capture::Nanos;
 
 namespace {
 
-constexpr double kTick_hz = 16000.0;
+constexpr double kStepTick_hz = 16000.0;
 constexpr double kAmpsPerDigit = 1e-3, kJump = 2e-3 /* A/rpm */;
 constexpr int kPolePairs = 5;
 constexpr Nanos kSecond = 1'000'000'000;
@@ -45,7 +45,7 @@ struct Plant {
 };
 
 /// What a board would have recorded of a step from 1000 to 1500 rpm at 1 s, asked for a while before.
-struct Recording {
+struct StepRecording {
     Plant plant;
     double from = 1000.0, to = 1500.0;
     double at_s = 1.0;
@@ -63,7 +63,7 @@ struct Recording {
     {
         capture::StreamLayout layout;
         layout.id = 1;
-        layout.tickHz = kTick_hz;
+        layout.tickHz = kStepTick_hz;
         layout.fast = {{1, "I_Q_REF", "A", kAmpsPerDigit}, {2, "I_Q_MEAS", "A", kAmpsPerDigit},
             {3, "ENCODER_SPEED", "rpm", 6.0}, {4, "ENCODER_EL_ANGLE", "deg", 360.0 / 65536.0}};
         capture.begin(layout);
@@ -87,11 +87,11 @@ struct Recording {
             first = next;
             lost = 0;
         };
-        const auto ticks = static_cast<capture::Tick>(length_s * kTick_hz);
+        const auto ticks = static_cast<capture::Tick>(length_s * kStepTick_hz);
         double error = 0.0;
         for (capture::Tick tick = 0; tick < ticks; ++tick) {
-            const double t = double(tick) / kTick_hz;
-            turns += speed(t) / 60.0 / kTick_hz;
+            const double t = double(tick) / kStepTick_hz;
+            turns += speed(t) / 60.0 / kStepTick_hz;
             if (gap && t >= gap->first && t < gap->second) {
                 flush(tick);
                 first = tick + 1;
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QFETCH(const double, w);
         QFETCH(const double, d);
         QFETCH(const double, to);
-        Recording recording{.plant = {w, d}, .to = to};
+        StepRecording recording{.plant = {w, d}, .to = to};
         const StepRun run = evaluateStep(recording.make(), recording.asked(), kFacts);
         QVERIFY(run.found && !run.unusable);
         QCOMPARE(run.up, to > 1000.0);
@@ -164,14 +164,14 @@ private Q_SLOTS:
         VERIFY_NEAR(*run.rise_s, rise, 0.01 * rise);
         VERIFY_NEAR(*run.overshoot_pct, recording.plant.overshoot_pct(), 0.5);
         VERIFY_NEAR(double(run.at), 1e9, 63e3); // a sample
-        VERIFY_NEAR(run.instantError_s, 1.0 / kTick_hz, 1e-9);
+        VERIFY_NEAR(run.instantError_s, 1.0 / kStepTick_hz, 1e-9);
     }
 
     void theInstantIsInTheDataHoweverLateTheWriteWas()
     {
         for (std::uint64_t seed = 1; seed <= 200; ++seed) {
             support::Random random(seed);
-            Recording recording;
+            StepRecording recording;
             recording.seed = seed;
             recording.noise_digits = 60.0; // of a jump of 1000
             recording.at_s = 0.5 + 0.001 * double(random.below(500)); // at a turn of the loop
@@ -185,7 +185,7 @@ private Q_SLOTS:
 
     void withoutItsJumpTheInstantIsUncertainAndSaysHowMuch()
     {
-        Recording recording;
+        StepRecording recording;
         const StepChannels channels = recording.make();
         StepAsked asked = recording.asked();
         StepFacts facts = kFacts;
@@ -202,20 +202,20 @@ private Q_SLOTS:
 
     void withoutAGainTheJumpThatStandsOutIsTaken()
     {
-        Recording recording;
+        StepRecording recording;
         StepFacts facts = kFacts;
         facts.jumpPerRpm = 0.0;
         const StepRun run = evaluateStep(recording.make(), recording.asked(), facts);
         QVERIFY(run.found);
         VERIFY_NEAR(double(run.at), 1e9, 63e3);
-        Recording noisy;
+        StepRecording noisy;
         noisy.noise_digits = 600.0;
         QVERIFY(!evaluateStep(noisy.make(), noisy.asked(), facts).found);
     }
 
     void aJumpThatTheLimitCutsIsFoundAndTheLimitTold()
     {
-        Recording recording;
+        StepRecording recording;
         recording.limit_a = 1.6; // 0.6 of 1.0 A
         recording.plant.w = 40.0;
         const StepRun run = evaluateStep(recording.make(), recording.asked(), kFacts);
@@ -228,33 +228,33 @@ private Q_SLOTS:
     void nothingIsToldAcrossAGap()
     {
         for (const double at : {0.95, 1.02, 1.3}) {
-            Recording recording;
+            StepRecording recording;
             recording.gap = {at, at + 0.001};
             const StepRun run = evaluateStep(recording.make(), recording.asked(), kFacts);
             QVERIFY(run.unusable == scope::WhyNot::GapInside);
             QVERIFY(!run.rise_s && !run.overshoot_pct && !run.settling_s);
         }
-        Recording before;
+        StepRecording before;
         before.gap = {0.5, 0.6};
         QVERIFY(!evaluateStep(before.make(), before.asked(), kFacts).unusable);
     }
 
     void aSpeedThatStaysIsNoStep()
     {
-        Recording recording;
+        StepRecording recording;
         recording.to = 1000.0;
         StepAsked asked = recording.asked();
         const StepChannels channels = recording.make();
         asked.to = 1500;
         QVERIFY(evaluateStep(channels, asked, kFacts).unusable.has_value());
         asked.to = 500; // and one that goes the other way is not this step
-        Recording other;
+        StepRecording other;
         QVERIFY(evaluateStep(other.make(), asked, kFacts).unusable.has_value());
     }
 
     void withoutAnAngleTheSpeedSignalIsTaken()
     {
-        Recording recording;
+        StepRecording recording;
         StepChannels channels = recording.make();
         channels.angle = nullptr;
         const StepRun run = evaluateStep(channels, recording.asked(), kFacts);
@@ -263,7 +263,7 @@ private Q_SLOTS:
 
     void aStandingRotorGivesASpeedOfNothing()
     {
-        Recording recording;
+        StepRecording recording;
         recording.from = recording.to = 0.0;
         recording.make();
         const capture::Capture speed =

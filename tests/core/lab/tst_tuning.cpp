@@ -14,7 +14,7 @@ using support::write;
 
 namespace {
 
-simulation::BoardOptions boardOf(const QString &motor)
+simulation::BoardOptions boardWith(const QString &motor)
 {
     simulation::BoardOptions options;
     options.motor = motor.toStdString();
@@ -40,7 +40,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, motor);
         QFETCH(const double, factor);
-        LabBench before(boardOf(motor));
+        LabBench before(boardWith(motor));
         const Gains told = gainsOf(before);
         const auto scaled = [&](int gain) { return std::max(1, int(std::lround(gain * factor))); };
         QVERIFY(write(before, {scaled(told.proportional), scaled(told.integral)}));
@@ -56,7 +56,7 @@ private Q_SLOTS:
         QVERIFY(medium->phaseMargin_deg >= distanceOf(Goal::Medium).phaseMargin_deg);
         QVERIFY(medium->ms <= distanceOf(Goal::Medium).ms);
 
-        LabBench after(boardOf(motor));
+        LabBench after(boardWith(motor));
         QVERIFY(write(after, {medium->proportional, medium->integral}));
         const auto proof = respond(after);
         QVERIFY2(proof, proof ? "" : proof.error().c_str());
@@ -80,7 +80,7 @@ private Q_SLOTS:
     void theOvershootOfASmallStepIsTheRotors()
     {
         QFETCH(const QString, motor);
-        LabBench bench(boardOf(motor));
+        LabBench bench(boardWith(motor));
         const ResponsePlan around = responsePlanFor(bench.experiment.subject, {});
         bench.steps = {.fromRpm = around.rpm - around.amplitudeRpm,
             .toRpm = around.rpm + around.amplitudeRpm,
@@ -99,7 +99,7 @@ private Q_SLOTS:
                 peaks.back() = std::max(peaks.back(), truth.rpm - bench.steps.toRpm);
             wasUp = up;
         };
-        const Outcome outcome = bench.run();
+        const lab::Outcome outcome = bench.run();
         QVERIFY2(outcome.end == End::Complete, outcome.reason.c_str());
         const auto series = bench.series();
         QVERIFY(series && series->runs.size() == 10 && peaks.size() == 5);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         loop.integral = told.integral;
         bench.experiment.plan = *calmer(responsePlanFor(bench.experiment.subject, {}), loop);
         bench.happenings.clear();
-        const Outcome calmed = bench.run();
+        const lab::Outcome calmed = bench.run();
         QVERIFY2(calmed.end == End::Complete, qPrintable(support::outcomeText(calmed)));
         const auto measured = evaluateResponse(bench.capture, bench.happenings);
         QVERIFY2(measured, measured ? "" : measured.error().c_str());
@@ -154,7 +154,7 @@ private Q_SLOTS:
         plan.kp = 100;
         plan.ki = 10;
         bench.experiment.plan = plan;
-        const Outcome outcome = bench.run();
+        const lab::Outcome outcome = bench.run();
         QVERIFY(outcome.end == End::Refused);
         QVERIFY2(outcome.reason.find("stop it first") != std::string::npos, outcome.reason.c_str());
     }
@@ -162,7 +162,7 @@ private Q_SLOTS:
     /// An integral gain alone turns the phase by two quarters: no number of such a loop means anything.
     void aLoopThatWouldSwingEverMoreIsCalledSo()
     {
-        LabBench bench(boardOf(QStringLiteral("servo24")));
+        LabBench bench(boardWith(QStringLiteral("servo24")));
         const Gains told = gainsOf(bench);
         const GainDigits digits = digitsOf(bench);
         const auto measured = respond(bench);

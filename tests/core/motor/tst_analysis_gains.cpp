@@ -4,12 +4,14 @@
 #include "motor/smaller_loops.h"
 #include "motor/speed_loop.h"
 #include "simulation/maths/gains.h"
+#include "support/near.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 
+using support::nearByShare;
 using namespace motor;
 
 class TestAnalysisGains : public QObject {
@@ -38,31 +40,23 @@ namespace {
 constexpr double kDigitsPerAmp = 65536.0 * 3e-3 * 9.14 / 3.3; // 3 mOhm, amplified 9.14 times
 const PowerStage kStage{24.0, kDigitsPerAmp, 1.0 / 16000.0};
 
-bool near(double is, double wanted, double share)
-{
-    if (std::abs(is - wanted) <= share * std::abs(wanted))
-        return true;
-    qWarning() << is << "is not within" << share << "of" << wanted;
-    return false;
-}
-
 } // namespace
 
 void TestAnalysisGains::theWorkedExampleOfTheDocumentationComesOut()
 {
-    QVERIFY(near(kDigitsPerAmp, 544.54, 1e-5));
-    QVERIFY(near(kStage.ruleOhms(), 0.199418, 1e-5));
+    QVERIFY(nearByShare(kDigitsPerAmp, 544.54, 1e-5));
+    QVERIFY(nearByShare(kStage.ruleOhms(), 0.199418, 1e-5));
     const CurrentPlant plant{0.35, 0.6e-3};
     const PiGains digits = currentDigits(currentGains(plant, 1500.0), kStage);
-    QVERIFY(near(digits.kp, 4.51313, 1e-5));
-    QVERIFY(near(digits.ki, 0.164541, 1e-5));
+    QVERIFY(nearByShare(digits.kp, 4.51313, 1e-5));
+    QVERIFY(nearByShare(digits.ki, 0.164541, 1e-5));
     const Quantised kp = quantise(digits.kp, 10), ki = quantise(digits.ki, 14);
     QVERIFY((kp.gain == FixedPointGain{4621, 10}));
     QVERIFY((ki.gain == FixedPointGain{2696, 14}));
     QVERIFY(std::abs(kp.error) < 1.1e-4 && std::abs(ki.error) < 1e-4);
     QVERIFY(kp.problem == FixedPointProblem::None);
-    QVERIFY(near(kp.numeratorMargin, 32767.0 / 4621.0, 1e-12));
-    QVERIFY(near(ruleBandwidth_radps(kp.gain.value(), plant, kStage), 1500.0, 1.1e-4));
+    QVERIFY(nearByShare(kp.numeratorMargin, 32767.0 / 4621.0, 1e-12));
+    QVERIFY(nearByShare(ruleBandwidth_radps(kp.gain.value(), plant, kStage), 1500.0, 1.1e-4));
 }
 
 void TestAnalysisGains::aGeneratedProjectIsReproduced()
@@ -71,11 +65,11 @@ void TestAnalysisGains::aGeneratedProjectIsReproduced()
     const CurrentPlant q{0.03, 0.117e-3}, d{0.03, 0.117e-3 * 0.597};
     const PiGains torque = currentDigits(currentGains(q, 6000.0), kStage);
     const PiGains flux = currentDigits(currentGains(d, 6000.0), kStage);
-    QVERIFY(near(quantise(torque.kp, 10).gain.numerator, 3614, 0.003));
-    QVERIFY(near(quantise(torque.ki, 14).gain.numerator, 925, 0.003));
-    QVERIFY(near(quantise(flux.kp, 10).gain.numerator, 2158, 0.003));
+    QVERIFY(nearByShare(quantise(torque.kp, 10).gain.numerator, 3614, 0.003));
+    QVERIFY(nearByShare(quantise(torque.ki, 14).gain.numerator, 925, 0.003));
+    QVERIFY(nearByShare(quantise(flux.kp, 10).gain.numerator, 2158, 0.003));
     QCOMPARE(torque.ki, flux.ki); // the resistance is the same
-    QVERIFY(near(ruleBandwidth_radps(3614.0 / 1024.0, q, kStage), 6015.0, 1e-3));
+    QVERIFY(nearByShare(ruleBandwidth_radps(3614.0 / 1024.0, q, kStage), 6015.0, 1e-3));
 }
 
 void TestAnalysisGains::theRealLoopIsFasterThanTheRule()
@@ -83,7 +77,8 @@ void TestAnalysisGains::theRealLoopIsFasterThanTheRule()
     const CurrentPlant plant{0.35, 0.6e-3};
     const double kp = currentDigits(currentGains(plant, 1500.0), kStage).kp;
     // 2^16 digits of the bus against 32767 of Vbus / sqrt(3)
-    QVERIFY(near(realBandwidth_radps(kp, plant, kStage), 1500.0 * 2.0 / std::sqrt(3.0), 1e-4));
+    QVERIFY(
+        nearByShare(realBandwidth_radps(kp, plant, kStage), 1500.0 * 2.0 / std::sqrt(3.0), 1e-4));
     QCOMPARE(bandwidthLimit_radps(16000.0), 9600.0);
 }
 
@@ -136,9 +131,9 @@ void TestAnalysisGains::aSlowLoopRisesLikeAFirstOrderOne()
     const PiGains digits = currentDigits(currentGains(plant, asked), kStage);
     const StepPrediction step = predictCurrentStep(digits, plant, kStage, 2000);
     const double real = realBandwidth_radps(digits.kp, plant, kStage);
-    QVERIFY(near(step.rise_s, std::log(9.0) / real, 0.03));
+    QVERIFY(nearByShare(step.rise_s, std::log(9.0) / real, 0.03));
     QVERIFY(step.overshoot < 1e-6);
-    QVERIFY(near(step.response.back(), 1.0, 1e-6));
+    QVERIFY(nearByShare(step.response.back(), 1.0, 1e-6));
     QCOMPARE(step.response.front(), 0.0);
 }
 
@@ -156,7 +151,7 @@ void TestAnalysisGains::delayShortensTheRiseAndThenOvershoots()
     const StepPrediction calm = stepOf(1500.0), quick = stepOf(9000.0);
     QVERIFY(calm.rise_s < prompt.rise_s);
     const double undelayed = std::log(9.0) / (1500.0 * 2 / std::sqrt(3.0));
-    QVERIFY(near(prompt.rise_s, undelayed, 0.07));
+    QVERIFY(nearByShare(prompt.rise_s, undelayed, 0.07));
     QVERIFY(calm.rise_s < undelayed);
     QVERIFY(calm.overshoot < 0.01);
     QVERIFY(quick.overshoot > 0.1);
@@ -186,23 +181,23 @@ void TestAnalysisGains::speedGainsCrossWhereTheyShould()
 {
     const SpeedPlant plant{0.039, 5e-5};
     const double lag = speedLoopLag_s(1500.0, 0.0, 1.0 / 16000.0, 1e-3);
-    QVERIFY(near(lag, 1 / 1500.0 + 1.5 / 16000.0 + 0.5e-3, 1e-12));
+    QVERIFY(nearByShare(lag, 1 / 1500.0 + 1.5 / 16000.0 + 0.5e-3, 1e-12));
     const double d = 3.0;
     const PiGains gains = speedGains(plant, lag, d);
     // The open loop has magnitude 1 at 1 / (d tau): |Kp + Ki/(jw)| K / w / |1 + jw tau|
     const double w = 1.0 / (d * lag), k = plant.kt_nmpa / plant.inertia_kgm2;
     const double magnitude = std::hypot(gains.kp, gains.ki / w) * k / w / std::hypot(1.0, w * lag);
-    QVERIFY(near(magnitude, 1.0, 1e-9));
+    QVERIFY(nearByShare(magnitude, 1.0, 1e-9));
 }
 
 void TestAnalysisGains::speedDigitsTurnIntoGainsAndBack()
 {
     const PiGains gains{0.05, 2.0};
     const PiGains digits = speedDigits(gains, kDigitsPerAmp, 1e-3);
-    QVERIFY(near(digits.kp, 0.05 * 0.2 * M_PI * kDigitsPerAmp, 1e-12));
-    QVERIFY(near(digits.ki, 2.0 * 0.2 * M_PI * kDigitsPerAmp * 1e-3, 1e-12));
+    QVERIFY(nearByShare(digits.kp, 0.05 * 0.2 * M_PI * kDigitsPerAmp, 1e-12));
+    QVERIFY(nearByShare(digits.ki, 2.0 * 0.2 * M_PI * kDigitsPerAmp * 1e-3, 1e-12));
     const PiGains back = speedGainsOf(digits, kDigitsPerAmp, 1e-3);
-    QVERIFY(near(back.kp, gains.kp, 1e-12) && near(back.ki, gains.ki, 1e-12));
+    QVERIFY(nearByShare(back.kp, gains.kp, 1e-12) && nearByShare(back.ki, gains.ki, 1e-12));
 }
 
 void TestAnalysisGains::observerGainsAreThoseOfTheGeneratedProject()
@@ -213,8 +208,8 @@ void TestAnalysisGains::observerGainsAreThoseOfTheGeneratedProject()
     QCOMPARE(scale.maxBemf_v, 29.0);
     const ObserverGains gains = observerGains({0.03, 0.117e-3}, 1.0 / 16000.0, scale);
     QCOMPARE(std::trunc(gains.gain1), -24379.0);
-    QVERIFY(near(gains.gain1, -24379.08, 1e-6));
-    QVERIFY(near(gains.gain2, 18041.0, 0.003));
+    QVERIFY(nearByShare(gains.gain1, -24379.08, 1e-6));
+    QVERIFY(nearByShare(gains.gain2, 18041.0, 0.003));
 }
 
 void TestAnalysisGains::thePllIsAsItWasDesigned()
@@ -225,9 +220,9 @@ void TestAnalysisGains::thePllIsAsItWasDesigned()
     const PiGains digits{std::ldexp(pll.kp, -pll.kpShift), std::ldexp(pll.ki, -pll.kiShift)};
     const PllForecast half = pllForecast(digits, 1.0 / 16000.0, 0.5);
     // Its Ki has two digits.
-    QVERIFY(near(half.natural_radps, 400.0, 0.02));
-    QVERIFY(near(half.damping, 1.0, 0.02));
-    QVERIFY(near(pllForecast(digits, 1.0 / 16000.0, 0.125).natural_radps, 200.0, 0.02));
+    QVERIFY(nearByShare(half.natural_radps, 400.0, 0.02));
+    QVERIFY(nearByShare(half.damping, 1.0, 0.02));
+    QVERIFY(nearByShare(pllForecast(digits, 1.0 / 16000.0, 0.125).natural_radps, 200.0, 0.02));
     QCOMPARE(pllForecast({1.0, 0.0}, 1.0 / 16000.0, 0.5).damping, 0.0);
 }
 
@@ -235,12 +230,12 @@ void TestAnalysisGains::smallLoopsHaveTheirUnits()
 {
     // A volt is 32767 sqrt(3) / 24 digits, an ampere 544.5.
     const PiGains weakening = fluxWeakeningGains({1.0, 0.5}, kStage, 1e-3);
-    QVERIFY(near(weakening.kp, 32767.0 * std::sqrt(3.0) / 24.0 / kDigitsPerAmp, 1e-9));
-    QVERIFY(near(weakening.ki, 500.0 * weakening.kp, 1e-9));
+    QVERIFY(nearByShare(weakening.kp, 32767.0 * std::sqrt(3.0) / 24.0 / kDigitsPerAmp, 1e-9));
+    QVERIFY(nearByShare(weakening.ki, 500.0 * weakening.kp, 1e-9));
     const PidGains position = positionGains({1.0, 1.0, 1.0}, kStage, 1e-3);
-    QVERIFY(near(position.kp, 65536.0 / (2.0 * M_PI) / kDigitsPerAmp, 1e-9));
-    QVERIFY(near(position.ki, 1000.0 * position.kp, 1e-9));
-    QVERIFY(near(position.kd, position.kp / 1000.0, 1e-9));
+    QVERIFY(nearByShare(position.kp, 65536.0 / (2.0 * M_PI) / kDigitsPerAmp, 1e-9));
+    QVERIFY(nearByShare(position.ki, 1000.0 * position.kp, 1e-9));
+    QVERIFY(nearByShare(position.kd, position.kp / 1000.0, 1e-9));
 }
 
 void TestAnalysisGains::anUnstableLoopStaysFinite()

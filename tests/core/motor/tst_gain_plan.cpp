@@ -2,12 +2,14 @@
 // no good. And what a board says as the plan's plant.
 #include "drive/motor_view.h"
 #include "motor/gain_plan.h"
+#include "support/near.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 
+using support::nearByShare;
 using namespace motor;
 
 namespace {
@@ -36,14 +38,6 @@ bool says(const GainPlan &plan, GainWarning warning)
         [warning](const GainFinding &finding) { return finding.warning == warning; });
 }
 
-bool near(double is, double wanted, double share)
-{
-    if (std::abs(is - wanted) <= share * std::abs(wanted))
-        return true;
-    qWarning() << is << "is not within" << share << "of" << wanted;
-    return false;
-}
-
 } // namespace
 
 class TestGainPlan : public QObject {
@@ -56,10 +50,10 @@ private Q_SLOTS:
         QCOMPARE(plan.gains.size(), 4U);
         QVERIFY((plan.find(GainId::TorqueKp)->quantised.gain == FixedPointGain{4621, 10}));
         QVERIFY((plan.find(GainId::FluxKi)->quantised.gain == FixedPointGain{2696, 14}));
-        QVERIFY(near(plan.find(GainId::TorqueKp)->asked, 0.9, 1e-12)); // Ls w
-        QVERIFY(near(plan.find(GainId::TorqueKp)->real, 0.9 * 2.0 / std::sqrt(3.0), 2e-4));
-        QVERIFY(near(plan.current->ruleBandwidth_radps, 1500.0, 2e-4));
-        QVERIFY(near(plan.current->realBandwidth_radps, 1732.0, 1e-3));
+        QVERIFY(nearByShare(plan.find(GainId::TorqueKp)->asked, 0.9, 1e-12)); // Ls w
+        QVERIFY(nearByShare(plan.find(GainId::TorqueKp)->real, 0.9 * 2.0 / std::sqrt(3.0), 2e-4));
+        QVERIFY(nearByShare(plan.current->ruleBandwidth_radps, 1500.0, 2e-4));
+        QVERIFY(nearByShare(plan.current->realBandwidth_radps, 1732.0, 1e-3));
         QVERIFY(!plan.speed && plan.find(GainId::SpeedKp) == nullptr);
     }
 
@@ -70,9 +64,9 @@ private Q_SLOTS:
         plant.motor.lq_h = 0.117e-3;
         plant.motor.ld_h = 0.117e-3 * 0.597;
         const GainPlan plan = planGains(plant, {6000.0, 0.0}, kStsDivisors);
-        QVERIFY(near(plan.find(GainId::TorqueKp)->quantised.gain.numerator, 3614, 0.003));
-        QVERIFY(near(plan.find(GainId::TorqueKi)->quantised.gain.numerator, 925, 0.003));
-        QVERIFY(near(plan.find(GainId::FluxKp)->quantised.gain.numerator, 2158, 0.003));
+        QVERIFY(nearByShare(plan.find(GainId::TorqueKp)->quantised.gain.numerator, 3614, 0.003));
+        QVERIFY(nearByShare(plan.find(GainId::TorqueKi)->quantised.gain.numerator, 925, 0.003));
+        QVERIFY(nearByShare(plan.find(GainId::FluxKp)->quantised.gain.numerator, 2158, 0.003));
     }
 
     void aDivisorThatServesIsKeptAndOthersAreNot()
@@ -110,19 +104,19 @@ private Q_SLOTS:
         const GainPlan plan = planGains(plant, {1500.0, damping}, kStsDivisors);
         QCOMPARE(plan.gains.size(), 6U);
         const double lag = 1.0 / plan.current->realBandwidth_radps + 2e-3 + 1.5 / 16000.0 + 0.5e-3;
-        QVERIFY(near(plan.speed->lag_s, lag, 1e-12));
-        QVERIFY(near(plan.speed->margin.crossover_radps, 1.0 / (damping * lag), 0.01));
+        QVERIFY(nearByShare(plan.speed->lag_s, lag, 1e-12));
+        QVERIFY(nearByShare(plan.speed->margin.crossover_radps, 1.0 / (damping * lag), 0.01));
         QVERIFY(std::abs(plan.speed->margin.phase_deg - margin_deg) < 0.3);
         // The rule takes the average of the speed for a lag. As the delay that it is, it lets a loop near its limit ring more.
         const double more = plan.speed->step.overshoot - overshoot;
         QVERIFY(more > -0.01 && more < (damping < 2.41 ? 0.06 : 0.01));
         QVERIFY(plan.speed->step.rise_s > lag && plan.speed->step.rise_s < 3 * damping * lag);
-        QVERIFY(near(plan.speed->step.response.back(), 1.0, 0.06));
+        QVERIFY(nearByShare(plan.speed->step.response.back(), 1.0, 0.06));
         QCOMPARE(says(plan, GainWarning::SpeedMarginSmall), plan.speed->margin.phase_deg < 45.0);
         QVERIFY(plan.rampedOvershoot < 0.09);
         // Kp times the largest step is the nominal current.
         const double radps = plan.speed->largestStep_rpm * M_PI / 30.0;
-        QVERIFY(near(radps * plan.find(GainId::SpeedKp)->real, 5.0, 1e-9));
+        QVERIFY(nearByShare(radps * plan.find(GainId::SpeedKp)->real, 5.0, 1e-9));
     }
 
     void whatIsMissingIsNamed()
@@ -185,16 +179,16 @@ private Q_SLOTS:
         QVERIFY(plan.current->phaseMargin_deg > 35.0 && plan.current->phaseMargin_deg < 45.0);
         const GainPlan calm = planGains(vectorPlant(), {1500.0, 4.0}, kStsDivisors);
         QVERIFY(calm.findings.empty());
-        QVERIFY(near(calm.current->phaseMargin_deg, 90.0 - 9.3, 0.002));
+        QVERIFY(nearByShare(calm.current->phaseMargin_deg, 90.0 - 9.3, 0.002));
     }
 
     void digitsAreToldAsWhatTheyMakeAtTheMotor()
     {
         const GainPlant plant = vectorPlant();
         const double kp = 4621.0 / 1024.0;
-        QVERIFY(near(*physicalGain(GainId::TorqueKp, kp, plant), 1.0392, 1e-3));
-        QVERIFY(near(*physicalGain(GainId::TorqueKi, 2696.0 / 16384.0, plant), 606.2, 1e-3));
-        QVERIFY(near(
+        QVERIFY(nearByShare(*physicalGain(GainId::TorqueKp, kp, plant), 1.0392, 1e-3));
+        QVERIFY(nearByShare(*physicalGain(GainId::TorqueKi, 2696.0 / 16384.0, plant), 606.2, 1e-3));
+        QVERIFY(nearByShare(
             *physicalGain(GainId::SpeedKp, 100.0, plant), 100.0 / (0.2 * M_PI * 544.54), 1e-4));
         GainPlant bare;
         QVERIFY(!physicalGain(GainId::TorqueKp, kp, bare));

@@ -1,11 +1,13 @@
 // Motor constants: the same magnets said in four ways, and what looks wrong about a motor.
 #include "motor/motor_constants.h"
+#include "support/near.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 
+using support::nearByShare;
 using namespace motor;
 using Warning = MotorWarning;
 
@@ -27,31 +29,26 @@ namespace {
 const MotorParameters kMotor{4, 0.35, 0.6e-3, 0.6e-3, 6.5e-3, 5.0};
 const DriveLimits kDrive{24.0, 60.0, 4000.0};
 
-bool near(double is, double wanted, double share)
-{
-    return std::abs(is - wanted) <= share * std::abs(wanted);
-}
-
 } // namespace
 
 void TestMotorConstants::fluxKeAndKvAreOneMotor()
 {
     const double ke = keOfFlux_vrmsPerKrpm(6.5e-3, 4);
-    QVERIFY(near(ke, 3.3346, 1e-4));
-    QVERIFY(near(fluxOfKe_wb(ke, 4), 6.5e-3, 1e-12));
+    QVERIFY(nearByShare(ke, 3.3346, 1e-4));
+    QVERIFY(nearByShare(fluxOfKe_wb(ke, 4), 6.5e-3, 1e-12));
     const double kv = kvOfFlux_rpmpv(6.5e-3, 4);
-    QVERIFY(near(fluxOfKv_wb(kv, 4), 6.5e-3, 1e-12));
+    QVERIFY(nearByShare(fluxOfKv_wb(kv, 4), 6.5e-3, 1e-12));
     // Peak instead of rms, and a volt instead of 1000 rpm: KV Ke sqrt(2) = 1000.
-    QVERIFY(near(kv * ke * std::sqrt(2.0), 1000.0, 1e-12));
+    QVERIFY(nearByShare(kv * ke * std::sqrt(2.0), 1000.0, 1e-12));
     // Kt in N m per peak ampere and Ke in V s per rad of a phase: 3/2.
-    QVERIFY(near(ktOfFlux_nmpa(6.5e-3, 4), 0.039, 1e-12));
+    QVERIFY(nearByShare(ktOfFlux_nmpa(6.5e-3, 4), 0.039, 1e-12));
 }
 
 void TestMotorConstants::ratedFluxIsKeUnlessThatMakesNoMotor()
 {
-    QVERIFY(near(fluxOfConfiguration_wb(3.3346, 4), 6.5e-3, 1e-4));
-    QVERIFY(near(fluxOfConfiguration_wb(6.5e-3 * 2 * M_PI, 4), 6.5e-3, 1e-9)); // V/Hz
-    QVERIFY(near(fluxOfConfiguration_wb(0.9, 1), fluxOfKe_wb(0.9, 1), 1e-12));
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(3.3346, 4), 6.5e-3, 1e-4));
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(6.5e-3 * 2 * M_PI, 4), 6.5e-3, 1e-9)); // V/Hz
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(0.9, 1), fluxOfKe_wb(0.9, 1), 1e-12));
     for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
         QCOMPARE(fluxOfConfiguration_wb(none, 4), 0.0);
     QCOMPARE(fluxOfConfiguration_wb(3.3, 0), 0.0);
@@ -60,10 +57,10 @@ void TestMotorConstants::ratedFluxIsKeUnlessThatMakesNoMotor()
 void TestMotorConstants::constantsOfAKnownMotor()
 {
     const MotorConstants constants = motorConstants(kMotor, 24.0);
-    QVERIFY(near(constants.kt_nmpa.value(), 0.039, 1e-12));
-    QVERIFY(near(constants.timeConstantQ_s.value(), 0.6e-3 / 0.35, 1e-12));
-    QVERIFY(near(constants.timeConstantD_s.value(), 0.6e-3 / 0.35, 1e-12));
-    QVERIFY(near(torque_nm(kMotor, 2.0), 0.078, 1e-12));
+    QVERIFY(nearByShare(constants.kt_nmpa.value(), 0.039, 1e-12));
+    QVERIFY(nearByShare(constants.timeConstantQ_s.value(), 0.6e-3 / 0.35, 1e-12));
+    QVERIFY(nearByShare(constants.timeConstantD_s.value(), 0.6e-3 / 0.35, 1e-12));
+    QVERIFY(nearByShare(torque_nm(kMotor, 2.0), 0.078, 1e-12));
     MotorParameters salient = kMotor;
     salient.ld_h = 0.4e-3;
     QVERIFY(torque_nm(salient, 2.0, -1.0) > torque_nm(salient, 2.0));
@@ -74,7 +71,7 @@ void TestMotorConstants::baseSpeedIsWhereTheVoltageIsUsedUp()
     const double rpm = motorConstants(kMotor, 24.0).baseSpeed_rpm.value();
     const double we = rpm * 2 * M_PI / 60 * 4;
     const double vq = 0.35 * 5.0 + we * 6.5e-3, vd = we * 0.6e-3 * 5.0;
-    QVERIFY(near(std::hypot(vq, vd), 24.0 / std::sqrt(3.0), 1e-9));
+    QVERIFY(nearByShare(std::hypot(vq, vd), 24.0 / std::sqrt(3.0), 1e-9));
     QVERIFY(!motorConstants(kMotor, 2.0).baseSpeed_rpm); // the resistance takes more than that
 }
 

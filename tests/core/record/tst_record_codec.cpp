@@ -27,7 +27,7 @@ private Q_SLOTS:
 
 namespace {
 
-capture::StreamLayout layout()
+capture::StreamLayout codecLayout()
 {
     return {7, 16000.0, 1.25, 2,
         {{0x51, "I_A", "A", 0.001, 0.0}, {0x91, "ANGLE\u00b0,\"x\"", "", -3.5e-12, 32768.0}},
@@ -42,7 +42,7 @@ capture::SampleBlock samples()
 
 std::vector<Entry> oneOfEach()
 {
-    return {Begin{-5, "Rotorscope 0.1", "/dev/ttyACM0"}, layout(), capture::StreamLayout{},
+    return {Begin{-5, "Rotorscope 0.1", "/dev/ttyACM0"}, codecLayout(), capture::StreamLayout{},
         samples(), PolledRegister{0x11, "BUS_VOLTAGE@2", "V"},
         PolledValues{{{0x11, -3, 0.1}, {0x12, 5, std::numeric_limits<double>::infinity()}}},
         Happening{"motor state", {{"state", "RUN"}, {"fault", ""}}},
@@ -83,11 +83,11 @@ void TestRecordCodec::everyKindOfEntryReadsBack()
     }
     const auto begin = decodeEntry(encodeEntry(oneOfEach()[0]).value());
     QCOMPARE(std::get<Begin>(begin->entry), std::get<Begin>(oneOfEach()[0]));
-    const auto repeated = decodeEntry(encodeEntry(layout(), Repeat::Yes).value());
+    const auto repeated = decodeEntry(encodeEntry(codecLayout(), Repeat::Yes).value());
     QCOMPARE(repeated->repeat, Repeat::Yes);
     const auto &read = std::get<capture::StreamLayout>(repeated->entry);
-    QCOMPARE(read.fast[1].name, layout().fast[1].name);
-    QCOMPARE(read.fast[1].factor, layout().fast[1].factor);
+    QCOMPARE(read.fast[1].name, codecLayout().fast[1].name);
+    QCOMPARE(read.fast[1].factor, codecLayout().fast[1].factor);
     QCOMPARE(read.slow[0].unit, std::string("rpm"));
     QCOMPARE(read.fastStep, 2U);
 }
@@ -106,7 +106,7 @@ void TestRecordCodec::samplesReadBackAtTheirExtremes()
 
 void TestRecordCodec::aSlowSignalOfFloatsReadsBackAsOne()
 {
-    capture::StreamLayout mixed = layout();
+    capture::StreamLayout mixed = codecLayout();
     mixed.slow.push_back({0x19, "CURRENT", "A", 1.0, 0.0, true});
     const auto decoded = decodeEntry(encodeEntry(mixed).value());
     QVERIFY(decoded);

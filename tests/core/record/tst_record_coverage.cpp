@@ -13,13 +13,13 @@ constexpr catalog::RegisterId kFast = (9U << 6) | 1U;
 constexpr catalog::RegisterId kSlow = (1U << 6) | 1U;
 constexpr catalog::RegisterId kPolled = (50U << 6) | 1U;
 
-Entry layout(capture::StreamId id = 1, double origin = 0.0)
+Entry layoutEntry(capture::StreamId id = 1, double origin = 0.0)
 {
     return capture::StreamLayout{id, 16000.0, origin, 2, {{kFast, "I", "A", 0.01, 0.0}},
         {{kSlow, "SPEED", "rpm", 1.0, 0.0}}};
 }
 
-Entry block(capture::Tick first, capture::StreamId id = 1)
+Entry blockEntry(capture::Tick first, capture::StreamId id = 1)
 {
     return capture::SampleBlock{id, first, 4, {1, 2, 3, 4}, {{first, {100}}}, 0};
 }
@@ -43,35 +43,35 @@ private Q_SLOTS:
     void whatWentToBothIsHeld()
     {
         QVERIFY(m_coverage.holds(m_capture)); // nothing is held by everything
-        both(layout());
+        both(layoutEntry());
         for (capture::Tick tick = 0; tick < 80; tick += 8)
-            both(block(tick));
+            both(blockEntry(tick));
         both(polled(1'000'000));
         QVERIFY(m_coverage.holds(m_capture));
-        m_coverage.take(block(80)); // more in the file than was shown
+        m_coverage.take(blockEntry(80)); // more in the file than was shown
         QVERIFY(m_coverage.holds(m_capture));
     }
 
     void aBlockBeforeItIsMissing()
     {
-        both(layout());
-        m_restorer->take(block(0));
-        both(block(8));
+        both(layoutEntry());
+        m_restorer->take(blockEntry(0));
+        both(blockEntry(8));
         QVERIFY(!m_coverage.holds(m_capture));
     }
 
     void aBlockAfterItIsMissing()
     {
-        both(layout());
-        both(block(0));
-        m_restorer->take(block(8));
+        both(layoutEntry());
+        both(blockEntry(0));
+        m_restorer->take(blockEntry(8));
         QVERIFY(!m_coverage.holds(m_capture));
     }
 
     void aSignalThatWasNotRecordedIsMissing()
     {
-        both(layout());
-        both(block(0));
+        both(layoutEntry());
+        both(blockEntry(0));
         both(polled(5));
         QVERIFY(m_coverage.holds(m_capture));
         m_restorer->take(polled(6));
@@ -80,8 +80,8 @@ private Q_SLOTS:
 
     void whatWasComputedDoesNotCount()
     {
-        both(layout());
-        both(block(0));
+        both(layoutEntry());
+        both(blockEntry(0));
         const auto own = m_capture.addImported("POWER", "W", capture::kFirstOwnRegister);
         m_capture.appendImported(own, 1'000'000'000, 2.0, 1'000'000'001);
         QVERIFY(m_coverage.holds(m_capture));
@@ -89,12 +89,12 @@ private Q_SLOTS:
 
     void aBoardThatBeganToCountAnewIsNotHeld()
     {
-        both(layout());
-        both(block(16000));
-        both(layout(2));
-        both(block(0, 2)); // the capture moves it behind
-        both(layout(3, 10.0));
-        both(block(0, 3));
+        both(layoutEntry());
+        both(blockEntry(16000));
+        both(layoutEntry(2));
+        both(blockEntry(0, 2)); // the capture moves it behind
+        both(layoutEntry(3, 10.0));
+        both(blockEntry(0, 3));
         QVERIFY(!m_coverage.holds(m_capture));
     }
 

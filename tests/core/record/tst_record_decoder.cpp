@@ -101,7 +101,7 @@ struct File {
 Encoder::Config small() { return {.blockBytes = 200, .linkBytes = 64, .repeatBytes = 600}; }
 
 /// A little of everything, in a few dozen short blocks.
-File recording()
+File recordedFile()
 {
     Encoder encoder({1'700'000'000, "test", "sim"}, small());
     File file;
@@ -136,7 +136,7 @@ std::map<std::uint64_t, std::size_t> kinds(const Read &read)
 
 void TestRecordDecoder::whatWasRecordedIsRead()
 {
-    const Read result = read(recording().bytes);
+    const Read result = read(recordedFile().bytes);
     QVERIFY(result.recording);
     QVERIFY(result.damage.empty());
     QVERIFY(result.ending.has_value());
@@ -171,7 +171,7 @@ void TestRecordDecoder::whatWasRecordedIsRead()
 
 void TestRecordDecoder::itReadsTheSameHoweverItIsFed()
 {
-    const File file = recording();
+    const File file = recordedFile();
     const auto whole = kinds(read(file.bytes));
     for (const std::size_t piece : {1U, 3U, 17U, 64U, 1000U}) {
         const Read result = read(file.bytes, piece);
@@ -206,7 +206,7 @@ void TestRecordDecoder::samplesBecomeColumnsWithoutAWordAboutGapsLost()
 
 void TestRecordDecoder::aCutAnywhereKeepsAllWholeBlocks()
 {
-    const File file = recording();
+    const File file = recordedFile();
     const auto whole = kinds(read(file.bytes));
     for (std::size_t length = 0; length < file.bytes.size(); ++length) {
         const Read result = read(ByteView(file.bytes).first(length));
@@ -235,7 +235,7 @@ void TestRecordDecoder::aCutAnywhereKeepsAllWholeBlocks()
 
 void TestRecordDecoder::aFlippedByteAnywhereCostsItsBlockOnly()
 {
-    const File file = recording();
+    const File file = recordedFile();
     const auto whole = kinds(read(file.bytes));
     for (std::size_t at = 0; at < file.bytes.size(); ++at) {
         Bytes damaged = file.bytes;
@@ -268,7 +268,7 @@ void TestRecordDecoder::aFlippedByteAnywhereCostsItsBlockOnly()
 
 void TestRecordDecoder::bytesTakenOutOrPutInCostTheirBlocksOnly()
 {
-    const File file = recording();
+    const File file = recordedFile();
     std::mt19937 random(5);
     for (int round = 0; round < 500; ++round) {
         const std::size_t from = file.end(0) + random() % (file.bytes.size() - file.end(0));
@@ -304,7 +304,7 @@ void TestRecordDecoder::bytesTakenOutOrPutInCostTheirBlocksOnly()
 
 void TestRecordDecoder::aBlockThatIsMissingIsTold()
 {
-    const File file = recording();
+    const File file = recordedFile();
     Bytes shorter = file.bytes;
     const std::size_t i = 5;
     shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(file.starts[i]),
@@ -317,7 +317,7 @@ void TestRecordDecoder::aBlockThatIsMissingIsTold()
 
 void TestRecordDecoder::samplesBehindALostLayoutWaitForTheNextOne()
 {
-    const File file = recording();
+    const File file = recordedFile();
     Bytes damaged = file.bytes;
     damaged[file.starts[1] + 40] ^= 1; // within the layout
     const Read result = read(damaged);
@@ -393,7 +393,7 @@ void TestRecordDecoder::valuesBehindALostRegisterWaitForTheNextOne()
 
 void TestRecordDecoder::aRecordingWithoutAnEndWasInterrupted()
 {
-    const File file = recording();
+    const File file = recordedFile();
     const Read result = read(ByteView(file.bytes).first(file.starts.back()));
     QVERIFY(result.damage.empty());
     QVERIFY(!result.ending);
@@ -428,7 +428,7 @@ void TestRecordDecoder::otherFilesAreNoRecordings()
     QVERIFY(!read(noise).recording);
     QVERIFY(read(noise).items.empty());
     QVERIFY(!read({}).recording);
-    const File file = recording();
+    const File file = recordedFile();
     const Read headOnly = read(ByteView(file.bytes).first(100)); // the section, as any pcapng has
     QVERIFY(!headOnly.recording);
 }

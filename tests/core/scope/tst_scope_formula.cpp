@@ -2,6 +2,7 @@
 #include "scope/formula.h"
 #include "scope/unit.h"
 #include "simulation/maths/transforms.h"
+#include "support/near.h"
 
 #include <QtTest>
 
@@ -10,6 +11,7 @@
 #include <locale>
 #include <numbers>
 
+using support::near;
 using namespace scope;
 
 class TestScopeFormula : public QObject {
@@ -39,7 +41,7 @@ const std::vector<FormulaName> kNames{{"I_A", "A"}, {"I_B", "A"}, {"V_D", "V"}, 
     {"SPEED", "rpm"}, {"pi_like", ""}, {"odd (2)", "A"}, {"e", "V"}, {"PHI", "rad"}};
 
 /// The formula's value when the names are worth 1, 2, 3, ...
-double value(std::string_view text)
+double constantOf(std::string_view text)
 {
     auto formula = Formula::compile(text, kNames);
     if (!formula) {
@@ -55,13 +57,6 @@ std::optional<FormulaFault> fault(std::string_view text)
 {
     const auto formula = Formula::compile(text, kNames);
     return formula ? std::nullopt : std::optional(formula.error());
-}
-bool near(double actual, double expected, double error)
-{
-    if (std::abs(actual - expected) <= error)
-        return true;
-    qWarning("%.9g is not %.9g within %.3g", actual, expected, error);
-    return false;
 }
 /// A formula of one channel, fed a list at equal distances.
 std::vector<double> run(std::string_view text, const std::vector<double> &values, double seconds)
@@ -108,7 +103,7 @@ void TestScopeFormula::arithmeticIsThatOfPeople()
     QFETCH(const QByteArray, text);
     QFETCH(const double, expected);
     QVERIFY(!fault(text.toStdString()));
-    const double actual = value(text.toStdString());
+    const double actual = constantOf(text.toStdString());
     QVERIFY(std::isnan(expected) ? std::isnan(actual) : near(actual, expected, 1e-12));
 }
 
@@ -243,7 +238,7 @@ void TestScopeFormula::numbersDoNotDependOnTheLocale()
     };
     const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
     std::setlocale(LC_ALL, "de_DE.UTF-8");
-    QCOMPARE(value("1234.5 + 0.25"), 1234.75);
+    QCOMPARE(constantOf("1234.5 + 0.25"), 1234.75);
     QVERIFY(fault("1234,5"));
     std::locale::global(before);
     std::setlocale(LC_ALL, "C.UTF-8");
@@ -325,8 +320,8 @@ void TestScopeFormula::framesAreThoseOfTheBoard()
     for (int i = 0; i < 200; ++i) {
         const double a = 9000.0 * std::sin(0.31 * i);
         const double b = 7000.0 * std::cos(0.17 * i);
-        const auto code = [](double value) {
-            return static_cast<std::int16_t>(std::lround(value));
+        const auto code = [](double constantOf) {
+            return static_cast<std::int16_t>(std::lround(constantOf));
         };
         const std::array<double, 2> phases{double(code(a)), double(code(b))};
         const auto board = simulation::clarke({code(a), code(b)});

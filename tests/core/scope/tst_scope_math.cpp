@@ -2,8 +2,8 @@
 // arrive.
 #include "scope/math_channel.h"
 #include "scope/measurer.h"
-#include "support/analytic_channel.h"
-#include "support/noisy_channel.h"
+#include "support/channels/analytic_channel.h"
+#include "support/channels/noisy_channel.h"
 
 #include <QtTest>
 

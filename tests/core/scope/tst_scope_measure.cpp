@@ -2,18 +2,19 @@
 #include "scope/measurement.h"
 #include "scope/measurer.h"
 #include "scope/phase.h"
-#include "support/analytic_channel.h"
-#include "support/noisy_channel.h"
+#include "support/channels/analytic_channel.h"
+#include "support/channels/noisy_channel.h"
+#include "support/near.h"
 
 #include <QtTest>
 
-#include <numbers>
-
+using support::near;
 using namespace scope;
 using support::fastChannel;
 using support::kCode;
 using support::kRate;
 using support::kSecond;
+using support::kTurn;
 using support::slowChannel;
 
 class TestScopeMeasure : public QObject {
@@ -39,8 +40,6 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
 double value(const Measurement &measurement)
 {
     if (!measurement.value)
@@ -55,14 +54,6 @@ std::optional<WhyNot> reason(const Measurement &measurement)
 {
     return measurement.value ? std::nullopt : std::optional(measurement.value.error());
 }
-bool near(double actual, double expected, double error)
-{
-    if (std::abs(actual - expected) <= error)
-        return true;
-    qWarning("%.9g is not %.9g within %.3g", actual, expected, error);
-    return false;
-}
-
 } // namespace
 
 void TestScopeMeasure::extremesOfManyValuesAreExact()

@@ -1,17 +1,19 @@
 // Spectra of known tones: their frequency and amplitude through every window, and the sum of all bins.
 #include "capture/capture.h"
 #include "scope/spectrum.h"
-#include "support/analytic_channel.h"
+#include "support/channels/analytic_channel.h"
+#include "support/near.h"
 
 #include <QtTest>
 
 #include <complex>
-#include <numbers>
 
+using support::near;
 using namespace scope;
 using support::fastChannel;
 using support::kRate;
 using support::kSecond;
+using support::kTurn;
 
 class TestScopeSpectrum : public QObject {
     Q_OBJECT
@@ -44,17 +46,9 @@ double rmsOf(const Spectrum &spectrum, double fromHz, double toHz)
     return std::sqrt(sum);
 }
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::array kWindows{
     Window::Rectangular, Window::Hann, Window::BlackmanHarris, Window::FlatTop};
 
-bool near(double actual, double expected, double error)
-{
-    if (std::abs(actual - expected) <= error)
-        return true;
-    qWarning("%.9g is not %.9g within %.3g", actual, expected, error);
-    return false;
-}
 Spectrum spectrum(const capture::Channel &channel, SpectrumSettings settings)
 {
     return *spectrumOf(SampleRange(channel, 0, 1000 * kSecond), settings);
@@ -285,7 +279,8 @@ void TestScopeSpectrum::unevenSamplesHaveNoSpectrum()
 void TestScopeSpectrum::valuesAtEqualDistancesHaveOne()
 {
     const auto channel = support::slowChannel(
-        3000, [](double t) { return std::sin(kTurn * 12.3 * t); }, 700.0); // ticks of 1.428571 ms
+        3000, [](double t) { return std::sin(kTurn * 12.3 * t); },
+        700.0); // ticks of 1.428571 ms
     const Spectrum found = spectrum(channel, {Window::BlackmanHarris, 0, true});
     QVERIFY(near(findPeaks(found, 1).at(0).hertz, 12.3, 0.001));
 }

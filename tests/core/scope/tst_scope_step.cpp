@@ -1,6 +1,6 @@
 // Step metrics against first and second order systems, whose answers are formulas.
 #include "scope/measurer.h"
-#include "support/analytic_channel.h"
+#include "support/channels/analytic_channel.h"
 
 #include <QtTest>
 

@@ -1,15 +1,14 @@
 // Pairs of channels: matched by time, broken where nothing is known and where an angle passes its end.
 #include "scope/xy.h"
-#include "support/analytic_channel.h"
+#include "support/channels/analytic_channel.h"
 
 #include <QtTest>
-
-#include <numbers>
 
 using namespace scope;
 using support::fastChannel;
 using support::kRate;
 using support::kSecond;
+using support::kTurn;
 
 class TestScopeXy : public QObject {
     Q_OBJECT
@@ -25,7 +24,6 @@ private Q_SLOTS:
 };
 
 namespace {
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr Nanos kSample = 62'500; // at 16 kHz
 
 std::size_t breaks(const XyTrace &trace)

@@ -1,44 +1,15 @@
 // The command line and the simulated board as programs, for tests that run them. POSIX only.
 #pragma once
 
-#include "support/places.h"
+#include "support/programs/cli_run.h"
 
 #include <QEventLoop>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include <csignal>
 
 namespace support {
-
-constexpr int kProgramTime_ms = 60'000;
-
-struct CliRun {
-    int status = -1;
-    QString out, err;
-
-    QStringList lines() const { return out.split(QLatin1Char('\n'), Qt::SkipEmptyParts); }
-    QJsonArray list() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
-    QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-    bool oneLineOfError() const { return err.count(QLatin1Char('\n')) == 1; }
-    /// What moves a motor ended before its end, as documented: nothing is measured, and the reason is said.
-    bool endedEarly() const
-    {
-        return (status == 1 || status == 3 || status == 6) && out.isEmpty() && !err.isEmpty();
-    }
-    /// The line or one of the programs stood still, and nothing of the command got through.
-    bool stalled() const
-    {
-        return status == 1
-            && (err.contains(QLatin1String("was not sent: no answer"))
-                || err.contains(QLatin1String("was not sent: too late"))
-                || err.contains(QLatin1String("stood still")));
-    }
-};
 
 /// The program never repeats what moves a motor; what it says the board did not get, because this machine stalled, is typed
 /// again here.
@@ -52,28 +23,18 @@ CliRun typedAgain(Run runOnce)
     return run;
 }
 
-inline CliRun resultOf(QProcess &process)
+/// A machine that stalls for a moment must not look like a board that lost a command.
+inline QStringList patient(const QStringList &words)
 {
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-        QString::fromUtf8(process.readAllStandardOutput()),
-        QString::fromUtf8(process.readAllStandardError())};
+    return QStringList{QStringLiteral("--patience"), QStringLiteral("1000")} + words;
 }
 
-/// With patience: a machine that stalls for a moment must not look like a board that lost a command.
 inline void startCli(QProcess &process, const QStringList &words)
 {
-    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
-        QStringList{QStringLiteral("--patience"), QStringLiteral("1000")} + words);
+    process.start(programFile(QStringLiteral("rotorscope-cli")), patient(words));
 }
 
-inline CliRun runCli(const QStringList &words)
-{
-    QProcess process;
-    startCli(process, words);
-    if (!process.waitForFinished(kProgramTime_ms))
-        process.kill();
-    return resultOf(process);
-}
+inline CliRun runCli(const QStringList &words) { return typed(patient(words)); }
 
 /// The same while this thread's event loop runs, so that a board can live there.
 inline CliRun runCliBeside(const QStringList &words)
@@ -84,8 +45,6 @@ inline CliRun runCliBeside(const QStringList &words)
     QTimer::singleShot(kProgramTime_ms, &loop, &QEventLoop::quit);
     startCli(process, words);
     loop.exec();
-    if (process.state() != QProcess::NotRunning)
-        process.kill();
     return resultOf(process);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr capture::Nanos kSecond = 1'000'000'000;
 
 /// Signal `id` at 1 kHz from 100 s on, for two seconds, at 700; a ramp after one second, and a note.
-OpenedRecording recording(catalog::RegisterId id)
+OpenedRecording openedRecording(catalog::RegisterId id)
 {
     OpenedRecording opened;
     opened.path = QStringLiteral("/somewhere/run.pcapng");
@@ -60,7 +60,7 @@ private Q_SLOTS:
         bench.view.fitValues();
         bench.view.setVisibleRange(0.0, 0.9);
         QCOMPARE(above(), 0);
-        OpenedRecording opened = recording(1);
+        OpenedRecording opened = openedRecording(1);
         bool good = false;
         const QString said = widgets::layReference(bench.view, bench.capture, opened, good);
         QVERIFY2(good, qPrintable(said));
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY(said.contains(QStringLiteral("its beginning")));
         QVERIFY(bench.view.ghosts().isFromFile(Reference::A));
         QVERIFY(above() > 100);
-        OpenedRecording second = recording(1);
+        OpenedRecording second = openedRecording(1);
         widgets::layReference(bench.view, bench.capture, second, good); // the next one that is free
         QVERIFY(good && bench.view.ghosts().isFromFile(Reference::B));
     }
@@ -79,7 +79,7 @@ private Q_SLOTS:
         Bench bench({facts::signal(1, "A")});
         bench.view.addChannel(bench.id(1));
         bench.record(1000, 0);
-        OpenedRecording opened = recording(1);
+        OpenedRecording opened = openedRecording(1);
         bool good = false;
         widgets::layReference(bench.view, bench.capture, opened, good);
         widgets::ScopeGhosts &ghosts = bench.view.ghosts();
@@ -106,7 +106,7 @@ private Q_SLOTS:
         Bench bench({facts::signal(1, "A")});
         bench.view.addChannel(bench.id(1));
         bench.record(1000, 0);
-        OpenedRecording opened = recording(2);
+        OpenedRecording opened = openedRecording(2);
         bool good = true;
         const QString said = widgets::layReference(bench.view, bench.capture, opened, good);
         QVERIFY(!good && said.contains(QStringLiteral("run.pcapng")));

@@ -15,7 +15,7 @@ using widgets::Banner;
 
 namespace {
 
-void writeRecording(const QString &path, bool ended = true)
+void writeNotedRecording(const QString &path, bool ended = true)
 {
     QString text;
     session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
@@ -37,7 +37,7 @@ private Q_SLOTS:
     {
         m_folder = std::make_unique<QTemporaryDir>();
         m_path = m_folder->filePath(QStringLiteral("a.pcapng"));
-        writeRecording(m_path);
+        writeNotedRecording(m_path);
         m_rig = std::make_unique<facts::WindowRig>();
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     }
@@ -114,7 +114,7 @@ private Q_SLOTS:
     void whatIsStillBeingRecordedIsNotReplaced()
     {
         m_path = m_folder->filePath(QStringLiteral("live.pcapng"));
-        writeRecording(m_path, false);
+        writeNotedRecording(m_path, false);
         m_rig->files.answer = m_path;
         m_rig->find<QAction>("openRecording")->trigger();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));

@@ -27,8 +27,8 @@ using widgets::Banner;
 
 namespace {
 
-constexpr capture::Tick kSecond = 16'000;
-constexpr capture::Tick kTicks = 20 * kSecond;
+constexpr capture::Tick kSecondTicks = 16'000;
+constexpr capture::Tick kTicks = 20 * kSecondTicks;
 constexpr catalog::RegisterId kTemperature = (50U << 6) | 1U;
 constexpr catalog::RegisterId kSquare = (9U << 6) | 1U;
 
@@ -56,15 +56,15 @@ void writeRecording(const QString &path)
             block.fast.push_back(static_cast<std::int16_t>(i % 30'000));
         file.add(at, std::move(block));
         file.flush(at);
-        if (tick == 7 * kSecond || tick == 8 * kSecond) { // the first one is refused
-            const std::string wish = tick == 7 * kSecond ? "6" : "7";
+        if (tick == 7 * kSecondTicks || tick == 8 * kSecondTicks) { // the first one is refused
+            const std::string wish = tick == 7 * kSecondTicks ? "6" : "7";
             file.add(at, record::Happening{"write", {{"SPEED_KP", "520"}, {"wish", wish}}});
             file.add(at + 10'000'000,
                 record::Happening{"ended",
                     {{"wish", wish}, {"outcome", "ok"}, {"reason", ""},
                         {"SPEED_KP", wish == "6" ? "refused, was 400" : "ok, was 400, is 520"}}});
         }
-        if (tick % kSecond == 0)
+        if (tick % kSecondTicks == 0)
             file.add(at, record::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
     }
     file.add(1'000'000'000,

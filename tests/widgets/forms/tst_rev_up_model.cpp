@@ -20,7 +20,7 @@ simulation::BoardOptions withSensor(const char *motor)
     return options;
 }
 
-bool within(const RevUp &stages, const motor::RevUpBounds &bounds)
+bool withinBounds(const RevUp &stages, const motor::RevUpBounds &bounds)
 {
     return std::all_of(stages.begin(), stages.end(), [&](const RevUpStage &stage) {
         return std::abs(stage.speed_rpm) <= bounds.speed_rpm
@@ -144,7 +144,7 @@ private Q_SLOTS:
             const RevUp old = rig.stages();
             const bool done = rig.type(int(random() % 5), int(random() % 5), text);
             taken += done ? 1 : 0;
-            QVERIFY2(within(rig.stages(), bounds), qPrintable(text));
+            QVERIFY2(withinBounds(rig.stages(), bounds), qPrintable(text));
             QVERIFY2(done || rig.stages() == old, qPrintable(text));
         }
         QVERIFY(taken > 500);
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(!rig.type(2, Column::CurrentColumn, QStringLiteral("2.1")));
         rig.form.findChild<QPushButton *>(QStringLiteral("revUpUsual"))->click();
         QCOMPARE(rig.stages()[1].speed_rpm, 1200); // still 30 % of what the motor can
-        QVERIFY(within(rig.stages(), bounds));
+        QVERIFY(withinBounds(rig.stages(), bounds));
         rig.bench.device.setUserLimits({900.0, 0.0});
         rig.form.findChild<QPushButton *>(QStringLiteral("revUpUsual"))->click();
         QCOMPARE(rig.stages()[1].speed_rpm, 900);

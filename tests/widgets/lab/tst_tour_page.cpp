@@ -21,7 +21,7 @@ Steps &stepsOf(LabWindow &bench)
 {
     return *static_cast<Steps *>(bench.find<QTreeView>("tourSteps")->model());
 }
-QString toldOf(LabWindow &bench)
+QString tourText(LabWindow &bench)
 {
     QStringList lines;
     for (int row = 0; row < Steps::kSteps; ++row)
@@ -61,7 +61,7 @@ private Q_SLOTS:
                         .contains(QLatin1String("Arm first")));
         QTRY_VERIFY(
             bench.find<QPushButton>("tourRun")->toolTip().contains(QLatin1String("Arm first")));
-        QVERIFY2(bench.said("tourSentence").isEmpty(), qPrintable(toldOf(bench))); // once
+        QVERIFY2(bench.said("tourSentence").isEmpty(), qPrintable(tourText(bench))); // once
         QVERIFY(bench.arm("tourRun"));
         QTRY_COMPARE(stepsOf(bench).state(Steps::Check), State::Done);
         bench.find<QSpinBox>("tourLength")->setValue(length_s);
@@ -84,7 +84,7 @@ private Q_SLOTS:
                     || stepsOf(bench).state(Steps::Mechanics) == State::Ended;
             },
             2 * LabWindow::kRunMs));
-        const QString told = toldOf(bench);
+        const QString told = tourText(bench);
         qInfo("%s", qPrintable(told));
         // What is not conclusive is told with its reason.
         const bool encoder = motor == QLatin1String("servo24");
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(!bench.asks());
         QVERIFY(QTest::qWaitFor([&] { return !bench.running(); }, LabWindow::kRunMs));
         QTRY_VERIFY_WITH_TIMEOUT(stepsOf(bench).state(Steps::Proof) != State::Runs, 20'000);
-        qInfo("%s", qPrintable(toldOf(bench)));
+        qInfo("%s", qPrintable(tourText(bench)));
         qInfo("%s: %lld s, %d confirmations besides arming", qPrintable(motor),
             time.elapsed() / 1000, bench.questions);
         QCOMPARE(bench.questions, 1);
@@ -123,7 +123,7 @@ private Q_SLOTS:
                 || (!encoder
                     && (proof.contains(QLatin1String("than predicted"))
                         || proof.contains(QLatin1String("Neither proved")))),
-            qPrintable(toldOf(bench)));
+            qPrintable(tourText(bench)));
 
         bench.press("tourBack");
         QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(stepsOf(bench).state(Steps::Mechanics), State::Ended, 20'000);
         const QString why = bench.cell("tourSteps", Steps::Mechanics, Steps::ResultColumn);
         QVERIFY2(why.contains(QLatin1String("Not continued: The set-point is 900 rpm now")),
-            qPrintable(toldOf(bench)));
+            qPrintable(tourText(bench)));
         QCOMPARE(wished.size(), 0);
         QTest::keyClick(&bench.rig.window, Qt::Key_Escape); // the board's goes on
         QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);

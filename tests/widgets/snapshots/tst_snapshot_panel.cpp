@@ -35,7 +35,7 @@ const std::vector<const char *> kTwenty{"SPEED_KP", "SPEED_KI", "SPEED_KD", "I_Q
     "SPEED_KP_DIV", "SPEED_KI_DIV", "I_D_KP_DIV", "I_D_KI_DIV", "I_Q_KP_DIV", "I_Q_KI_DIV",
     "STOPLL_KP_DIV"};
 
-struct Bench : EditBench {
+struct PanelBench : EditBench {
     QTemporaryDir home;
     facts::AnsweredPrompt files;
     widgets::AutoSnapshots automatic{device, home.filePath(QStringLiteral("kept"))};
@@ -43,7 +43,7 @@ struct Bench : EditBench {
     QAbstractItemModelTester tester{
         compared.model(), QAbstractItemModelTester::FailureReportingMode::QtTest};
 
-    explicit Bench(const simulation::BoardOptions &options = {})
+    explicit PanelBench(const simulation::BoardOptions &options = {})
         : EditBench(options)
     {
         edits.keepBeforeWriting(automatic);
@@ -130,7 +130,7 @@ private Q_SLOTS:
 
     void aSnapshotIsSavedFromThePageItself()
     {
-        Bench bench;
+        PanelBench bench;
         QAction save(QStringLiteral("Save"));
         save.setEnabled(false);
         bench.compared.offerSave(&save);
@@ -145,7 +145,7 @@ private Q_SLOTS:
 
     void twentyChangedRegistersAreFoundAndRestored()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         const auto before = bench.readAll();
@@ -174,7 +174,7 @@ private Q_SLOTS:
 
     void onlyWhatIsCheckedAndShownIsWritten()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         QVERIFY(bench.change({"SPEED_KP", "SPEED_KI", "I_Q_KP", "I_D_KP"}, 5));
@@ -210,7 +210,7 @@ private Q_SLOTS:
 
     void nothingIsWrittenUnlessArmed()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         QVERIFY(bench.change({"SPEED_KP"}, 5));
@@ -228,7 +228,7 @@ private Q_SLOTS:
     {
         simulation::BoardOptions options;
         options.rxMax = 32; // seven to a request
-        Bench bench(options);
+        PanelBench bench(options);
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         QVERIFY(bench.change(kTwenty, 1));
@@ -275,7 +275,7 @@ private Q_SLOTS:
 
     void otherHardwareNeedsAYesOfItsOwn()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         QVERIFY(bench.change({"SPEED_KP"}, 5));
@@ -294,7 +294,7 @@ private Q_SLOTS:
 
     void whatMovesAMotorIsNeverOffered()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         bench.answerYes = true;
@@ -320,7 +320,7 @@ private Q_SLOTS:
 
     void bothUnitSystemsAreShownAndCopied()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         QVERIFY(bench.change({"SPEED_KP"}, 5));
@@ -342,7 +342,7 @@ private Q_SLOTS:
 
     void aDamagedFileLeavesWhatWasThere()
     {
-        Bench bench;
+        PanelBench bench;
         const QString good = bench.home.filePath(QStringLiteral("good.json"));
         QVERIFY(bench.saved(good));
         QVERIFY(bench.change({"SPEED_KP"}, 5));
@@ -366,7 +366,7 @@ private Q_SLOTS:
 
     void twoFilesNeedNoBoard()
     {
-        Bench bench;
+        PanelBench bench;
         const QString a = bench.home.filePath(QStringLiteral("a.json")),
                       b = bench.home.filePath(QStringLiteral("b.json"));
         QVERIFY(bench.saved(a));
@@ -383,7 +383,7 @@ private Q_SLOTS:
 
     void whatWasKeptBeforeAWriteCanBeChosen()
     {
-        Bench bench;
+        PanelBench bench;
         const auto kp = std::get<std::int64_t>(bench.held("SPEED_KP"));
         QVERIFY(bench.change({"SPEED_KP", "SPEED_KI"}, 5));
         auto *box = bench.find<QComboBox>("snapshotA");
@@ -400,7 +400,7 @@ private Q_SLOTS:
 
     void aCancelledReadingSavesNothing()
     {
-        Bench bench;
+        PanelBench bench;
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         bench.files.answer = path;
         SnapshotDialog dialog(
@@ -416,7 +416,7 @@ private Q_SLOTS:
 
     void aSavedSnapshotHasTheNameOfTheTime()
     {
-        Bench bench;
+        PanelBench bench;
         QVERIFY(bench.saved(bench.home.filePath(QStringLiteral("x.json"))));
         const QRegularExpression form(QRegularExpression::anchoredPattern(
             QStringLiteral(R"(\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d_motor_snapshot\.json)")));
@@ -425,7 +425,7 @@ private Q_SLOTS:
 
     void aPlaceThatTakesNoFileIsToldAndAnotherCanBeChosen()
     {
-        Bench bench;
+        PanelBench bench;
         bench.files.answer = QStringLiteral("/no/such/folder/s.json");
         SnapshotDialog dialog(
             SnapshotDialog::Form::Snapshot, bench.device, bench.files, {}, nullptr);
@@ -442,7 +442,7 @@ private Q_SLOTS:
 
     void theHeaderHasTheTunedValuesOfTheMotor()
     {
-        Bench bench;
+        PanelBench bench;
         bench.type("SPEED_KP", QStringLiteral("4321"));
         QVERIFY(bench.apply());
         const QString path = bench.home.filePath(QStringLiteral("d.h"));

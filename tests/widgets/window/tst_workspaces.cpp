@@ -24,11 +24,11 @@ using widgets::Workspace;
 namespace {
 
 /// A window on a simulated board of its own.
-struct Bench {
+struct WorkspaceBench {
     support::JudgedWorld world{simulation::BoardOptions(), drive::Protocol::Mcp};
     facts::WindowRig rig;
 
-    explicit Bench(const Workspace &workspace = {})
+    explicit WorkspaceBench(const Workspace &workspace = {})
         : rig(settingsWith(workspace), session::makeDiskSink, world.parts())
     {
         rig.window.resize(1280, 720);
@@ -160,7 +160,7 @@ private Q_SLOTS:
 
     void itIsTakenUpAtTheNextStart()
     {
-        Bench bench(ofABench());
+        WorkspaceBench bench(ofABench());
         QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()),
             QByteArray()); // no board yet
         bench.connectBoard();
@@ -179,7 +179,7 @@ private Q_SLOTS:
 
     void axesSetByHandAreKeptAndOthersFitThemselves()
     {
-        Bench bench(ofABench());
+        WorkspaceBench bench(ofABench());
         bench.connectBoard();
         QTRY_COMPARE(bench.shown().size(), 3);
         const widgets::ScopeView &scope = *bench.rig.window.scope();
@@ -214,14 +214,14 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.workspace"));
-        Bench first(ofABench());
+        WorkspaceBench first(ofABench());
         first.connectBoard();
         QTRY_COMPARE(first.shown().size(), 3);
         first.rig.files.answer = path;
         first.fileAction("Save the workspace")->trigger();
         QVERIFY(QFileInfo::exists(path));
 
-        Bench second; // which is connected, and shows something else
+        WorkspaceBench second; // which is connected, and shows something else
         second.connectBoard();
         QTRY_COMPARE(second.shown().size(), 4);
         second.rig.files.answer = path;
@@ -297,7 +297,7 @@ private Q_SLOTS:
     {
         Workspace kept;
         {
-            Bench first;
+            WorkspaceBench first;
             first.connectBoard();
             widgets::ScopeGhosts &ghosts = first.rig.window.scope()->ghosts();
             QVERIFY(first.rig.window.settings().workspace.references.empty());
@@ -309,7 +309,7 @@ private Q_SLOTS:
             QCOMPARE(kept.references.size(), std::size_t(1));
             QVERIFY(kept.references.front().traces.size() >= 2);
         }
-        Bench second(kept);
+        WorkspaceBench second(kept);
         const widgets::ScopeGhosts &ghosts = second.rig.window.scope()->ghosts();
         QVERIFY(ghosts.hasReference(widgets::Reference::A));
         QVERIFY(!ghosts.hasReference(widgets::Reference::B));
@@ -334,7 +334,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(widgets::toJson(Workspace()).chopped(20));
         file.close();
-        Bench bench(ofABench());
+        WorkspaceBench bench(ofABench());
         const Workspace before = bench.rig.window.settings().workspace;
         bench.rig.files.answer = path;
         bench.fileAction("Open a workspace")->trigger();
@@ -347,7 +347,7 @@ private Q_SLOTS:
     {
         Workspace workspace;
         workspace.signalList = {{"NEVER_HEARD_OF", widgets::Route::Fast, 0}};
-        Bench bench(workspace);
+        WorkspaceBench bench(workspace);
         QStringList noticed;
         connect(&bench.rig.workbench.signalPlan(), &widgets::SignalPlan::noticed, this,
             [&](const QString &sentence) { noticed.append(sentence); });
@@ -359,7 +359,7 @@ private Q_SLOTS:
 
     void readyArrangementsOpenTheirTools()
     {
-        Bench bench;
+        WorkspaceBench bench;
         auto *gains = bench.rig.find<QDockWidget>("gainsDock");
         auto *measures = bench.rig.find<QDockWidget>("measureDock");
         auto *revUp = bench.rig.find<QDockWidget>("revUpDock");

@@ -34,8 +34,8 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr std::size_t kMemory = 4'000'000;
-constexpr std::size_t kPiece = 524288;
+constexpr std::size_t kInMemory = 4'000'000;
+constexpr std::size_t kPieceBytes = 524288;
 constexpr std::uint64_t kBudget = 64'000'000;
 
 struct Bench {
@@ -48,9 +48,9 @@ struct Bench {
     explicit Bench(bool patient = true, const QString &below = QStringLiteral("a/samples"),
         std::uint64_t budget = kBudget, std::uint64_t leaveFree = 0)
         : archive(std::make_shared<DiskArchive>(
-            DiskArchive::Config{place.filePath(below), budget, leaveFree, kPiece}))
+            DiskArchive::Config{place.filePath(below), budget, leaveFree, kPieceBytes}))
         , failures(archive.get(), &DiskArchive::failed)
-        , twins({.maxBytes = kMemory, .archive = archive, .patient = patient})
+        , twins({.maxBytes = kInMemory, .archive = archive, .patient = patient})
     {
     }
     Capture &small() { return twins.small; }
@@ -68,8 +68,8 @@ void TestDiskArchive::samplesReadTheSameFromTheDisk()
     Bench bench;
     bench.twins.record(3'000'000);
     QCOMPARE(bench.small().released(), std::uint64_t(0));
-    QVERIFY(bench.small().archivedBytes() > 3 * kMemory);
-    QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);
+    QVERIFY(bench.small().archivedBytes() > 3 * kInMemory);
+    QVERIFY(bench.small().bytes() <= kInMemory + CaptureTwins::kSlack);
     QVERIFY(bench.archive->bytesOnDisk() >= bench.small().archivedBytes());
     bench.twins.verifyTheSame();
     const auto ids = bench.small().streaming();
@@ -187,9 +187,9 @@ void TestDiskArchive::endingDoesNotWaitForWhatWaits()
     Bench bench(false);
     std::vector<std::shared_ptr<const capture::Deposit>> deposits;
     const std::shared_ptr<const std::byte> bytes(
-        new std::byte[kPiece]{}, [](const std::byte *gone) { delete[] gone; });
+        new std::byte[kPieceBytes]{}, [](const std::byte *gone) { delete[] gone; });
     for (int i = 0; i < 400; ++i)
-        deposits.push_back(bench.archive->store({{bytes, kPiece}}));
+        deposits.push_back(bench.archive->store({{bytes, kPieceBytes}}));
     bench.small() = Capture();
     bench.archive.reset();
     const auto stored = std::count_if(deposits.begin(), deposits.end(),
@@ -209,8 +209,8 @@ void TestDiskArchive::aFolderThatCannotBeMadeIsToldOnce()
     const auto failure = bench.failures.front().front().value<ArchiveFailure>();
     QCOMPARE(failure.reason, ArchiveFailure::Reason::NoFolder);
     QCOMPARE(failure.folder, bench.place.filePath(QStringLiteral("file/samples")));
-    QVERIFY(bench.small().bytes() <= kMemory + CaptureTwins::kSlack);
-    QVERIFY(bench.small().bytes() > kMemory * 3 / 4);
+    QVERIFY(bench.small().bytes() <= kInMemory + CaptureTwins::kSlack);
+    QVERIFY(bench.small().bytes() > kInMemory * 3 / 4);
     bench.twins.verifyTheSame(50);
     // A person has put it right, and says so.
     QVERIFY(file.remove());
@@ -273,17 +273,17 @@ void TestDiskArchive::aDiskThatFailsWhileItIsReadIsNoDeath()
     const auto archive = std::make_shared<DiskArchive>(DiskArchive::Config{.folder = place.path(),
         .budget = kBudget,
         .leaveFree = 0,
-        .pieceBytes = kPiece,
+        .pieceBytes = kPieceBytes,
         .mapped = [&harm](const QString &path) {
             if (harm)
                 QFile::resize(path, 4096);
         }});
     QSignalSpy failures(archive.get(), &DiskArchive::failed);
-    CaptureTwins twins({.maxBytes = kMemory, .archive = archive, .patient = true});
+    CaptureTwins twins({.maxBytes = kInMemory, .archive = archive, .patient = true});
     twins.record(1'000'000);
     harm = true;
     twins.record(2'000'000);
-    QVERIFY(twins.small.archivedBytes() > kMemory);
+    QVERIFY(twins.small.archivedBytes() > kInMemory);
     const auto ids = twins.small.streaming();
     const auto span = *twins.small.timeSpan();
     QVERIFY(

@@ -23,7 +23,7 @@ private Q_SLOTS:
 
 namespace {
 
-capture::Snapshot recording()
+capture::Snapshot wholeRecording()
 {
     capture::Capture capture;
     capture.begin({1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
@@ -33,7 +33,7 @@ capture::Snapshot recording()
     return capture.snapshot(ids);
 }
 
-FileResult writeCsv(const QString &path, const capture::Snapshot &channels)
+FileResult exported(const QString &path, const capture::Snapshot &channels)
 {
     return exportFormatNamed("csv")->write(path, {channels, {}}, {}).file;
 }
@@ -47,14 +47,14 @@ void TestExportFullDisk::whereverItFillsTheOldFileStays()
     QFile old(path);
     QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
     old.close();
-    const capture::Snapshot snapshot = recording();
-    const FileResult full = writeCsv(folder.filePath(QStringLiteral("b.csv")), snapshot);
+    const capture::Snapshot snapshot = wholeRecording();
+    const FileResult full = exported(folder.filePath(QStringLiteral("b.csv")), snapshot);
     QCOMPARE(full.error, FileError::None);
     for (qint64 bytes = 0; bytes < full.bytes; bytes += 1 + full.bytes / 37) {
         FileResult result;
         {
             const SizeLimit limit(static_cast<rlim_t>(bytes));
-            result = writeCsv(path, snapshot);
+            result = exported(path, snapshot);
         }
         QCOMPARE(result.error, FileError::CannotWrite);
         QCOMPARE(result.systemText, qt_error_string(EFBIG));
@@ -69,7 +69,7 @@ void TestExportFullDisk::noRoomIsKeptBehindTheEnd()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
-    const FileResult result = writeCsv(path, recording());
+    const FileResult result = exported(path, wholeRecording());
     QCOMPARE(result.error, FileError::None);
     QVERIFY(result.bytes > 1'000'000); // several pieces
     struct stat file { };

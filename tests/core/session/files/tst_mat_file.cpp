@@ -1,5 +1,6 @@
 // The MATLAB file, read back by a reader that shares no code with its writer (support/read_mat.py).
 #include "session/files/mat_file.h"
+#include "support/channels/every_channel.h"
 #include "support/places.h"
 
 #include <QDir>
@@ -27,7 +28,7 @@ private Q_SLOTS:
 
 namespace {
 
-QJsonObject read(const QString &path)
+QJsonObject matContents(const QString &path)
 {
     QProcess python;
     python.start(QStandardPaths::findExecutable(QStringLiteral("python3")),
@@ -38,7 +39,7 @@ QJsonObject read(const QString &path)
 }
 
 /// Fast signals with a gap, a slow and a polled one.
-Capture recording()
+Capture matRecording()
 {
     Capture capture;
     capture.begin({1, 16000.0, 0.25, 1,
@@ -60,25 +61,17 @@ Capture recording()
     return capture;
 }
 
-Snapshot all(const Capture &capture)
-{
-    std::vector<ChannelId> ids;
-    for (const ChannelInfo &info : capture.channels())
-        ids.push_back(info.id);
-    return capture.snapshot(ids);
-}
-
 } // namespace
 
 void TestMatFile::everyNumberReadsBack()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.mat"));
-    const Capture capture = recording();
-    const MatResult result = writeMatFile(path, all(capture));
+    const Capture capture = matRecording();
+    const MatResult result = writeMatFile(path, support::everyChannel(capture));
     QCOMPARE(result.file.error, FileError::None);
     QCOMPARE(result.rows, 2902U + 29U + 2U);
-    const QJsonObject mat = read(path);
+    const QJsonObject mat = matContents(path);
     QCOMPARE(mat.keys(), QStringLiteral("fast polled1 slow").split(QLatin1Char(' ')));
     const QJsonObject fast = mat.value(QLatin1String("fast")).toObject();
     const QJsonArray time = fast.value(QLatin1String("time")).toArray();
@@ -111,10 +104,10 @@ void TestMatFile::aRangeIsExact()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.mat"));
-    const MatResult result =
-        writeMatFile(path, all(recording()), TimeSpan{0.25 + 160 / 16000.0, 0.25 + 320 / 16000.0});
+    const MatResult result = writeMatFile(path, support::everyChannel(matRecording()),
+        TimeSpan{0.25 + 160 / 16000.0, 0.25 + 320 / 16000.0});
     QCOMPARE(result.file.error, FileError::None);
-    const QJsonObject fast = read(path).value(QLatin1String("fast")).toObject();
+    const QJsonObject fast = matContents(path).value(QLatin1String("fast")).toObject();
     QCOMPARE(fast.value(QLatin1String("time")).toArray().size(), 160);
     QCOMPARE(fast.value(QLatin1String("time")).toArray().at(0).toDouble(), 0.26);
 }
@@ -141,11 +134,12 @@ void TestMatFile::namesAreWhatMatlabTakes()
 void TestMatFile::aPlaceThatTakesNoFileIsOneError()
 {
     QTemporaryDir folder;
-    const MatResult result =
-        writeMatFile(folder.filePath(QStringLiteral("no/folder/a.mat")), all(recording()));
+    const MatResult result = writeMatFile(
+        folder.filePath(QStringLiteral("no/folder/a.mat")), support::everyChannel(matRecording()));
     QCOMPARE(result.file.error, FileError::CannotOpen);
     QVERIFY(!result.file.systemText.isEmpty());
-    QCOMPARE(writeMatFile(folder.path(), all(recording())).file.error, FileError::NotAFile);
+    QCOMPARE(writeMatFile(folder.path(), support::everyChannel(matRecording())).file.error,
+        FileError::NotAFile);
 }
 
 /// All columns of all structures, not one of them.
@@ -153,7 +147,7 @@ void TestMatFile::allItHoldsIsBounded()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.mat"));
-    const Snapshot channels = all(recording());
+    const Snapshot channels = support::everyChannel(matRecording());
     constexpr std::size_t kAll = (2902 * 3 + 29 * 2 + 2 * 2) * sizeof(double);
     const MatResult over = writeMatFile(path, channels, {}, {}, kAll - 1);
     QVERIFY(over.tooLong);
@@ -170,10 +164,10 @@ void TestMatFile::itIsCancelledAnywhere()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.mat"));
-    Capture capture = recording();
+    Capture capture = matRecording();
     for (Tick tick = 4000; tick < 204'000; tick += 1000) // some times between two reports
         capture.append({2, tick, 1000, std::vector<std::int16_t>(1000, 5), {}, 0});
-    const Snapshot channels = all(capture);
+    const Snapshot channels = support::everyChannel(capture);
     std::vector<double> told;
     const auto tell = [&told](double fraction) {
         told.push_back(fraction);

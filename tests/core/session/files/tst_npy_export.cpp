@@ -1,6 +1,7 @@
 // The array as NumPy reads it.
 #include "capture/npy_export.h"
 #include "session/files/export_formats.h"
+#include "support/channels/every_channel.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -33,7 +34,7 @@ QString python()
 }
 
 /// Name and values of each field in their order; null where a value is NaN.
-QJsonArray read(const QString &path)
+QJsonArray npyFields(const QString &path)
 {
     QProcess program;
     program.start(python(),
@@ -50,7 +51,7 @@ QJsonArray read(const QString &path)
 }
 
 /// Two fast signals of the same name with a gap, the second with a name that Python has to quote; a polled one.
-Capture recording()
+Capture npyRecording()
 {
     Capture capture;
     capture.begin({1, 16000.0, 0.25, 1,
@@ -70,14 +71,6 @@ Capture recording()
     return capture;
 }
 
-Snapshot all(const Capture &capture)
-{
-    std::vector<ChannelId> ids;
-    for (const ChannelInfo &info : capture.channels())
-        ids.push_back(info.id);
-    return capture.snapshot(ids);
-}
-
 session::ExportOutcome write(const QString &path, const session::ExportWanted &wanted)
 {
     return session::exportFormatOf(path)->write(path, wanted, {});
@@ -91,12 +84,12 @@ void TestNpyExport::numpyReadsEveryNumber()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.npy"));
-    const Capture capture = recording();
-    const auto outcome = write(path, {all(capture), {}});
+    const Capture capture = npyRecording();
+    const auto outcome = write(path, {support::everyChannel(capture), {}});
     QCOMPARE(outcome.file.error, session::FileError::None);
     constexpr int kRows = 300 + 1 + 1; // samples, the gap, the polled value
     QCOMPARE(outcome.rows, quint64(kRows));
-    const QJsonArray fields = read(path);
+    const QJsonArray fields = npyFields(path);
     const char *const names[] = {"tick", "seconds", "I", "I_2", "it's \u03a9\\\n", "seconds_2"};
     QCOMPARE(fields.size(), 6);
     for (int i = 0; i < 6; ++i) {
@@ -126,10 +119,11 @@ void TestNpyExport::aRangeIsExact()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.NPY"));
-    const auto outcome =
-        write(path, {all(recording()), TimeSpan{0.25 + 10 / 16000.0, 0.25 + 30 / 16000.0}});
+    const auto outcome = write(path,
+        {support::everyChannel(npyRecording()),
+            TimeSpan{0.25 + 10 / 16000.0, 0.25 + 30 / 16000.0}});
     QCOMPARE(outcome.rows, 20U);
-    const QJsonArray ticks = values(read(path), 0);
+    const QJsonArray ticks = values(npyFields(path), 0);
     QCOMPARE(ticks.first().toInteger(), 10);
     QCOMPARE(ticks.last().toInteger(), 29);
 }
@@ -138,13 +132,13 @@ void TestNpyExport::anEmptyCaptureIsAnEmptyArray()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.npy"));
-    QCOMPARE(write(path, {all(Capture()), {}}).rows, 0U);
-    QCOMPARE(read(path).size(), 2);
+    QCOMPARE(write(path, {support::everyChannel(Capture()), {}}).rows, 0U);
+    QCOMPARE(npyFields(path).size(), 2);
 }
 
 void TestNpyExport::allItHoldsIsBounded()
 {
-    const Snapshot channels = all(recording());
+    const Snapshot channels = support::everyChannel(npyRecording());
     constexpr std::size_t kAll = std::size_t{302} * 6 * sizeof(double);
     std::string_view piece;
     NpyWriter over(channels, {}, kAll - 1);

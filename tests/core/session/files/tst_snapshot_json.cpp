@@ -9,7 +9,6 @@
 #include <limits>
 
 using snapshots::Entry;
-using snapshots::Snapshot;
 
 class TestSnapshotJson : public QObject {
     Q_OBJECT
@@ -46,9 +45,9 @@ Entry entry(const char *name, ValueType type, catalog::Value value)
     return made;
 }
 
-Snapshot sample()
+snapshots::Snapshot sample()
 {
-    Snapshot snapshot;
+    snapshots::Snapshot snapshot;
     snapshot.board.firmware = "ST MC SDK\t\"6.4\"";
     snapshot.board.version = "6.4.0";
     snapshot.board.controlBoard = "G4";
@@ -72,7 +71,7 @@ Snapshot sample()
 
 void TestSnapshotJson::whatIsWrittenIsReadAgain()
 {
-    const Snapshot snapshot = sample();
+    const snapshots::Snapshot snapshot = sample();
     const auto read = session::readSnapshotJson(session::snapshotJson(snapshot));
     QVERIFY(read.has_value());
     QCOMPARE(read->board.firmware, snapshot.board.firmware);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr TimePoint t{100s};
 
-drive::MotorStatus statusOf(MotorState state, int motor = 1)
+drive::MotorStatus stateOf(MotorState state, int motor = 1)
 {
     drive::MotorStatus status;
     status.motor = motor;
@@ -25,15 +25,15 @@ drive::MotorStatus statusOf(MotorState state, int motor = 1)
 }
 
 /// A connection that was opened, and armed, at `t`.
-struct Bench {
-    explicit Bench(Attendance attendance = Attendance::Stamped, bool armed = true)
+struct DeadManBench {
+    explicit DeadManBench(Attendance attendance = Attendance::Stamped, bool armed = true)
         : man(attendance)
         , isArmed(armed)
     {
         man.begin(t);
         if (armed)
             man.armed();
-        man.takeStatus(statusOf(MotorState::Running));
+        man.takeStatus(stateOf(MotorState::Running));
     }
     DeadMan::Verdict at(Duration time, Duration gap = {})
     {
@@ -106,7 +106,7 @@ void TestDeadManRules::aHoldHasANumberAndAMotor()
 
 void TestDeadManRules::absenceBeginsBehindItsLimit()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     QVERIFY(!bench.at(500ms).disarm && !bench.man.absent());
     const DeadMan::Verdict verdict = bench.at(500ms + 1ns);
@@ -122,7 +122,7 @@ void TestDeadManRules::absenceBeginsBehindItsLimit()
 
 void TestDeadManRules::whoIsGoneIsStoppedForOnce()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     QVERIFY(!bench.at(2s).stopAll);
     QVERIFY(bench.at(2s + 1ns).stopAll);
@@ -140,7 +140,7 @@ void TestDeadManRules::whoIsGoneIsStoppedForOnce()
 /// As that of an experiment, which the disarming ends. "The motors go on as they are" would not be so.
 void TestDeadManRules::aStopForAnotherReasonIsToldWithIt()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     QVERIFY(bench.at(600ms).disarm);
     bench.man.stopped();
@@ -148,7 +148,7 @@ void TestDeadManRules::aStopForAnotherReasonIsToldWithIt()
     bench.attend(4s);
     static_cast<void>(bench.at(4s));
     QVERIFY((bench.man.takeNews() == News{{Cause::Interface, 4s, true, true}}));
-    Bench slept;
+    DeadManBench slept;
     slept.attend(0ms);
     static_cast<void>(slept.at(20ms, 3s)); // is told in the turn in which it is seen
     slept.man.stopped();
@@ -181,14 +181,14 @@ void TestDeadManRules::whatNobodyHereAnswersForIsNotStopped()
     QFETCH(const int, second);
     QFETCH(const bool, armedOnce);
     QFETCH(const bool, stops);
-    Bench bench(Attendance::Stamped, armedOnce);
-    bench.man.takeStatus(statusOf(static_cast<MotorState>(first), 1));
-    bench.man.takeStatus(statusOf(static_cast<MotorState>(second), 2));
+    DeadManBench bench(Attendance::Stamped, armedOnce);
+    bench.man.takeStatus(stateOf(static_cast<MotorState>(first), 1));
+    bench.man.takeStatus(stateOf(static_cast<MotorState>(second), 2));
     QCOMPARE(bench.at(3s).stopAll, stops);
     bench.attend(4s);
     static_cast<void>(bench.at(4s));
     QCOMPARE(bench.man.takeNews().empty(), !armedOnce); // nothing was changed
-    Bench left; // a person has disarmed it, and lets it turn
+    DeadManBench left; // a person has disarmed it, and lets it turn
     left.man.disarmed();
     left.isArmed = false;
     QVERIFY(!left.man.responsible() && !left.at(3s).stopAll);
@@ -200,7 +200,7 @@ void TestDeadManRules::whatNobodyHereAnswersForIsNotStopped()
 
 void TestDeadManRules::aSilenceThatIsOverCountsAllTheSame()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     bench.attend(2001ms); // both stood still, and the interface woke first
     const DeadMan::Verdict verdict = bench.at(2001ms);
@@ -211,7 +211,7 @@ void TestDeadManRules::aSilenceThatIsOverCountsAllTheSame()
 
 void TestDeadManRules::aGapIsToldOnce()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     static_cast<void>(bench.at(10ms));
     QVERIFY(bench.man.takeNews().empty()); // no gap
@@ -233,7 +233,7 @@ void TestDeadManRules::aGapIsToldOnce()
 
 void TestDeadManRules::aGapUnderOneThreadIsTheAbsence()
 {
-    Bench bench(Attendance::OwnThread);
+    DeadManBench bench(Attendance::OwnThread);
     QVERIFY(!bench.at(1h).disarm);
     QVERIFY(!bench.at(1h, 500ms).disarm);
     QVERIFY((bench.man.takeNews() == News{{Cause::Gap, 500ms, true, false}}));
@@ -245,12 +245,12 @@ void TestDeadManRules::aGapUnderOneThreadIsTheAbsence()
 
 void TestDeadManRules::aConnectionBeginsAnew()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     bench.stamps.hold(1, t);
     static_cast<void>(bench.at(301ms)); // a hold that ended
     static_cast<void>(bench.at(700ms)); // and an absence
-    bench.man.takeStatus(statusOf(MotorState::Idle)); // and a motor at rest
+    bench.man.takeStatus(stateOf(MotorState::Idle)); // and a motor at rest
     bench.man.begin(t + 10s);
     QVERIFY(!bench.man.responsible() && !bench.man.absent());
     bench.stamps.release();
@@ -264,22 +264,22 @@ void TestDeadManRules::aConnectionBeginsAnew()
 
 void TestDeadManRules::restEndsTheResponsibility()
 {
-    Bench bench;
-    bench.man.takeStatus(statusOf(MotorState::Idle));
+    DeadManBench bench;
+    bench.man.takeStatus(stateOf(MotorState::Idle));
     static_cast<void>(bench.at(1ms));
     QVERIFY(bench.man.responsible()); // armed
     bench.isArmed = false;
-    bench.man.takeStatus(statusOf(MotorState::Running));
+    bench.man.takeStatus(stateOf(MotorState::Running));
     static_cast<void>(bench.at(2ms));
     QVERIFY(bench.man.responsible()); // turns
-    bench.man.takeStatus(statusOf(MotorState::Idle));
+    bench.man.takeStatus(stateOf(MotorState::Idle));
     static_cast<void>(bench.at(3ms));
     QVERIFY(!bench.man.responsible());
 }
 
 void TestDeadManRules::aHoldEndsByItself()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.stamps.hold(2, t);
     bench.attend(300ms);
     QCOMPARE(bench.at(300ms).stopMotor, 0);
@@ -302,25 +302,25 @@ void TestDeadManRules::anEndedHoldNeedsItsIdleMotor()
 {
     for (const MotorState state : {MotorState::Running, MotorState::Idle, MotorState::FaultNow,
              MotorState::FaultOver, MotorState::Unknown}) {
-        Bench bench;
+        DeadManBench bench;
         bench.stamps.hold(2, t);
         const Duration ended = 310ms;
         bench.attend(ended);
         QCOMPARE(bench.at(ended).stopMotor, 2);
-        bench.man.takeStatus(statusOf(state, 2));
+        bench.man.takeStatus(stateOf(state, 2));
         bench.attend(ended + 799ms);
         QVERIFY(!bench.at(ended + 799ms).stopAll);
         const bool idle = state != MotorState::Running && state != MotorState::Unknown;
         QCOMPARE(bench.at(ended + 800ms).stopAll, !idle);
         QVERIFY(!bench.at(ended + 801ms).stopAll); // once
     }
-    Bench silent; // nothing was heard of it
+    DeadManBench silent; // nothing was heard of it
     silent.stamps.hold(2, t);
     static_cast<void>(silent.at(310ms));
     silent.attend(1110ms);
     QVERIFY(silent.at(1110ms).stopAll);
-    Bench gone; // what another rule stops stays stopped
-    gone.man.takeStatus(statusOf(MotorState::Idle, 2));
+    DeadManBench gone; // what another rule stops stays stopped
+    gone.man.takeStatus(stateOf(MotorState::Idle, 2));
     gone.attend(0ms);
     gone.stamps.hold(2, t + 1300ms);
     static_cast<void>(gone.at(1601ms));
@@ -329,7 +329,7 @@ void TestDeadManRules::anEndedHoldNeedsItsIdleMotor()
 
 void TestDeadManRules::theNextLook()
 {
-    Bench bench;
+    DeadManBench bench;
     bench.attend(0ms);
     static_cast<void>(bench.at(0ms));
     QVERIFY(bench.man.nextLook(true, t) == Wait(100ms));
@@ -343,7 +343,7 @@ void TestDeadManRules::theNextLook()
     static_cast<void>(bench.at(2001ms));
     QVERIFY(bench.man.nextLook(false, t + 1950ms) == Wait(100ms)); // stopped already
 
-    Bench quiet(Attendance::Stamped, false);
+    DeadManBench quiet(Attendance::Stamped, false);
     static_cast<void>(quiet.at(0ms));
     QVERIFY(!quiet.man.nextLook(false, t));
     QVERIFY(quiet.man.nextLook(true, t) == Wait(100ms));
@@ -352,16 +352,16 @@ void TestDeadManRules::theNextLook()
     quiet.man.armed();
     QVERIFY(quiet.man.nextLook(false, t + 3s) == Wait(100ms));
 
-    Bench left; // disarmed by the absence, at rest since: only its word is open
+    DeadManBench left; // disarmed by the absence, at rest since: only its word is open
     static_cast<void>(left.at(501ms));
-    left.man.takeStatus(statusOf(MotorState::Idle));
+    left.man.takeStatus(stateOf(MotorState::Idle));
     static_cast<void>(left.at(502ms));
     QVERIFY(!left.man.responsible() && left.man.nextLook(false, t + 502ms) == Wait(100ms));
 }
 
 void TestDeadManRules::theNextLookAtAHold()
 {
-    Bench bench(Attendance::OwnThread);
+    DeadManBench bench(Attendance::OwnThread);
     bench.stamps.hold(1, t);
     static_cast<void>(bench.at(0ms));
     QVERIFY(bench.man.nextLook(true, t + 100ms) == Wait(200ms + 1ns));

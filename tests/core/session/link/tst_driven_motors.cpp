@@ -9,15 +9,15 @@ using session::DrivenMotors;
 
 namespace {
 
-constexpr TimePoint t{10s};
+constexpr TimePoint kStarted{10s};
 
-Event statusOf(MotorState state, Duration at, int motor = 1, bool waits = false)
+Event toldStatus(MotorState state, Duration at, int motor = 1, bool waits = false)
 {
     MotorStatus status;
     status.motor = motor;
     status.state = state;
     status.waitsForBus = waits;
-    status.at = t + at;
+    status.at = kStarted + at;
     return status;
 }
 
@@ -33,18 +33,18 @@ Event boardOf(int motors)
     return board;
 }
 
-struct Bench {
+struct MotorsBench {
     DrivenMotors motors;
 
     void start(WishId id, Duration at = {})
     {
-        motors.submitted({.id = id, .what = Command{}}, true, t + at);
+        motors.submitted({.id = id, .what = Command{}}, true, kStarted + at);
     }
     /// At rest once that many such states were told.
     int readingsUntilRest(MotorState state, Duration at, bool waits = false)
     {
         for (int i = 1; i < 5; ++i) {
-            motors.told(statusOf(state, at, 1, waits), t + at);
+            motors.told(toldStatus(state, at, 1, waits), kStarted + at);
             if (!motors.any())
                 return i;
         }
@@ -78,18 +78,18 @@ void TestDrivenMotors::whatCanMoveDrives()
         {Command{MotorAction::AcknowledgeFaults, 1}, false}, {Read{}, false}, {Stream{}, false}};
     for (const auto &[what, moves] : rows) {
         DrivenMotors motors;
-        motors.submitted({.id = 1, .what = what}, false, t);
+        motors.submitted({.id = 1, .what = what}, false, kStarted);
         QVERIFY(!motors.any()); // unarmed
-        motors.submitted({.id = 1, .what = what}, true, t);
+        motors.submitted({.id = 1, .what = what}, true, kStarted);
         QCOMPARE(motors.any(), moves);
     }
 }
 
 void TestDrivenMotors::onlyWhatActsHereDrives()
 {
-    Bench bench;
+    MotorsBench bench;
     for (int i = 0; i < 3; ++i)
-        bench.motors.told(statusOf(MotorState::Running, 1s), t + 1s);
+        bench.motors.told(toldStatus(MotorState::Running, 1s), kStarted + 1s);
     QVERIFY(!bench.motors.any());
     bench.start(1);
     bench.motors.leave();
@@ -102,60 +102,60 @@ void TestDrivenMotors::restIsSeenTwiceInARowWellBehindTheEnd()
         {MotorState::FaultNow, true}, {MotorState::FaultOver, true}, {MotorState::Running, false},
         {MotorState::Starting, false}, {MotorState::Unknown, false}};
     for (const auto &[state, rests] : states) {
-        Bench bench;
+        MotorsBench bench;
         bench.start(0); // nothing ends it
         QCOMPARE(bench.readingsUntilRest(state, 299ms), 0);
         QCOMPARE(bench.readingsUntilRest(state, 300ms), rests ? 2 : 0);
     }
-    Bench waits; // for its bus: it starts by itself then
+    MotorsBench waits; // for its bus: it starts by itself then
     waits.start(0);
     QCOMPARE(waits.readingsUntilRest(MotorState::Idle, 1s, true), 0);
-    Bench row;
+    MotorsBench row;
     row.start(0);
     for (const MotorState state : {MotorState::Idle, MotorState::Running, MotorState::Idle})
-        row.motors.told(statusOf(state, 1s), t + 1s);
+        row.motors.told(toldStatus(state, 1s), kStarted + 1s);
     QVERIFY(row.motors.any());
     QCOMPARE(row.readingsUntilRest(MotorState::Idle, 1s), 1);
 }
 
 void TestDrivenMotors::anOpenWishMayMoveAnyTime()
 {
-    Bench bench;
+    MotorsBench bench;
     bench.start(7);
-    bench.motors.told(endOf(8), t + 1s); // another one
+    bench.motors.told(endOf(8), kStarted + 1s); // another one
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 5s), 0);
-    bench.motors.told(endOf(7), t + 5s);
+    bench.motors.told(endOf(7), kStarted + 5s);
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 5s + 299ms), 0);
-    bench.motors.told(statusOf(MotorState::Idle, 5s + 300ms), t + 6s);
-    bench.motors.told(endOf(8), t + 6s); // says nothing about the motor
+    bench.motors.told(toldStatus(MotorState::Idle, 5s + 300ms), kStarted + 6s);
+    bench.motors.told(endOf(8), kStarted + 6s); // says nothing about the motor
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 5s + 300ms), 1);
 }
 
 void TestDrivenMotors::whatIsAskedForAnewBeginsAnew()
 {
-    Bench bench;
+    MotorsBench bench;
     bench.start(0);
-    bench.motors.told(statusOf(MotorState::Idle, 1s), t + 1s);
+    bench.motors.told(toldStatus(MotorState::Idle, 1s), kStarted + 1s);
     bench.start(0, 1s);
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 1s + 299ms), 0);
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 1s + 300ms), 2);
     bench.start(3, 2s);
-    bench.motors.told(endOf(3), t + 2s);
-    bench.motors.told(statusOf(MotorState::Idle, 3s), t + 3s);
+    bench.motors.told(endOf(3), kStarted + 2s);
+    bench.motors.told(toldStatus(MotorState::Idle, 3s), kStarted + 3s);
     bench.start(4, 3s);
-    bench.motors.told(endOf(4), t + 3s);
+    bench.motors.told(endOf(4), kStarted + 3s);
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 4s), 2);
 }
 
 void TestDrivenMotors::everyMotorHasToRest()
 {
-    Bench bench;
-    bench.motors.told(boardOf(2), t);
+    MotorsBench bench;
+    bench.motors.told(boardOf(2), kStarted);
     bench.start(0);
     QCOMPARE(bench.readingsUntilRest(MotorState::Idle, 1s), 0);
-    bench.motors.told(statusOf(MotorState::Idle, 1s, 2), t + 1s);
+    bench.motors.told(toldStatus(MotorState::Idle, 1s, 2), kStarted + 1s);
     QVERIFY(bench.motors.any());
-    bench.motors.told(statusOf(MotorState::Idle, 1s, 2), t + 1s);
+    bench.motors.told(toldStatus(MotorState::Idle, 1s, 2), kStarted + 1s);
     QVERIFY(!bench.motors.any());
 }
 

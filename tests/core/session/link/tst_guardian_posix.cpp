@@ -43,12 +43,12 @@ private Q_SLOTS:
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
-using Instant = Clock::time_point;
+using SteadyClock = std::chrono::steady_clock;
+using Instant = SteadyClock::time_point;
 
 constexpr auto kLong = 60s;
 constexpr std::uint32_t kBaud = 1'843'200;
-const Bytes kStart{0x19, 0x00}, kStop{0x21, 0x00}; ///< of motor 1
+const Bytes kStartWords{0x19, 0x00}, kStop{0x21, 0x00}; ///< of motor 1
 
 Bytes packetOf(const Bytes &payload)
 {
@@ -159,8 +159,8 @@ public:
     }
     bool freeUntil(Instant until)
     {
-        while (!free() && Clock::now() < until)
-            waitUntil(Clock::now() + 10ms);
+        while (!free() && SteadyClock::now() < until)
+            waitUntil(SteadyClock::now() + 10ms);
         return free();
     }
     /// What came around that time, and each start and stop: a line for what was read at once.
@@ -179,7 +179,7 @@ public:
             };
             const double at =
                 std::chrono::duration<double, std::milli>(piece->second - around).count();
-            if ((at > -150.0 && at < 400.0) || holds(kStart) || holds(kStop))
+            if ((at > -150.0 && at < 400.0) || holds(kStartWords) || holds(kStop))
                 lines += QStringLiteral("%1 ms  ").arg(at, 9, 'f', 1)
                     + QString::fromLatin1(QByteArray(reinterpret_cast<const char *>(bytes.data()),
                         static_cast<qsizetype>(std::min<std::size_t>(bytes.size(), 40)))
@@ -193,7 +193,7 @@ public:
     {
         end();
         support::LinkPair pair;
-        pair.now = TimePoint(Clock::now() - m_began);
+        pair.now = TimePoint(SteadyClock::now() - m_began);
         pair.board = std::move(m_board);
         pair.connect();
         pair.runUntil([&] { return pair.status.contains(1); }, 20s);
@@ -225,7 +225,7 @@ private:
             if (in.empty())
                 continue;
             const std::lock_guard lock(m_lock);
-            m_times[m_bytes.size()] = Clock::now();
+            m_times[m_bytes.size()] = SteadyClock::now();
             m_bytes.insert(m_bytes.end(), in.begin(), in.end());
             m_changed.notify_all();
         }
@@ -241,7 +241,7 @@ private:
                 in.assign(m_bytes.begin() + static_cast<std::ptrdiff_t>(taken), m_bytes.end());
                 taken = m_bytes.size();
             }
-            const TimePoint now(Clock::now() - m_began);
+            const TimePoint now(SteadyClock::now() - m_began);
             wire.put(in, now);
             while (const auto piece = wire.take(now))
                 m_board->receive(piece->second, piece->first);
@@ -260,7 +260,7 @@ private:
 
     support::PseudoTerminal m_terminal;
     std::unique_ptr<simulation::SimulatedBoard> m_board;
-    Instant m_began = Clock::now();
+    Instant m_began = SteadyClock::now();
     std::mutex m_lock;
     std::condition_variable m_changed;
     Bytes m_bytes;
@@ -446,7 +446,7 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
 {
     Death death{kind, -1.0, {}, 0};
     HeardBoard board;
-    const Instant began = Clock::now();
+    const Instant began = SteadyClock::now();
     std::optional<Screen> screen;
     if (kind == Kind::Screen)
         screen.emplace();
@@ -469,11 +469,11 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
             qPrintable(board.account(killed)), program.complaints().constData());
         return death;
     };
-    const auto start = board.heard(kStart, began, began + 20s);
+    const auto start = board.heard(kStartWords, began, began + 20s);
     if (!start)
         return wrong(kNoStart);
     board.waitUntil(*start + behindTheStart);
-    killed = Clock::now();
+    killed = SteadyClock::now();
     if (board.heard(kStop, began, killed))
         return wrong(QStringLiteral("a STOP before the end"));
     if (kind == Kind::Screen)
@@ -493,9 +493,9 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
             *stop + 2200ms); // the frozen program keeps its port; behind that the guardian does not
     program.signal(SIGKILL);
     (void)program.wait();
-    if (!board.freeUntil(Clock::now() + 10s))
+    if (!board.freeUntil(SteadyClock::now() + 10s))
         return wrong(QStringLiteral("somebody keeps the port"));
-    if (board.heard(kStart, killed, killed))
+    if (board.heard(kStartWords, killed, killed))
         return wrong(QStringLiteral("a start behind the end"));
     if (board.motorRuns())
         return wrong(QStringLiteral("the motor runs"));
@@ -602,12 +602,12 @@ void TestGuardian::whateverEndsTheProgramStopsTheMotor()
 void TestGuardian::whoWakesUpSendsNothingAndIsDisarmed()
 {
     HeardBoard board;
-    const Instant began = Clock::now();
+    const Instant began = SteadyClock::now();
     Program program({kGuarded, board.port(), QStringLiteral("drive")}, {kNoScreen});
-    const auto start = board.heard(kStart, began, began + kLong);
+    const auto start = board.heard(kStartWords, began, began + kLong);
     QVERIFY(start);
     program.signal(SIGSTOP);
-    const Instant frozen = Clock::now();
+    const Instant frozen = SteadyClock::now();
     const auto stop = board.heard(kStop, frozen, frozen + 10s);
     QVERIFY(stop);
     // In the midst of it.
@@ -617,11 +617,11 @@ void TestGuardian::whoWakesUpSendsNothingAndIsDisarmed()
     QVERIFY(program.said().contains("disarmed\n"));
     QVERIFY2(!program.said().contains("closed"), program.said().constData());
     QVERIFY(program.says("taken over\nopen\n"));
-    QVERIFY(!board.heard(kStart, frozen, Clock::now() + 1s));
+    QVERIFY(!board.heard(kStartWords, frozen, SteadyClock::now() + 1s));
     QCOMPARE(program.said().count("armed\n"), 2); // once, and not any more
     program.signal(SIGKILL);
     (void)program.wait();
-    QVERIFY(board.freeUntil(Clock::now() + 10s));
+    QVERIFY(board.freeUntil(SteadyClock::now() + 10s));
     QVERIFY(!board.motorRuns());
 }
 
@@ -630,11 +630,11 @@ void TestGuardian::nothingIsSentWhenNothingWasDriven()
     HeardBoard board;
     Program program({kGuarded, board.port(), QStringLiteral("idle")}, {kNoScreen});
     QVERIFY(program.says("armed\n"));
-    const Instant killed = Clock::now();
+    const Instant killed = SteadyClock::now();
     program.signal(SIGKILL);
     (void)program.wait();
-    QVERIFY(board.freeUntil(Clock::now() + 10s));
-    QVERIFY(!board.heard(kStop, killed, Clock::now() + 300ms));
+    QVERIFY(board.freeUntil(SteadyClock::now() + 10s));
+    QVERIFY(!board.heard(kStop, killed, SteadyClock::now() + 300ms));
 }
 
 void TestGuardian::whatWasLeftRunningGoesOn_data()
@@ -649,23 +649,23 @@ void TestGuardian::whatWasLeftRunningGoesOn()
 {
     QFETCH(const QString, act);
     HeardBoard board;
-    const Instant began = Clock::now();
+    const Instant began = SteadyClock::now();
     const QStringList line = act == QLatin1String("leave")
         ? QStringList{kGuarded, board.port(), act}
         : act == QLatin1String("start") ? QStringList{kCli, QStringLiteral("--patience"),
               QStringLiteral("500"), QStringLiteral("--port"), board.port(), act}
                                         : captureLine(board, "--keep-running");
     Program program(line, {kNoScreen});
-    QVERIFY(board.heard(kStart, began, began + kLong));
+    QVERIFY(board.heard(kStartWords, began, began + kLong));
     if (act == QLatin1String("capture")) {
-        board.waitUntil(Clock::now() + 500ms);
+        board.waitUntil(SteadyClock::now() + 500ms);
         program.signal(SIGKILL);
         (void)program.wait();
     } else {
         QCOMPARE(program.wait(), 0);
     }
-    QVERIFY(board.freeUntil(Clock::now() + 10s));
-    QVERIFY(!board.heard(kStop, began, Clock::now() + 300ms));
+    QVERIFY(board.freeUntil(SteadyClock::now() + 10s));
+    QVERIFY(!board.heard(kStop, began, SteadyClock::now() + 300ms));
     QVERIFY(board.motorRuns());
 }
 

@@ -31,10 +31,10 @@ using namespace std::chrono_literals;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-using Instant = Clock::time_point;
+using RealClock = std::chrono::steady_clock;
+using RealInstant = RealClock::time_point;
 
-constexpr std::uint32_t kBaud = 1'843'200;
+constexpr std::uint32_t kLineBaud = 1'843'200;
 const Bytes kHead{'A', 'B'}, kBody{'C', 'D', 'E'};
 const std::vector<Output> kScript{{kHead, 0ms}, {kBody, 10ms}};
 
@@ -123,7 +123,10 @@ extern "C" pid_t fork() noexcept
 
 namespace {
 
-void pauseUntil(Instant when) { pauseFor(std::chrono::nanoseconds(when - Clock::now()).count()); }
+void pauseUntil(RealInstant when)
+{
+    pauseFor(std::chrono::nanoseconds(when - RealClock::now()).count());
+}
 
 std::vector<pid_t> childrenOf(pid_t process)
 {
@@ -233,7 +236,7 @@ public:
 
     void look()
     {
-        const Instant now = Clock::now();
+        const RealInstant now = RealClock::now();
         const Bytes in = m_terminal.read();
         if (!in.empty())
             pieces.emplace_back(now, in);
@@ -260,16 +263,16 @@ public:
         return bytes;
     }
     Duration first() const { return pieces.empty() ? Duration{} : pieces.front().first - begun; }
-    Duration since(std::optional<Instant> when) const
+    Duration since(std::optional<RealInstant> when) const
     {
         return when ? *when - begun : Duration(1h);
     }
     std::optional<int> status() const { return m_status; }
     pid_t pid() const { return m_pid; }
 
-    Instant begun = Clock::now();
-    std::optional<Instant> ended, letGo;
-    std::vector<std::pair<Instant, Bytes>> pieces;
+    RealInstant begun = RealClock::now();
+    std::optional<RealInstant> ended, letGo;
+    std::vector<std::pair<RealInstant, Bytes>> pieces;
     QByteArray said, told;
 
 private:
@@ -281,7 +284,7 @@ private:
 
 void drive(Guardian &guardian, int port, const std::vector<Output> &script = kScript)
 {
-    guardian.setScript(script, kBaud);
+    guardian.setScript(script, kLineBaud);
     guardian.watch(port);
     guardian.setDriven(true);
 }
@@ -312,7 +315,7 @@ const std::map<QByteArray, Life::Deed> kDeeds{
             tell();
             drive(*g, port);
             tell();
-            const Instant began = Clock::now();
+            const RealInstant began = RealClock::now();
             for (const Duration time : {2900ms, 4000ms, 5500ms}) {
                 pauseUntil(began + time);
                 tell();
@@ -333,7 +336,7 @@ const std::map<QByteArray, Life::Deed> kDeeds{
         }},
     {"drives nothing",
         [](Held &g, int port, int) {
-            g->setScript(kScript, kBaud);
+            g->setScript(kScript, kLineBaud);
             g->watch(port);
             pauseFor(3500 * kMillisecond); // without a stamp
             ::raise(SIGKILL);
@@ -353,13 +356,13 @@ const std::map<QByteArray, Life::Deed> kDeeds{
         }},
     {"exits at rest",
         [](Held &g, int port, int) {
-            g->setScript(kScript, kBaud);
+            g->setScript(kScript, kLineBaud);
             g->watch(port);
             ::exit(3);
         }},
     {"no port",
         [](Held &g, int, int) {
-            g->setScript(kScript, kBaud);
+            g->setScript(kScript, kLineBaud);
             g->setDriven(true);
             ::exit(4);
         }},
@@ -367,7 +370,7 @@ const std::map<QByteArray, Life::Deed> kDeeds{
         [](Held &g, int port, int) {
             drive(*g, port, parts(1, 4));
             for (const char last : {'z', 'z', 'y'})
-                g->setScript({{Bytes{static_cast<std::uint8_t>(last)}, 0ms}}, kBaud);
+                g->setScript({{Bytes{static_cast<std::uint8_t>(last)}, 0ms}}, kLineBaud);
             ::raise(SIGKILL);
         }},
     {"many parts",
@@ -414,7 +417,7 @@ const std::map<QByteArray, Life::Deed> kDeeds{
         }},
     {"SIGFPE at rest",
         [](Held &g, int port, int) {
-            g->setScript(kScript, kBaud);
+            g->setScript(kScript, kLineBaud);
             g->watch(port);
             ::raise(SIGFPE);
         }},
@@ -442,10 +445,10 @@ const std::map<QByteArray, Life::Deed> kDeeds{
         [](Held &g, int port, int told) {
             drive(*g, port);
             pauseFor(3300 * kMillisecond);
-            const Instant began = Clock::now();
+            const RealInstant began = RealClock::now();
             for (int i = 0; i < 2000; ++i)
                 g->letGo();
-            const char word = Clock::now() - began < 500ms ? 'q' : 's';
+            const char word = RealClock::now() - began < 500ms ? 'q' : 's';
             [[maybe_unused]] const ssize_t count = ::write(told, &word, 1);
         }},
     {"left for good",
@@ -501,7 +504,7 @@ void TestGuardianRules::initTestCase()
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     notes = new (::mmap(
         nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) Notes;
-    const Instant began = Clock::now();
+    const RealInstant began = RealClock::now();
     for (const auto &[name, deed] : kDeeds)
         m_lives[name] = std::make_unique<Life>(deed);
     std::array<int, 2> bus{};
@@ -509,7 +512,7 @@ void TestGuardianRules::initTestCase()
     m_spi = std::make_unique<Life>(kDeeds.at("killed"), bus[1]);
     const Life &frozen = life("frozen");
     std::vector<pid_t> guardian;
-    for (Instant now = began; now < began + 6500ms; now = Clock::now()) {
+    for (RealInstant now = began; now < began + 6500ms; now = RealClock::now()) {
         for (auto &one : m_lives)
             one.second->look();
         m_spi->look();
@@ -759,7 +762,7 @@ void TestGuardianRules::whatStillWaitsToLeaveIsTakenBack()
 void TestGuardianRules::pausesAreWhole()
 {
     const auto clock = [] {
-        return std::chrono::nanoseconds(Clock::now().time_since_epoch()).count();
+        return std::chrono::nanoseconds(RealClock::now().time_since_epoch()).count();
     };
     for (int i = 0; i < 3; ++i) {
         const Nanoseconds before = clock(), now = monotonicNow();

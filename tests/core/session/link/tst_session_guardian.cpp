@@ -27,7 +27,7 @@ private Q_SLOTS:
 
 namespace {
 
-struct Notes : Guardian {
+struct NotedGuardian : Guardian {
     int port = -2;
     bool driven = false;
     int stamps = 0;
@@ -61,7 +61,7 @@ drive::MotorStatus statusOf(drive::MotorState state, TimePoint at, int motor = 1
 }
 
 struct Guarded {
-    std::shared_ptr<Notes> notes = std::make_shared<Notes>();
+    std::shared_ptr<NotedGuardian> notes = std::make_shared<NotedGuardian>();
     Bench bench{session::Attendance::OwnThread, notes};
 
     Guarded()

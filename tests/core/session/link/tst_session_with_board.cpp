@@ -23,7 +23,7 @@ private Q_SLOTS:
 namespace {
 
 /// A session on virtual time; all events are kept in order.
-struct World {
+struct BoardWorld {
     TimePoint now{1000s};
     support::JudgedWorld line{{}, drive::Protocol::Mcp, [this] { return now; }};
     Session session;
@@ -32,7 +32,7 @@ struct World {
     int unacknowledged = 0;
     std::vector<session::PortState> ports;
 
-    World()
+    BoardWorld()
         : session(line.parts())
     {
         QObject::connect(
@@ -101,7 +101,7 @@ struct World {
 
 void TestSessionWithBoard::theBoardIsIdentifiedAndMetReadOnly()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     const drive::Identified board = world.all<drive::Identified>().back();
     QVERIFY(board.identity.knownFirmware);
@@ -112,7 +112,7 @@ void TestSessionWithBoard::theBoardIsIdentifiedAndMetReadOnly()
 
 void TestSessionWithBoard::fourSignalsAtTheControlRateLoseNothing()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     drive::Stream stream;
     for (const char *name : {"I_A", "I_B", "I_Q_MEAS", "STOPLL_ROT_SPEED"})
@@ -131,7 +131,7 @@ void TestSessionWithBoard::fourSignalsAtTheControlRateLoseNothing()
 
 void TestSessionWithBoard::theMotorStartsRampsAndStops()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     world.session.setArmed(true);
     world.session.submit({.id = 1, .what = drive::Command{drive::MotorAction::Start, 1}});
@@ -153,7 +153,7 @@ void TestSessionWithBoard::theMotorStartsRampsAndStops()
 
 void TestSessionWithBoard::nothingMovesBeforeArming()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     world.session.submit({.id = 1, .what = drive::Command{drive::MotorAction::Start, 1}});
     world.run(1s);
@@ -163,7 +163,7 @@ void TestSessionWithBoard::nothingMovesBeforeArming()
 
 void TestSessionWithBoard::aStalledReceiverGetsEverythingLaterOrSeesTheGap()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     world.session.submit({.id = 7,
         .what =
@@ -187,7 +187,7 @@ void TestSessionWithBoard::aStalledReceiverGetsEverythingLaterOrSeesTheGap()
 
 void TestSessionWithBoard::closingEndsTheStream()
 {
-    World world;
+    BoardWorld world;
     QVERIFY(world.connect());
     world.session.submit({.id = 7,
         .what =

@@ -71,7 +71,7 @@ private:
     Line &m_line;
 };
 
-struct World {
+struct PortWorld {
     TimePoint now{1000s};
     BoardPort::Line line;
     Session session;
@@ -82,7 +82,7 @@ struct World {
     QStringList wanted;
     bool idleWhenIdentified = false; ///< the last motor had been stopped before the board was known
 
-    World(const char *profile, Protocol protocol, int motors)
+    PortWorld(const char *profile, Protocol protocol, int motors)
         : session(parts(*this))
     {
         endpoint.kind = session::Endpoint::Kind::Serial;
@@ -110,7 +110,7 @@ struct World {
             [this](const QStringList &ports) { wanted = ports; });
     }
 
-    static session::Parts parts(World &world)
+    static session::Parts parts(PortWorld &world)
     {
         session::Parts parts = session::realParts();
         parts.clock = parts.elapsed = [&world] { return world.now; };
@@ -228,7 +228,7 @@ void TestStopAcrossPorts::aStopThatTheUnplugCutOffIsCarriedOutFirst()
     QFETCH(QByteArray, profile);
     QFETCH(Protocol, protocol);
     QFETCH(int, motors);
-    World world(profile.constData(), protocol, motors);
+    PortWorld world(profile.constData(), protocol, motors);
     QVERIFY(world.startAll());
     world.session.stop();
     world.unplug(); // in the same moment
@@ -256,7 +256,7 @@ void TestStopAcrossPorts::aStopWhileThePortIsGoneStopsWhatComesBack()
     QFETCH(QByteArray, profile);
     QFETCH(Protocol, protocol);
     QFETCH(int, motors);
-    World world(profile.constData(), protocol, motors);
+    PortWorld world(profile.constData(), protocol, motors);
     QVERIFY(world.startAll());
     world.unplug();
     world.run(700ms);
@@ -273,7 +273,7 @@ void TestStopAcrossPorts::aStopWhileTheBoardIsBeingFoundOutStopsIt()
     QFETCH(Protocol, protocol);
     QFETCH(int, motors);
     for (const Duration after : {Duration(0s), Duration(3ms), Duration(40ms)}) {
-        World world(profile.constData(), protocol, motors);
+        PortWorld world(profile.constData(), protocol, motors);
         QVERIFY(world.startAll());
         world.unplug();
         world.run(100ms);
@@ -305,7 +305,7 @@ void TestStopAcrossPorts::aServoThatWasLeftCyclingIsStopped()
 {
     QFETCH(int, channels);
     QFETCH(int, after);
-    World world("mcb", Protocol::Mcb, 1);
+    PortWorld world("mcb", Protocol::Mcb, 1);
     QVERIFY(world.startAll());
     drive::Stream stream;
     for (const char *name : {"BUS_VOLTAGE", "I_A", "I_Q_MEAS", "SPEED_MEAS"})
@@ -331,7 +331,7 @@ void TestStopAcrossPorts::withTheWireFromTheBoardCutEveryMotorIsStopped()
     QFETCH(QByteArray, profile);
     QFETCH(Protocol, protocol);
     QFETCH(int, motors);
-    World world(profile.constData(), protocol, motors);
+    PortWorld world(profile.constData(), protocol, motors);
     QVERIFY(world.startAll());
     world.session.stop();
     world.unplug(); // in the same moment
@@ -348,7 +348,7 @@ void TestStopAcrossPorts::withoutAStopAReopenedPortSendsNone()
     QFETCH(QByteArray, profile);
     QFETCH(Protocol, protocol);
     QFETCH(int, motors);
-    World world(profile.constData(), protocol, motors);
+    PortWorld world(profile.constData(), protocol, motors);
     QVERIFY(world.startAll());
     world.unplug();
     world.run(100ms);

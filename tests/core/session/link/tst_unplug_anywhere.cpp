@@ -97,7 +97,7 @@ private:
     TimePoint m_freeAt{};
 };
 
-struct World {
+struct CableWorld {
     TimePoint now{1000s};
     Cable cable;
     std::map<drive::WishId, int> ended;
@@ -108,7 +108,7 @@ struct World {
     bool armed = false;
     Session session;
 
-    World(bool writing, std::uint64_t left)
+    CableWorld(bool writing, std::uint64_t left)
         : session(parts(*this))
     {
         simulation::BoardOptions options;
@@ -125,7 +125,7 @@ struct World {
         QObject::connect(
             &session, &Session::armedChanged, &session, [this](bool on) { armed = on; });
     }
-    static session::Parts parts(World &world)
+    static session::Parts parts(CableWorld &world)
     {
         session::Parts parts = session::realParts();
         parts.clock = [&world] { return world.now; };
@@ -205,7 +205,7 @@ void TestUnplugAnywhere::anyByteCanBeTheLast()
     int broke = 0;
     for (std::uint64_t at = 0; at < bytes; at += step) {
         const QByteArray place = "byte " + QByteArray::number(qulonglong(at));
-        World world(writing, at);
+        CableWorld world(writing, at);
         world.work();
         broke += world.cable.broken ? 1 : 0;
         if (!world.cable.broken)

@@ -73,7 +73,7 @@ private:
 };
 
 /// A session that sleeps until its timer, its port or its window wakes it.
-struct World {
+struct WakingWorld {
     TimePoint now{1000s};
     support::JudgedWorld line{{}, drive::Protocol::Mcp, [this] { return now; }};
     Port *port = nullptr;
@@ -83,7 +83,7 @@ struct World {
     int wakeUps = 0, readings = 0, statuses = 0;
     capture::Tick lost = 0;
 
-    World()
+    WakingWorld()
         : session(parts())
     {
         QObject::connect(
@@ -185,7 +185,7 @@ private:
     int m_unacknowledged = 0;
 };
 
-std::string textOf(const World::Rates &rates)
+std::string textOf(const WakingWorld::Rates &rates)
 {
     return "woken " + std::to_string(rates.wakeUps) + ", watched " + std::to_string(rates.readings)
         + ", states " + std::to_string(rates.statuses) + " times a second";
@@ -195,9 +195,9 @@ std::string textOf(const World::Rates &rates)
 
 void TestWakeUps::besideAMotorAtRestTheLinkSleeps()
 {
-    World world;
+    WakingWorld world;
     QVERIFY(world.connect());
-    const World::Rates rates = world.rates();
+    const WakingWorld::Rates rates = world.rates();
     QVERIFY2(rates.wakeUps <= 140.0, textOf(rates).c_str());
     QVERIFY2(std::abs(rates.readings - 5.0) < 0.5, textOf(rates).c_str());
     QVERIFY2(rates.statuses >= 9.5, textOf(rates).c_str());
@@ -206,15 +206,15 @@ void TestWakeUps::besideAMotorAtRestTheLinkSleeps()
 
 void TestWakeUps::whoeverIsArmedIsShownAllAsEver()
 {
-    World world;
+    WakingWorld world;
     QVERIFY(world.connect());
     world.session.setArmed(true);
-    const World::Rates armed = world.rates();
+    const WakingWorld::Rates armed = world.rates();
     QVERIFY2(armed.readings >= 9.5 && armed.statuses >= 9.5, textOf(armed).c_str());
     world.session.submit({.id = 1, .what = drive::Command{drive::MotorAction::Start, 1}});
     world.run(4s);
     QCOMPARE(world.status->state, drive::MotorState::Running);
-    const World::Rates driven = world.rates();
+    const WakingWorld::Rates driven = world.rates();
     QVERIFY2(driven.readings >= 9.5 && driven.statuses >= 9.5, textOf(driven).c_str());
     QCOMPARE(world.lost, 0);
 }

@@ -32,18 +32,18 @@ private Q_SLOTS:
 
 namespace {
 
-capture::StreamLayout layout()
+capture::StreamLayout twoCurrents()
 {
     return {1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}, {2, "B", "A", 0.1, 0.0}}, {}};
 }
 
-capture::SampleBlock block(capture::Tick tick)
+capture::SampleBlock hundredTicks(capture::Tick tick)
 {
     return {1, tick, 100, std::vector<std::int16_t>(200, std::int16_t(tick)), {}, 0};
 }
 
 /// A session with fakes behind it, a tap, and a recording.
-struct Bench {
+struct LiveBench {
     TimePoint now{100s};
     fakes::FakeTransport::Log port;
     fakes::FakeDrive::Log board;
@@ -56,7 +56,7 @@ struct Bench {
     int starts = 0;
     std::size_t batches = 0;
 
-    explicit Bench(MakeSink sink = makeDiskSink, std::size_t bound = std::size_t{64} << 20)
+    explicit LiveBench(MakeSink sink = makeDiskSink, std::size_t bound = std::size_t{64} << 20)
         : tap(std::make_shared<RecordingTap>(bound))
         , session(tapped({.clock = [this] { return now; },
                              .transport =
@@ -141,12 +141,12 @@ MakeSink gated(Gate &gate)
 
 void TestRecordingLive::everythingThatIsToldIsInTheFile()
 {
-    Bench bench;
+    LiveBench bench;
     bench.start();
     bench.tell(drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None});
-    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(drive::StreamStarted{twoCurrents()});
     for (capture::Tick tick = 0; tick < 1000; tick += 100)
-        bench.tell(block(tick));
+        bench.tell(hundredTicks(tick));
     drive::MotorStatus status;
     status.stateName = "RUN";
     status.state = drive::MotorState::Running;
@@ -177,7 +177,7 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
 void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
 {
     const record::Note note{1, 2, "look here"};
-    Bench bench;
+    LiveBench bench;
     QVERIFY(!bench.recording.add(1, note));
     for (int round = 0; round < 2; ++round) {
         bench.path = bench.folder.filePath(QStringLiteral("%1.pcapng").arg(round));
@@ -194,7 +194,7 @@ void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
 void TestRecordingLive::theMotionLogIsInTheFile()
 {
     using drive::MotorAction;
-    Bench bench;
+    LiveBench bench;
     bench.start();
     for (const MotorAction action : {MotorAction::Start, MotorAction::StopMotor,
              MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
@@ -225,13 +225,13 @@ void TestRecordingLive::theMotionLogIsInTheFile()
 
 void TestRecordingLive::aRecordingThatBeginsLateKnowsWhatHolds()
 {
-    Bench bench;
+    LiveBench bench;
     bench.tell(drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None});
-    bench.tell(drive::StreamStarted{layout()});
-    bench.tell(block(0));
+    bench.tell(drive::StreamStarted{twoCurrents()});
+    bench.tell(hundredTicks(0));
     bench.start();
-    bench.tell(block(100));
-    bench.tell(block(200));
+    bench.tell(hundredTicks(100));
+    bench.tell(hundredTicks(200));
     bench.stop();
     const auto facts = support::readRecording(bench.path);
     QCOMPARE(facts.happenings(), std::vector<std::string>{"link"});
@@ -241,7 +241,7 @@ void TestRecordingLive::aRecordingThatBeginsLateKnowsWhatHolds()
 
 void TestRecordingLive::theBytesOfTheLineAreThereIfAskedFor()
 {
-    Bench bench;
+    LiveBench bench;
     bench.start(RecordingTap::Content::SamplesAndLink);
     bench.port.alive->hear("abc");
     bench.port.alive->hear("def");
@@ -263,18 +263,18 @@ void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()
 {
     Gate gate;
     gate.open.release();
-    Bench bench(gated(gate), 200'000);
+    LiveBench bench(gated(gate), 200'000);
     bench.start();
-    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(drive::StreamStarted{twoCurrents()});
     gate.open.acquire(); // from now on each write takes for ever
     const std::size_t before = bench.batches;
     for (capture::Tick tick = 0; tick < 100'000; tick += 100)
-        bench.tell(block(tick)); // comes back at once each time
+        bench.tell(hundredTicks(tick)); // comes back at once each time
     QCOMPARE(bench.batches, before + 1000);
     QVERIFY(bench.tap->waiting() <= 200'000);
     gate.open.release();
     QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
-    bench.tell(block(100'000));
+    bench.tell(hundredTicks(100'000));
     bench.stop();
     const RecordingProgress &last = bench.results[0].last;
     QVERIFY(last.lost.samples > 0);
@@ -295,18 +295,18 @@ void TestRecordingLive::whatASlowDiskMissedIsDescribedAgain()
 {
     Gate gate;
     gate.open.release();
-    Bench bench(gated(gate), 200'000);
+    LiveBench bench(gated(gate), 200'000);
     bench.start();
-    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(drive::StreamStarted{twoCurrents()});
     gate.open.acquire();
     capture::Tick tick = 0;
     for (; tick < 100'000; tick += 100)
-        bench.tell(block(tick));
-    capture::StreamLayout other = layout();
+        bench.tell(hundredTicks(tick));
+    capture::StreamLayout other = twoCurrents();
     other.id = 2;
     other.fast = {{7, "C", "V", 0.5, 0.0}};
     for (int i = 0; i < 5; ++i) // the first may find room, the last does not
-        bench.tell(drive::StreamStarted{i < 4 ? layout() : other});
+        bench.tell(drive::StreamStarted{i < 4 ? twoCurrents() : other});
     const auto one = [](capture::Tick at) {
         return capture::SampleBlock{2, at, 100, std::vector<std::int16_t>(100, 5), {}, 0};
     };
@@ -331,11 +331,11 @@ void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
     Gate gate;
     gate.open.release();
     gate.blocks = 3; // the head, the layout and one of samples
-    Bench bench(gated(gate));
+    LiveBench bench(gated(gate));
     bench.start();
-    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(drive::StreamStarted{twoCurrents()});
     for (capture::Tick tick = 0; bench.results.isEmpty() && tick < 10'000'000; tick += 100) {
-        bench.tell(block(tick));
+        bench.tell(hundredTicks(tick));
         QCoreApplication::processEvents();
     }
     QTRY_COMPARE(bench.results.size(), 1);
@@ -343,7 +343,7 @@ void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
     QCOMPARE(bench.results[0].systemText, QStringLiteral("no room"));
     QVERIFY(!bench.recording.running());
     const std::size_t before = bench.batches;
-    bench.tell(block(20'000'000));
+    bench.tell(hundredTicks(20'000'000));
     QCOMPARE(bench.batches, before + 1);
     QVERIFY(!bench.session.closed());
     QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
@@ -354,7 +354,7 @@ void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
 
 void TestRecordingLive::aFileThatIsThereAlreadyIsAnError()
 {
-    Bench bench;
+    LiveBench bench;
     QFile old(bench.path);
     QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
     old.close();
@@ -371,11 +371,11 @@ void TestRecordingLive::leavingWithoutAStopEndsTheFile()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("r.pcapng"));
     {
-        Bench bench;
+        LiveBench bench;
         bench.path = path;
         bench.start();
-        bench.tell(drive::StreamStarted{layout()});
-        bench.tell(block(0));
+        bench.tell(drive::StreamStarted{twoCurrents()});
+        bench.tell(hundredTicks(0));
     }
     const auto facts = support::readRecording(path);
     QCOMPARE(facts.samples(), 200U);
@@ -384,15 +384,15 @@ void TestRecordingLive::leavingWithoutAStopEndsTheFile()
 
 void TestRecordingLive::aSecondRecordingIsAWholeOne()
 {
-    Bench bench;
+    LiveBench bench;
     bench.start();
-    bench.tell(drive::StreamStarted{layout()});
-    bench.tell(block(0));
+    bench.tell(drive::StreamStarted{twoCurrents()});
+    bench.tell(hundredTicks(0));
     bench.stop();
-    bench.tell(block(100)); // recorded by nobody
+    bench.tell(hundredTicks(100)); // recorded by nobody
     bench.path = bench.folder.filePath(QStringLiteral("second.pcapng"));
     bench.start();
-    bench.tell(block(200));
+    bench.tell(hundredTicks(200));
     bench.stop();
     const auto facts = support::readRecording(bench.path);
     QCOMPARE(facts.samples(), 200U);

@@ -30,7 +30,7 @@ std::map<record::Nanos, std::string> notesOf(const QString &path)
 session::NotesSource later() { return {-1, {}, QDateTime::currentDateTime().addSecs(3600)}; }
 
 /// Why not; empty if saved.
-QString saveNotes(const QString &source, const QString &target, const std::vector<Note> &notes,
+QString whyNotSaved(const QString &source, const QString &target, const std::vector<Note> &notes,
     const std::function<bool(double)> &proceed = {})
 {
     return session::saveNotes(source, target, notes, proceed, later()).why;
@@ -52,7 +52,7 @@ private Q_SLOTS:
 
     void theyComeBehindItsOwnBytes()
     {
-        QCOMPARE(saveNotes(m_path, m_path, {{kSecond, kSecond, "new words"}, {7, 7, "third"}}),
+        QCOMPARE(whyNotSaved(m_path, m_path, {{kSecond, kSecond, "new words"}, {7, 7, "third"}}),
             QString());
         QVERIFY(contentOf(m_path).startsWith(m_before));
         const auto facts = support::readRecording(m_path);
@@ -67,7 +67,7 @@ private Q_SLOTS:
 
     void aNoteThatWasChangedIsOne()
     {
-        QCOMPARE(saveNotes(m_path, m_path, {{kSecond, kSecond, "changed"}}), QString());
+        QCOMPARE(whyNotSaved(m_path, m_path, {{kSecond, kSecond, "changed"}}), QString());
         capture::Capture capture;
         const auto report = session::readRecording(m_path, capture);
         QVERIFY(report);
@@ -78,17 +78,17 @@ private Q_SLOTS:
 
     void aNoteThatWasDeletedIsTakenBack()
     {
-        QCOMPARE(saveNotes(m_path, m_path, {record::noNote(kSecond)}), QString());
+        QCOMPARE(whyNotSaved(m_path, m_path, {record::noNote(kSecond)}), QString());
         QVERIFY(!notesOf(m_path).contains(kSecond));
         QCOMPARE(notesOf(m_path).size(), 1U);
-        QCOMPARE(saveNotes(m_path, m_path, {{kSecond, kSecond, "again"}}), QString());
+        QCOMPARE(whyNotSaved(m_path, m_path, {{kSecond, kSecond, "again"}}), QString());
         QCOMPARE(notesOf(m_path)[kSecond], std::string("again"));
     }
 
     void aCopyLeavesTheFileAlone()
     {
         const QString copy = m_folder->filePath(QStringLiteral("copy.pcapng"));
-        QCOMPARE(saveNotes(m_path, copy, {{3, 3, "in the copy"}}), QString());
+        QCOMPARE(whyNotSaved(m_path, copy, {{3, 3, "in the copy"}}), QString());
         QCOMPARE(contentOf(m_path), m_before);
         QCOMPARE(notesOf(copy).size(), 3U);
     }
@@ -162,9 +162,9 @@ private Q_SLOTS:
         QCOMPARE(result.outcome, NotesResult::Outcome::BeingWritten);
         QCOMPARE(contentOf(path), before);
         const QString copy = m_folder->filePath(QStringLiteral("copy.pcapng"));
-        QCOMPARE(saveNotes(path, copy, {{3, 3, "third"}}), QString());
+        QCOMPARE(whyNotSaved(path, copy, {{3, 3, "third"}}), QString());
         recorder.reset();
-        QCOMPARE(saveNotes(path, path, {{3, 3, "third"}}), QString());
+        QCOMPARE(whyNotSaved(path, path, {{3, 3, "third"}}), QString());
         QCOMPARE(notesOf(path).size(), 2U);
         QVERIFY(!QFile::exists(path + QStringLiteral(".lock")));
     }
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(lock.open(QIODevice::WriteOnly));
         lock.write("2147483646\nrotorscope\n" + QSysInfo::machineHostName().toUtf8() + "\n");
         lock.close();
-        QCOMPARE(saveNotes(path, path, {{3, 3, "third"}}), QString());
+        QCOMPARE(whyNotSaved(path, path, {{3, 3, "third"}}), QString());
         QVERIFY(!lock.exists());
     }
 
@@ -198,7 +198,7 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(whole.chopped(missing));
             file.close();
-            QCOMPARE(saveNotes(path, path, {{3, 3, "third"}, {4, 4, "fourth"}}), QString());
+            QCOMPARE(whyNotSaved(path, path, {{3, 3, "third"}, {4, 4, "fourth"}}), QString());
             QVERIFY(contentOf(path).startsWith(whole.chopped(missing)));
             const auto facts = support::readRecording(path);
             QVERIFY(!facts.ending);
@@ -213,8 +213,9 @@ private Q_SLOTS:
 
     void whoeverCancelsHasWhatWasThere()
     {
-        QVERIFY(
-            !saveNotes(m_path, m_path, {{3, 3, "third"}}, [](double) { return false; }).isEmpty());
+        QVERIFY(!whyNotSaved(m_path, m_path, {{3, 3, "third"}}, [](double) {
+            return false;
+        }).isEmpty());
         QCOMPARE(contentOf(m_path), m_before);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 1);
     }
@@ -226,9 +227,9 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("something else");
         file.close();
-        QVERIFY(!saveNotes(path, path, {{3, 3, "third"}}).isEmpty());
+        QVERIFY(!whyNotSaved(path, path, {{3, 3, "third"}}).isEmpty());
         QCOMPARE(contentOf(path), QByteArray("something else"));
-        QVERIFY(!saveNotes(m_folder->filePath(QStringLiteral("none")), path, {}).isEmpty());
+        QVERIFY(!whyNotSaved(m_folder->filePath(QStringLiteral("none")), path, {}).isEmpty());
         QCOMPARE(contentOf(path), QByteArray("something else"));
     }
 

@@ -65,9 +65,9 @@ std::uint32_t faultsOfStart(support::AxisBench &bench)
     return bench.firmware.faultFlags();
 }
 
-constexpr std::uint32_t kStartUp = 0x0010, kSpeedFeedback = 0x0020;
+constexpr std::uint32_t kStartUp = 0x0010, kFeedbackFault = 0x0020;
 
-bool isFailedStart(std::uint32_t faults) { return faults == kStartUp || faults == kSpeedFeedback; }
+bool isFailedStart(std::uint32_t faults) { return faults == kStartUp || faults == kFeedbackFault; }
 
 std::vector<std::string> names()
 {

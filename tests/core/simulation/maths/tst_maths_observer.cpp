@@ -3,6 +3,7 @@
 #include "simulation/maths/gains.h"
 #include "simulation/maths/sensorless.h"
 #include "simulation/maths/transforms.h"
+#include "simulation/plant/parameters.h"
 
 #include <QTest>
 
@@ -14,7 +15,6 @@ using namespace simulation;
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kHf = 16000.0;
 constexpr double kBus_v = 24.0, kFullBus_v = 63.2;
 constexpr int kPolePairs = 4;

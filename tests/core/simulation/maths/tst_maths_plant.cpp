@@ -18,7 +18,7 @@ using namespace simulation;
 
 namespace {
 
-constexpr double kHf = 16000.0;
+constexpr double kHf_hz = 16000.0;
 constexpr std::uint16_t kTimerPeriod = 5312; // 170 MHz
 
 CurrentSensing sensingOf(const InverterParameters &inverter)
@@ -34,14 +34,14 @@ ObserverPll::Parameters observerFor(const PlantParameters &p)
     const double max_radps = p.motor.maxSpeed_rpm * kTurn / 60.0 * p.motor.polePairs;
     const ObserverDesign design{.rs_ohm = p.motor.rs_ohm,
         .ls_h = p.motor.lq_h,
-        .hfHz = kHf,
+        .hfHz = kHf_hz,
         .maxCurrent_a = p.inverter.maxReadable_a(),
         .maxBemf_v = 1.2 * max_radps * p.motor.flux_wb,
         .maxVoltage_v = p.inverter.busRange_v / std::numbers::sqrt3};
     return {.observer = observerGains(design),
         .speed = {.polePairs = p.motor.polePairs,
             .maxReliable_dHz = static_cast<std::uint16_t>(1.15 * p.motor.maxSpeed_rpm / 6.0)},
-        .pll = pllGains(960.0, 0.85, 27300.0, kHf)};
+        .pll = pllGains(960.0, 0.85, 27300.0, kHf_hz)};
 }
 
 HallSensor::Parameters hallFor(const PlantParameters &p)
@@ -66,8 +66,10 @@ public:
         , encoder(encoderFor(parameters))
         , hall(hallFor(parameters))
         , m_sensing(sensingOf(parameters.inverter))
-        , m_q(currentGains(parameters.motor.lq_h, parameters.motor.rs_ohm, 1500.0, m_sensing, kHf))
-        , m_d(currentGains(parameters.motor.ld_h, parameters.motor.rs_ohm, 1500.0, m_sensing, kHf))
+        , m_q(currentGains(
+              parameters.motor.lq_h, parameters.motor.rs_ohm, 1500.0, m_sensing, kHf_hz))
+        , m_d(currentGains(
+              parameters.motor.ld_h, parameters.motor.rs_ohm, 1500.0, m_sensing, kHf_hz))
         , m_speed_radps(0.5 * parameters.motor.maxSpeed_rpm * kTurn / 60.0)
     {
         plant.place(1.0, m_speed_radps);
@@ -90,7 +92,7 @@ public:
     template <class Angle>
     void step(Angle angle)
     {
-        plant.advance(1.0 / kHf);
+        plant.advance(1.0 / kHf_hz);
         encoder.step(plant.encoderCount());
         const HallReading h = plant.hall();
         hall.step({h.code, h.edges, h.sinceEdge_s, h.lastPeriod_s});

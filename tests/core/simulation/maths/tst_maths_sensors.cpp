@@ -11,9 +11,9 @@ using namespace simulation;
 
 namespace {
 
-constexpr double kHf = 16000.0;
+constexpr double kSampling_hz = 16000.0;
 constexpr int kTicksPerMedium = 16;
-constexpr int kPolePairs = 4;
+constexpr int kPairs = 4;
 
 /// Degrees from `is` (65536 a turn) to `turns`, the short way.
 double degreesOff(std::int16_t is, double turns)
@@ -41,17 +41,14 @@ struct EncoderBench {
     }
     void run(double seconds)
     {
-        for (int i = 0; i < static_cast<int>(std::lround(seconds * kHf)); ++i) {
-            shaft_turns += speed_hz / kHf;
+        for (int i = 0; i < static_cast<int>(std::lround(seconds * kSampling_hz)); ++i) {
+            shaft_turns += speed_hz / kSampling_hz;
             sensor.step(count());
             if (++tick % kTicksPerMedium == 0)
                 sensor.mediumTask();
         }
     }
-    double electricalTurns() const
-    {
-        return std::floor(shaft_turns * counts) / counts * kPolePairs;
-    }
+    double electricalTurns() const { return std::floor(shaft_turns * counts) / counts * kPairs; }
 };
 
 /// Three switches and the timer that captures their edges, exact.
@@ -77,8 +74,8 @@ struct HallBench {
     void step()
     {
         const double before = (turns - shift_turns) * 6.0;
-        turns += speed_hz / kHf;
-        now_s += 1.0 / kHf;
+        turns += speed_hz / kSampling_hz;
+        now_s += 1.0 / kSampling_hz;
         const double after = (turns - shift_turns) * 6.0;
         if (std::floor(before) != std::floor(after)) {
             const double border = after > before ? std::floor(after) : std::floor(before);
@@ -95,13 +92,13 @@ struct HallBench {
     }
     void run(double seconds)
     {
-        for (int i = 0; i < static_cast<int>(std::lround(seconds * kHf)); ++i)
+        for (int i = 0; i < static_cast<int>(std::lround(seconds * kSampling_hz)); ++i)
             step();
     }
     double worst_degrees(double seconds)
     {
         double worst = 0.0;
-        for (int i = 0; i < static_cast<int>(std::lround(seconds * kHf)); ++i) {
+        for (int i = 0; i < static_cast<int>(std::lround(seconds * kSampling_hz)); ++i) {
             step();
             worst = std::max(worst, std::abs(degreesOff(sensor.angle(), turns)));
         }
@@ -149,37 +146,36 @@ void TestMathsSensors::theEncoderFollowsTheShaft()
     QFETCH(double, speed);
     EncoderBench bench({.countsPerTurn = counts,
         .counterRange = range,
-        .polePairs = kPolePairs,
+        .polePairs = kPairs,
         .range = {.max_dHz = 2000}});
-    bench.run(1.0 / kHf);
+    bench.run(1.0 / kSampling_hz);
     bench.speed_hz = speed;
     for (int i = 0; i < 16000; ++i) {
-        bench.run(1.0 / kHf);
+        bench.run(1.0 / kSampling_hz);
         const double off = degreesOff(bench.sensor.angle(), bench.electricalTurns());
         // where the counter begins anew at 65536, a count more or less by the rounding of this bench
-        QVERIFY2(std::abs(off) < 360.0 * kPolePairs / counts + 0.01,
-            QByteArray::number(off).constData());
+        QVERIFY2(
+            std::abs(off) < 360.0 * kPairs / counts + 0.01, QByteArray::number(off).constData());
     }
     const double mean = speed * 10.0, count = 10.0 * 1000.0 / (counts * 16.0);
     QVERIFY(std::abs(bench.sensor.speed_dHz() - mean) < count + 1.0);
-    const double dpp = speed * kPolePairs * 65536.0 / kHf;
+    const double dpp = speed * kPairs * 65536.0 / kSampling_hz;
     QVERIFY(std::abs(bench.sensor.speed_dpp() - dpp)
-        < 65536.0 * kPolePairs / counts / kTicksPerMedium + 1.0);
+        < 65536.0 * kPairs / counts / kTicksPerMedium + 1.0);
     QVERIFY(bench.sensor.reliable());
 }
 
 void TestMathsSensors::anAlignmentSaysWhereZeroIs()
 {
-    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPolePairs});
+    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPairs});
     bench.speed_hz = 11.0;
     bench.run(0.1234);
     bench.sensor.align(-20000);
     QCOMPARE(bench.sensor.angle(), std::int16_t{-20000});
     const double was = bench.shaft_turns;
     bench.run(0.05);
-    const double expected = -20000.0 / 65536.0 + (bench.shaft_turns - was) * kPolePairs;
-    QVERIFY(
-        std::abs(degreesOff(bench.sensor.angle(), expected)) < 360.0 * kPolePairs / 4000.0 + 0.1);
+    const double expected = -20000.0 / 65536.0 + (bench.shaft_turns - was) * kPairs;
+    QVERIFY(std::abs(degreesOff(bench.sensor.angle(), expected)) < 360.0 * kPairs / 4000.0 + 0.1);
     bench.sensor.align(0);
     QCOMPARE(bench.sensor.mechanicalAngle(), std::int16_t{0});
     bench.speed_hz = 1.0;
@@ -207,7 +203,7 @@ void TestMathsSensors::theEncodersSpeedIsTheMeanOfItsDepth()
 
 void TestMathsSensors::clearingAnEncoderKeepsItsAlignment()
 {
-    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPolePairs});
+    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPairs});
     bench.speed_hz = 11.0;
     bench.run(0.1);
     bench.sensor.align(1000);
@@ -219,7 +215,7 @@ void TestMathsSensors::clearingAnEncoderKeepsItsAlignment()
 
 void TestMathsSensors::anEncoderTooFastIsNotBelieved()
 {
-    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPolePairs, .range = {.max_dHz = 500}});
+    EncoderBench bench({.countsPerTurn = 4000, .polePairs = kPairs, .range = {.max_dHz = 500}});
     bench.speed_hz = 49.0;
     bench.run(0.1);
     QVERIFY(bench.sensor.reliable());
@@ -247,25 +243,25 @@ void TestMathsSensors::theHallAngleRunsOnBetweenTheEdges()
 {
     QFETCH(double, speed);
     QFETCH(int, shift);
-    HallBench bench({.polePairs = kPolePairs,
+    HallBench bench({.polePairs = kPairs,
         .phaseShift = static_cast<std::int16_t>(shift),
         .range = {.max_dHz = 2000}});
     bench.speed_hz = speed;
     bench.run(1.0);
     const double worst = bench.worst_degrees(0.2);
     // at an edge it is up to a period late, between them a digit of speed a period wrong
-    const double bound =
-        1.0 + 360.0 * std::abs(speed) / kHf + 60.0 / (std::abs(speed) * 65536.0 / kHf);
+    const double bound = 1.0 + 360.0 * std::abs(speed) / kSampling_hz
+        + 60.0 / (std::abs(speed) * 65536.0 / kSampling_hz);
     QVERIFY2(worst < bound, QByteArray::number(worst).constData());
-    const double dpp_dHz = kHf * 10.0 / 65536.0 / kPolePairs;
-    QVERIFY(std::abs(bench.sensor.speed_dHz() - speed * 10.0 / kPolePairs) < dpp_dHz + 1.0);
+    const double dpp_dHz = kSampling_hz * 10.0 / 65536.0 / kPairs;
+    QVERIFY(std::abs(bench.sensor.speed_dHz() - speed * 10.0 / kPairs) < dpp_dHz + 1.0);
     QVERIFY(bench.sensor.reliable());
 }
 
 void TestMathsSensors::aStandingHallSensorKnowsItsSector()
 {
     for (int sector = 0; sector < 6; ++sector) {
-        HallBench bench({.polePairs = kPolePairs});
+        HallBench bench({.polePairs = kPairs});
         bench.turns = (sector + 0.3) / 6.0;
         bench.run(0.01);
         QVERIFY(std::abs(degreesOff(bench.sensor.angle(), (sector + 0.5) / 6.0)) < 0.1);
@@ -275,7 +271,7 @@ void TestMathsSensors::aStandingHallSensorKnowsItsSector()
 
 void TestMathsSensors::aHallSensorThatTurnsBackStartsAveragingAnew()
 {
-    HallBench bench({.polePairs = kPolePairs});
+    HallBench bench({.polePairs = kPairs});
     bench.speed_hz = 100.0;
     bench.run(0.1);
     QVERIFY(bench.sensor.speed_dpp() > 400);
@@ -290,7 +286,7 @@ void TestMathsSensors::aHallSensorThatTurnsBackStartsAveragingAnew()
 
 void TestMathsSensors::withoutEdgesTheHallSpeedIsZero()
 {
-    HallBench bench({.polePairs = kPolePairs, .timeout_s = 0.15});
+    HallBench bench({.polePairs = kPairs, .timeout_s = 0.15});
     bench.speed_hz = 100.0;
     bench.run(0.1);
     bench.speed_hz = 0.0;
@@ -308,7 +304,7 @@ void TestMathsSensors::withoutEdgesTheHallSpeedIsZero()
 void TestMathsSensors::impossibleHallCodesAreNotBelieved()
 {
     for (const unsigned code : {0U, 7U}) {
-        HallBench bench({.polePairs = kPolePairs});
+        HallBench bench({.polePairs = kPairs});
         bench.speed_hz = 100.0;
         bench.run(0.1);
         QVERIFY(bench.sensor.reliable());
@@ -323,7 +319,7 @@ void TestMathsSensors::impossibleHallCodesAreNotBelieved()
 
 void TestMathsSensors::skippedHallSectorsAreNotBelieved()
 {
-    HallSensor sensor({.polePairs = kPolePairs});
+    HallSensor sensor({.polePairs = kPairs});
     HallCapture capture{.code = 5, .lastPeriod_s = 1e-3};
     sensor.step(capture);
     for (const unsigned code : {3U, 6U, 5U}) { // every second

@@ -1,6 +1,7 @@
 // The arithmetic of the fast task: angles, transforms, circle limitation, modulation, at their edges and at random.
 #include "simulation/maths/transforms.h"
 #include "simulation/maths/voltage.h"
+#include "simulation/plant/parameters.h"
 
 #include <QTest>
 
@@ -12,7 +13,6 @@ using namespace simulation;
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kRoot3 = std::numbers::sqrt3;
 
 /// The generator's numbers are the standard's; distributions are not.

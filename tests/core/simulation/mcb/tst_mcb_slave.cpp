@@ -53,7 +53,7 @@ McbRegister registerOf(
 }
 
 /// A slave of row 0 with larger registers besides, and a master's words for it.
-struct Bench {
+struct SlaveBench {
     McbRig rig = support::mcbRig(headRow(), {});
     std::optional<McbSlave> made;
 
@@ -150,7 +150,7 @@ void TestMcbSlave::infoIsAnswered_data()
 void TestMcbSlave::infoIsAnswered()
 {
     QFETCH(QJsonObject, row);
-    Bench bench;
+    SlaveBench bench;
     bench.rig.registers[0x6DB] = registerOf(
         Type::UInt32, 4, Cyclic::ConfigOnly, catalog::Access::Write, {0, 0}); // not in row 0
     const Bytes idle = encodeFrame({});
@@ -160,7 +160,7 @@ void TestMcbSlave::infoIsAnswered()
 
 void TestMcbSlave::accessIsKept()
 {
-    Bench bench;
+    SlaveBench bench;
     bench.rig.registers[0x6DB] =
         registerOf(Type::UInt32, 4, Cyclic::ConfigOnly, catalog::Access::Write, {7, 0});
     const Frame refused = bench.ask(Command::Read, 0x6DB);
@@ -177,7 +177,7 @@ void TestMcbSlave::aMasterThatAnswersIsTold()
 {
     for (const Command command :
         {Command::Ack, Command::ErrorOfInfo, Command::ErrorOfRead, Command::ErrorOfWrite}) {
-        Bench bench;
+        SlaveBench bench;
         const Frame answer = bench.ask(command, 0x010);
         QVERIFY(answer.command == Command::ErrorOfInfo);
         QCOMPARE(errorCodeOf(answer.config), number(ErrorCode::InvalidCommand));
@@ -186,7 +186,7 @@ void TestMcbSlave::aMasterThatAnswersIsTold()
 
 void TestMcbSlave::aDamagedFrameChangesNothing()
 {
-    Bench bench;
+    SlaveBench bench;
     Bytes damaged = encodeFrame({0x010, Command::Write, false, {6, 0, 0, 0}, {}});
     damaged[3] ^= 1;
     QVERIFY(bench.slave().exchange(damaged) == encodeFrame({}));
@@ -197,7 +197,7 @@ void TestMcbSlave::aDamagedFrameChangesNothing()
 
 void TestMcbSlave::aFrameOfAnotherLengthChangesNothing()
 {
-    Bench bench;
+    SlaveBench bench;
     const Bytes idle = encodeFrame({});
     const Bytes longer = encodeFrame({0x010, Command::Write, false, {6, 0, 0, 0}, {1, 2, 3}});
     Bytes filled = idle;
@@ -212,7 +212,7 @@ void TestMcbSlave::aFrameOfAnotherLengthChangesNothing()
 
 void TestMcbSlave::aNewRequestDropsTheAnswerBefore()
 {
-    Bench bench;
+    SlaveBench bench;
     bench.send({0x6E4, Command::Read, false, {}, {}});
     QVERIFY(bench.next().pending); // the first of two pieces
     bench.send({0x011, Command::Read, false, {}, {}}); // while the second goes out
@@ -232,7 +232,7 @@ void TestMcbSlave::aNewRequestDropsTheAnswerBefore()
 
 void TestMcbSlave::anAnswerThatNobodySawSwitchesNothing()
 {
-    Bench bench;
+    SlaveBench bench;
     QVERIFY(bench.goCyclic());
     // The ACK of "off" goes out in a frame of the wrong length.
     bench.send({kState, Command::Write, false, {1, 0, 0, 0}, bench.cyclic});
@@ -258,7 +258,7 @@ void TestMcbSlave::anAnswerThatNobodySawSwitchesNothing()
 
 void TestMcbSlave::damageBesideTheAckStillSwitches()
 {
-    Bench bench;
+    SlaveBench bench;
     QVERIFY(bench.goCyclic());
     bench.send({kState, Command::Write, false, {1, 0, 0, 0}, bench.cyclic});
     const Bytes damaged(bench.slave().frameBytes(), 0x55);
@@ -271,7 +271,7 @@ void TestMcbSlave::damageBesideTheAckStillSwitches()
 
 void TestMcbSlave::piecesOfAnotherRegisterBeginAnew()
 {
-    Bench bench;
+    SlaveBench bench;
     bench.send({0x7FF, Command::Write, true, {1, 2, 3, 4}, {}});
     QVERIFY(bench.next().command == Command::Ack);
     QCOMPARE(bench.write(0x014, {35, 0, 0, 0}), 0U);
@@ -281,7 +281,7 @@ void TestMcbSlave::piecesOfAnotherRegisterBeginAnew()
 
 void TestMcbSlave::tooManyPiecesAreRefused()
 {
-    Bench bench;
+    SlaveBench bench;
     bench.send({0x014, Command::Write, true, {35, 0, 0, 0}, {}});
     QVERIFY(bench.next().command == Command::Ack);
     QCOMPARE(bench.write(0x014, {36, 0, 0, 0}), number(ErrorCode::General));
@@ -321,7 +321,7 @@ void TestMcbSlave::mappingIsChecked()
     QFETCH(int, low);
     QFETCH(int, high);
     QFETCH(quint32, code);
-    Bench bench;
+    SlaveBench bench;
     const auto where = static_cast<std::uint16_t>(address);
     const std::uint16_t before = bench.read(where);
     QCOMPARE(bench.write(
@@ -340,7 +340,7 @@ void TestMcbSlave::mappingIsChecked()
 
 void TestMcbSlave::theMappingIsFullAtThirtyTwoWords()
 {
-    Bench bench;
+    SlaveBench bench;
     bench.rig.registers[0x100] = registerOf(
         Type::Text, 61, Cyclic::Tx, catalog::Access::Read, Words(31, 0x4141)); // rounded up
     QCOMPARE(bench.write(kTx + 1, {0x100, 61, 0, 0}), 0U);
@@ -356,7 +356,7 @@ void TestMcbSlave::theMappingIsFullAtThirtyTwoWords()
 
 void TestMcbSlave::theShorterDirectionIsPadded()
 {
-    Bench bench;
+    SlaveBench bench;
     QCOMPARE(bench.write(kRx + 1, {0x01A, 4, 0, 0}), 0U);
     QCOMPARE(bench.write(kTx + 1, {0x011, 2, 0, 0}), 0U);
     QCOMPARE(bench.write(kRx, {1, 0, 0, 0}), 0U);
@@ -369,7 +369,7 @@ void TestMcbSlave::theShorterDirectionIsPadded()
 
 void TestMcbSlave::onlyAGoodFrameReachesTheCyclicRegisters()
 {
-    Bench bench;
+    SlaveBench bench;
     QVERIFY(bench.goCyclic());
     bench.cyclic = {6, 0};
     Bytes damaged = encodeFrame({0, Command::Idle, false, {}, bench.cyclic});
@@ -382,7 +382,7 @@ void TestMcbSlave::onlyAGoodFrameReachesTheCyclicRegisters()
 
 void TestMcbSlave::aMappingInForceStaysUntilItIsSwitched()
 {
-    Bench bench;
+    SlaveBench bench;
     QVERIFY(bench.goCyclic());
     QCOMPARE(bench.write(kTx + 1, {0, 0, 0, 0}), 0U);
     QVERIFY((bench.next().cyclic == Words{0, 0x41C0}));

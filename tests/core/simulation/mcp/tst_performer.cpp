@@ -7,7 +7,7 @@ using namespace support;
 
 namespace {
 
-Bytes get(std::initializer_list<unsigned> ids)
+Bytes getRequest(std::initializer_list<unsigned> ids)
 {
     ByteWriter request;
     request.u16(2U << 3);
@@ -66,7 +66,7 @@ void TestPerformer::aForcedPayloadCrcIsTwoConstantBytes()
     bench.packets(3ms);
     bench.send(aspep::Ping{});
     bench.packets(3ms);
-    Bytes request = get({0x0049});
+    Bytes request = getRequest({0x0049});
     bench.send(aspep::Data{false, static_cast<std::uint16_t>(request.size())});
     bench.pass(2ms);
     request.insert(request.end(), {0x12, 0x34}); // never looked at
@@ -83,7 +83,7 @@ void TestPerformer::aSmallerBeaconKeepsTheOldLimits()
     QCOMPARE(only(bench.packets(3ms)), aspep::Header{sizes(1, 1, 1)});
     bench.send(aspep::Ping{});
     bench.packets(3ms);
-    Bytes request = get({});
+    Bytes request = getRequest({});
     for (int i = 0; i < 50; ++i) // 102 bytes for a limit that now reads 64, and 201 bytes back
         request.insert(request.end(), {0x59, 0x00});
     QCOMPARE(bench.ask(request).size(), std::size_t{201});
@@ -152,7 +152,7 @@ void TestPerformer::olderFirmwareNeedsNoPause()
     options.profile = "mcsdk-6.2";
     BoardBench bench(options);
     QVERIFY(bench.connect());
-    bench.sendRequest(get({0x0049}), 0us);
+    bench.sendRequest(getRequest({0x0049}), 0us);
     QCOMPARE(bench.packets(5ms).size(), std::size_t{1});
 }
 
@@ -179,7 +179,8 @@ void TestPerformer::afterAnErrorOneBurstIsSwallowed()
     QCOMPARE(bench.packets(3ms).size(), std::size_t{0});
     bench.board->receive(badCrc, bench.now);
     QCOMPARE(only(bench.packets(3ms)), aspep::Header{aspep::Nack{4}});
-    bench.sendRequest(get({0x0049})); // its header is swallowed, its payload is taken for a header
+    bench.sendRequest(
+        getRequest({0x0049})); // its header is swallowed, its payload is taken for a header
     QCOMPARE(only(bench.packets(5ms)), aspep::Header{aspep::Nack{4}});
 }
 
@@ -205,7 +206,7 @@ void TestPerformer::theTextIsConnectedByItsBeacon()
     BoardBench bench(options);
     bench.send(sizes(7, 7, 32));
     bench.packets(3ms);
-    QCOMPARE(bench.ask(get({0x0049})), (Bytes{0, 0}));
+    QCOMPARE(bench.ask(getRequest({0x0049})), (Bytes{0, 0}));
 }
 
 void TestPerformer::theTextNegotiatesFromWhatTheBoardCan()

@@ -151,7 +151,7 @@ QString compareResponse(ByteView request, ByteView want, ByteView got)
 }
 
 /// ASYNC packets of one mark, in the order in which they came.
-struct Stream {
+struct ReplayedStream {
     std::vector<std::uint32_t> stamps; ///< of full packets
     std::size_t fullLength = 0;
     int packets = 0;
@@ -253,7 +253,7 @@ private:
     Splitter m_splitter;
     std::deque<Bytes> m_heard;
     QString m_problem;
-    std::map<int, Stream> m_recorded, m_played;
+    std::map<int, ReplayedStream> m_recorded, m_played;
     bool m_offeredCrc = false;
     bool m_parityUnknown = false; ///< a race went another way than in the recording
     int m_lostThen = 0, m_lostNow = 0;
@@ -414,7 +414,7 @@ void Player::heardAsync(const Bytes &packet)
 void Player::compareStreams()
 {
     for (const auto &[mark, then] : m_recorded) {
-        const Stream &now = m_played[mark];
+        const ReplayedStream &now = m_played[mark];
         const int tolerance = std::max(3, then.packets * 35 / 100);
         if (std::abs(now.packets - then.packets) > tolerance)
             note(QStringLiteral("%1 packets with mark %2, expected %3")

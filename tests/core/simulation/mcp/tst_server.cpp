@@ -7,7 +7,7 @@ using namespace support;
 
 namespace {
 
-ByteWriter get()
+ByteWriter getWriter()
 {
     ByteWriter request;
     request.u16(2U << 3);
@@ -46,7 +46,7 @@ void TestServer::emptyListsAreRefusedForReadingOnly()
 {
     BoardBench bench;
     QVERIFY(bench.connect());
-    QCOMPARE(bench.ask(get().take()), Bytes{1});
+    QCOMPARE(bench.ask(getWriter().take()), Bytes{1});
     QCOMPARE(bench.ask(set().take()), Bytes{0});
 }
 
@@ -54,20 +54,21 @@ void TestServer::anUnknownTypeOrMotorEndsAList()
 {
     BoardBench bench;
     QVERIFY(bench.connect());
-    QCOMPARE(bench.ask(get().u16(0x0049).u16(0x0001).u16(0x0049).take()), (Bytes{0, 7}));
-    QCOMPARE(bench.ask(get().u16(0x0049).u16(0x004A).u16(0x0049).take()), (Bytes{0, 1}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0049).u16(0x0001).u16(0x0049).take()), (Bytes{0, 7}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0049).u16(0x004A).u16(0x0049).take()), (Bytes{0, 1}));
     QCOMPARE(bench.ask(set().u16(0x0091).u16(100).u16(0x0092).u16(200).u16(0x00D1).u16(300).take()),
         (Bytes{0, 1}));
-    QCOMPARE(bench.ask(get().u16(0x0091).take()), (Bytes{100, 0, 0})); // written before it failed
+    QCOMPARE(
+        bench.ask(getWriter().u16(0x0091).take()), (Bytes{100, 0, 0})); // written before it failed
 }
 
 void TestServer::aMotorsRegisterIsUnknownWithoutItsMotor()
 {
     BoardBench bench;
     QVERIFY(bench.connect());
-    QCOMPARE(bench.ask(get().u16(0x0048).take()), Bytes{5});
-    QCOMPARE(bench.ask(get().u16(0x0029).take()), Bytes{5});
-    QCOMPARE(bench.ask(get().u16(0x0021).take()), Bytes{5});
+    QCOMPARE(bench.ask(getWriter().u16(0x0048).take()), Bytes{5});
+    QCOMPARE(bench.ask(getWriter().u16(0x0029).take()), Bytes{5});
+    QCOMPARE(bench.ask(getWriter().u16(0x0021).take()), Bytes{5});
 }
 
 void TestServer::aValueThatIsMissingIsReadFromOldBytes()
@@ -77,7 +78,7 @@ void TestServer::aValueThatIsMissingIsReadFromOldBytes()
     QCOMPARE(bench.ask(set().u16(0x0091).u16(0x1234).take()), Bytes{0});
     QCOMPARE(bench.ask(set().u16(0x00D1).take()),
         Bytes{0}); // the value is what lay behind the last request
-    QCOMPARE(bench.ask(get().u16(0x00D1).take()), (Bytes{0x34, 0x12, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x00D1).take()), (Bytes{0x34, 0x12, 0}));
     QCOMPARE(bench.ask(set().u16(0x01A9).u16(2).u16(600).take()), Bytes{0}); // a ramp of two bytes
 }
 
@@ -87,7 +88,7 @@ void TestServer::aTextThatDoesNotFitIsAFormatError()
     options.txSyncMax = 32;
     BoardBench bench(options);
     QVERIFY(bench.connect());
-    const Bytes answer = bench.ask(get().u16(0x0020).u16(0x0020).take());
+    const Bytes answer = bench.ask(getWriter().u16(0x0020).u16(0x0020).take());
     QCOMPARE(answer.back(), 6);
     QCOMPARE(answer.size(), std::size_t{21});
 }
@@ -99,7 +100,7 @@ void TestServer::rampsDoNotLookAtTheRoom()
     BoardBench bench(options);
     QVERIFY(bench.connect());
     const Bytes answer =
-        bench.ask(get().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x0049).take());
+        bench.ask(getWriter().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x0049).take());
     QCOMPARE(answer.size(), std::size_t{33}); // four times eight, one byte more than was agreed
     QCOMPARE(answer.back(), 8); // a scalar does look
 }
@@ -109,7 +110,7 @@ void TestServer::torqueRampIsWrittenLongAndReadShort()
     BoardBench bench;
     QVERIFY(bench.connect());
     QCOMPARE(bench.ask(set().u16(0x01E9).u16(6).s32(-300).u16(250).take()), Bytes{0});
-    QCOMPARE(bench.ask(get().u16(0x01E9).take()), (Bytes{4, 0, 0xD4, 0xFE, 250, 0, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x01E9).take()), (Bytes{4, 0, 0xD4, 0xFE, 250, 0, 0}));
     QCOMPARE(bench.get(mcp::reg::kControlMode), 4);
 }
 
@@ -119,16 +120,16 @@ void TestServer::currentReferencesReadBackWhileRunning()
     QVERIFY(bench.connect());
     const Bytes write = set().u16(0x0369).u16(4).s16(400).s16(-30).take();
     QCOMPARE(bench.ask(write), Bytes{0});
-    QCOMPARE(bench.ask(get().u16(0x0369).take()),
+    QCOMPARE(bench.ask(getWriter().u16(0x0369).take()),
         (Bytes{4, 0, 0, 0, 0, 0, 0})); // not running: no effect yet
     QCOMPARE(bench.command(3), Bytes{0});
     QVERIFY(bench.waitForState(6));
     QCOMPARE(bench.ask(write), Bytes{0});
-    QCOMPARE(bench.ask(get().u16(0x0369).take()), (Bytes{4, 0, 0x90, 0x01, 0xE2, 0xFF, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0369).take()), (Bytes{4, 0, 0x90, 0x01, 0xE2, 0xFF, 0}));
     QCOMPARE(bench.ask(set().u16(0x0951).u16(500).take()), Bytes{0});
-    QCOMPARE(bench.ask(get().u16(0x0951).take()), (Bytes{0xF4, 0x01, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0951).take()), (Bytes{0xF4, 0x01, 0}));
     QCOMPARE(bench.command(9), Bytes{0});
-    QCOMPARE(bench.ask(get().u16(0x0369).take()), (Bytes{4, 0, 0, 0, 0, 0, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0369).take()), (Bytes{4, 0, 0, 0, 0, 0, 0}));
 }
 
 void TestServer::aStartedToggleIsRefusedInOlderFirmware()
@@ -187,17 +188,17 @@ void TestServer::theTextIsFollowedWhereItCanBe()
     options.txSyncMax = 32;
     BoardBench bench(options);
     QVERIFY(bench.connect());
-    QCOMPARE(bench.ask(get().u16(0x00A9).take()).size(), std::size_t{14 + 2 + 1});
-    QCOMPARE(bench.ask(get().u16(0x0129).take()), Bytes{5});
-    QCOMPARE(bench.ask(get().u16(0x01E9).take()).size(), std::size_t{6 + 2 + 1});
+    QCOMPARE(bench.ask(getWriter().u16(0x00A9).take()).size(), std::size_t{14 + 2 + 1});
+    QCOMPARE(bench.ask(getWriter().u16(0x0129).take()), Bytes{5});
+    QCOMPARE(bench.ask(getWriter().u16(0x01E9).take()).size(), std::size_t{6 + 2 + 1});
     QCOMPARE(bench.ask(set().u16(0x0091).u16(1).u16(0x07D1).u16(1).take()), (Bytes{1, 4, 1}));
-    QCOMPARE(bench.ask(get().u16(0x0020).u16(0x0020).take()).back(), 8);
-    QCOMPARE(bench.ask(get().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).take()).size(),
+    QCOMPARE(bench.ask(getWriter().u16(0x0020).u16(0x0020).take()).back(), 8);
+    QCOMPARE(bench.ask(getWriter().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).take()).size(),
         std::size_t{25});
     QCOMPARE(bench.ask(ByteWriter().u16(0).take()), (Bytes{1, 0, 0, 0, 0}));
     QCOMPARE(bench.ask(set().u16(0x0529).u16(2).u16(0).take()), Bytes{0}); // as shipped
     QCOMPARE(bench.ask(set().u16(0x0528).u16(5).u32(0).u8(0).take()), Bytes{0}); // as printed
-    QCOMPARE(bench.ask(get().u16(0x0528).take()), (Bytes{5, 0, 0, 0, 0, 0, 0, 0}));
+    QCOMPARE(bench.ask(getWriter().u16(0x0528).take()), (Bytes{5, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 QTEST_APPLESS_MAIN(TestServer)

@@ -1,4 +1,5 @@
 // The motor of the plant against what its equations say: steady states, step responses, friction, heat.
+#include "support/near.h"
 #include "support/plant_drive.h"
 
 #include <QTest>
@@ -11,13 +12,9 @@ using namespace plant_drive;
 using simulation::LoadParameters;
 using simulation::Plant;
 using simulation::PlantParameters;
+using support::nearByShare;
 
 namespace {
-
-bool near(double value, double expected, double share)
-{
-    return std::abs(value - expected) <= share * std::abs(expected);
-}
 
 /// Seconds until the current has come 63.2 % of its way, between samples by interpolation.
 template <class Step, class Current>
@@ -70,7 +67,7 @@ void TestPlantMotor::voltageSettlesWhereTorqueMeetsFrictionAndLoad()
     const double w = plant.speed_radps();
     QVERIFY(w > 100.0);
     const double against = 0.025 + 0.05 + p.motor.viscous_nms * w + 1e-7 * w * w;
-    QVERIFY(near(plant.torque_nm(), against, 1e-3));
+    QVERIFY(nearByShare(plant.torque_nm(), against, 1e-3));
 }
 
 void TestPlantMotor::bothVoltageEquationsHoldInTheSteadyState()
@@ -94,9 +91,9 @@ void TestPlantMotor::aLockedRotorsCurrentRisesWithLOverR()
     const auto &m = plant.parameters().motor;
     const double tau = timeConstant_s(
         1.0 / m.rs_ohm, [&] { step(plant, 0.0, 1.0); }, [&] { return plant.iq_a(); });
-    QVERIFY(near(tau, m.lq_h / m.rs_ohm, 0.01));
+    QVERIFY(nearByShare(tau, m.lq_h / m.rs_ohm, 0.01));
     steps(plant, 0.0, 1.0, 0.1);
-    QVERIFY(near(plant.iq_a(), 1.0 / m.rs_ohm, 1e-3));
+    QVERIFY(nearByShare(plant.iq_a(), 1.0 / m.rs_ohm, 1e-3));
     QCOMPARE(plant.speed_radps(), 0.0);
 }
 
@@ -110,8 +107,8 @@ void TestPlantMotor::aSalientRotorHasTwoTimeConstants()
         1.0 / rs_ohm, [&] { step(d, 1.0, 0.0); }, [&] { return d.id_a(); });
     const double tauQ = timeConstant_s(
         1.0 / rs_ohm, [&] { step(q, 0.0, 1.0); }, [&] { return q.iq_a(); });
-    QVERIFY(near(tauD, 0.6e-3 / rs_ohm, 0.01));
-    QVERIFY(near(tauQ, 1.5e-3 / rs_ohm, 0.01));
+    QVERIFY(nearByShare(tauD, 0.6e-3 / rs_ohm, 0.01));
+    QVERIFY(nearByShare(tauQ, 1.5e-3 / rs_ohm, 0.01));
 }
 
 void TestPlantMotor::saturationTakesAFifthOfLqAtItsCurrent()
@@ -128,7 +125,7 @@ void TestPlantMotor::saturationTakesAFifthOfLqAtItsCurrent()
         flux_wb += kPeriod_s;
     }
     const double beyond = (plant.iq_a() - 20.0) / (plant.iq_a() - before_a) * kPeriod_s;
-    QVERIFY(near(flux_wb - beyond, 0.8 * p.motor.lq_h * 20.0, 0.002));
+    QVERIFY(nearByShare(flux_wb - beyond, 0.8 * p.motor.lq_h * 20.0, 0.002));
 }
 
 void TestPlantMotor::saliencyMakesTorqueOfFieldCurrent()
@@ -138,7 +135,7 @@ void TestPlantMotor::saliencyMakesTorqueOfFieldCurrent()
     Plant plant(p, 1);
     steps(plant, -1.5, 1.0, 0.2);
     const double id = -1.5 / p.motor.rs_ohm, iq = 1.0 / p.motor.rs_ohm;
-    QVERIFY(near(plant.torque_nm(), 6.0 * (6.5e-3 * iq - 0.9e-3 * id * iq), 1e-3));
+    QVERIFY(nearByShare(plant.torque_nm(), 6.0 * (6.5e-3 * iq - 0.9e-3 * id * iq), 1e-3));
 }
 
 void TestPlantMotor::zeroCurrentShowsTheBackEmfConstantDuringASpinDown()
@@ -162,7 +159,7 @@ void TestPlantMotor::zeroCurrentShowsTheBackEmfConstantDuringASpinDown()
         }
     }
     QVERIFY(plant.speed_radps() < 330.0);
-    QVERIFY(near(ratios / count, p.motor.flux_wb, 0.01));
+    QVERIFY(nearByShare(ratios / count, p.motor.flux_wb, 0.01));
 }
 
 void TestPlantMotor::aRectifiedBusShowsTheBackEmfConstant()
@@ -178,7 +175,7 @@ void TestPlantMotor::aRectifiedBusShowsTheBackEmfConstant()
         plant.place(1.0, speed_radps);
         coast(plant, 0.3);
         const double emf_v = std::sqrt(3.0) * 4 * plant.speed_radps() * p.motor.flux_wb;
-        QVERIFY(near(plant.trueBus_v() + 2.0 * p.inverter.diodeDrop_v, emf_v, 0.01));
+        QVERIFY(nearByShare(plant.trueBus_v() + 2.0 * p.inverter.diodeDrop_v, emf_v, 0.01));
     }
 }
 
@@ -217,7 +214,7 @@ void TestPlantMotor::aDrivingLoadTurnsTheShaft()
     plant.setLoad(LoadParameters{.drive_nm = -0.05});
     coast(plant, 3.0);
     const double w = (0.05 - 0.025) / 1.2e-4;
-    QVERIFY(near(plant.speed_radps(), -w, 0.01));
+    QVERIFY(nearByShare(plant.speed_radps(), -w, 0.01));
     QVERIFY(plant.energies().driven_j > 1.0);
 }
 
@@ -231,7 +228,7 @@ void TestPlantMotor::coastingStopsAfterTheTimeThatFrictionNeeds()
         plant.advance(kPeriod_s);
     const double tau_s = m.inertia_kgm2 / m.viscous_nms;
     const double expected_s = tau_s * std::log(1.0 + m.viscous_nms * 200.0 / m.coulomb_nm);
-    QVERIFY(near(periods * kPeriod_s, expected_s, 1e-3));
+    QVERIFY(nearByShare(periods * kPeriod_s, expected_s, 1e-3));
 }
 
 void TestPlantMotor::atRestTheBusDischargesAlone()
@@ -247,7 +244,7 @@ void TestPlantMotor::atRestTheBusDischargesAlone()
     constexpr double kAt_s = 0.1;
     coast(plant, kAt_s);
     const double tau_s = p.inverter.bleeder_ohm * p.inverter.busCapacitance_f;
-    QVERIFY(near(plant.trueBus_v(), before_v * std::exp(-kAt_s / tau_s), 1e-9));
+    QVERIFY(nearByShare(plant.trueBus_v(), before_v * std::exp(-kAt_s / tau_s), 1e-9));
     QVERIFY(plant.atRest());
 }
 
@@ -260,7 +257,7 @@ void TestPlantMotor::aFansTorqueGrowsWithTheSquare()
     plant.place(0.0, 300.0);
     coast(plant, 0.2);
     // w' = -k w^2 / J
-    QVERIFY(near(plant.speed_radps(), 1.0 / (1.0 / 300.0 + 2e-6 * 0.2 / 5e-5), 1e-3));
+    QVERIFY(nearByShare(plant.speed_radps(), 1.0 / (1.0 / 300.0 + 2e-6 * 0.2 / 5e-5), 1e-3));
 }
 
 void TestPlantMotor::coggingPullsToItsDetents()
@@ -297,8 +294,8 @@ void TestPlantMotor::coggingRipplesTheSpeedAtItsOrder()
         most = std::max(most, plant.speed_radps());
     }
     // Energy: J w^2 / 2 + cogging / n (1 - cos) is constant.
-    QVERIFY(near(most, 100.0, 1e-4));
-    QVERIFY(near(least, std::sqrt(1e4 - 2.0 / 5e-5 * 2.0 * 0.01 / 12.0), 1e-4));
+    QVERIFY(nearByShare(most, 100.0, 1e-4));
+    QVERIFY(nearByShare(least, std::sqrt(1e4 - 2.0 / 5e-5 * 2.0 * 0.01 / 12.0), 1e-4));
 }
 
 void TestPlantMotor::theWindingWarmsAsCopperDoes()
@@ -314,9 +311,9 @@ void TestPlantMotor::theWindingWarmsAsCopperDoes()
     const double power_w = (plant.energies().copper_j - before_j) / 2.0;
     const double final_k = power_w * 5.0 / (0.02 * 385.0);
     const double expected_c = 20.0 + final_k + (before_c - 20.0 - final_k) * std::exp(-2.0 / 5.0);
-    QVERIFY(near(plant.winding_c() - before_c, expected_c - before_c, 0.005));
+    QVERIFY(nearByShare(plant.winding_c() - before_c, expected_c - before_c, 0.005));
     coast(plant, 5.0);
-    QVERIFY(near(plant.winding_c() - 20.0, (expected_c - 20.0) / std::exp(1.0), 0.01));
+    QVERIFY(nearByShare(plant.winding_c() - 20.0, (expected_c - 20.0) / std::exp(1.0), 0.01));
 }
 
 void TestPlantMotor::warmCopperHasMoreResistance()
@@ -325,7 +322,7 @@ void TestPlantMotor::warmCopperHasMoreResistance()
     p.inverter.ambient_c = 120.0;
     Plant plant(p, 1);
     steps(plant, 0.0, 1.0, 0.1);
-    QVERIFY(near(plant.iq_a(), 1.0 / (0.35 * 1.393), 1e-3));
+    QVERIFY(nearByShare(plant.iq_a(), 1.0 / (0.35 * 1.393), 1e-3));
 }
 
 QTEST_APPLESS_MAIN(TestPlantMotor)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace support {
@@ -12,6 +13,7 @@ namespace support {
 constexpr double kRate = 16000.0; ///< samples a second
 constexpr double kCode = 0.001; ///< of the channel's unit: what a code is worth
 constexpr capture::Nanos kSecond = 1'000'000'000;
+constexpr double kTurn = 2.0 * std::numbers::pi; ///< rad
 
 /// A fast channel of `count` samples of f(seconds), rounded to codes; `noise` is the deviation of Gaussian noise.
 template <class Formula>
