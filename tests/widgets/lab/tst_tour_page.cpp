@@ -125,8 +125,20 @@ private Q_SLOTS:
                         || proof.contains(QLatin1String("Neither proved")))),
             qPrintable(tourText(bench)));
 
+        QString toldOfWrite;
+        const QObject listener;
+        connect(&bench.rig.workbench.edits(), &widgets::RegisterEdits::told, &listener,
+            [&](const QString &sentence, bool) { toldOfWrite = sentence; });
         bench.press("tourBack");
-        QTRY_COMPARE_WITH_TIMEOUT(bench.held("SPEED_KP"), kp, 10'000);
+        const auto isBack = [&] {
+            // On a machine that stalls it may be too late to be sent, which is said; then it is asked for again.
+            if (toldOfWrite.contains(QLatin1String(drive::kTooLate))) {
+                toldOfWrite.clear();
+                bench.press("tourBack");
+            }
+            return bench.held("SPEED_KP") == kp;
+        };
+        QVERIFY2(QTest::qWaitFor(isBack, 10'000), qPrintable(toldOfWrite));
         QTRY_COMPARE(bench.held("SPEED_KI"), ki);
         QTRY_VERIFY(!bench.rig.workbench.edits().underWay());
     }
