@@ -16,10 +16,15 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 /// K exp(-s T) / (s + a): rpm for each ampere.
 struct Model {
     double gain = 0.0, pole = 0.0, delay_s = 0.0;
-    Complex at(double hz) const
+    Complex at(double hz) const { return at(hz, late(hz, delay_s)); }
+    /// @param late  what the delay does at this frequency
+    Complex at(double hz, Complex late) const
     {
-        const Complex s(0.0, kTurn * hz);
-        return gain * std::exp(-s * delay_s) / (s + pole);
+        return gain * late / (Complex(0.0, kTurn * hz) + pole);
+    }
+    static Complex late(double hz, double delay_s)
+    {
+        return std::exp(-Complex(0.0, kTurn * hz) * delay_s);
     }
 };
 
@@ -29,16 +34,27 @@ struct Known {
     double relative = 0.0; ///< standard error
 };
 
+/// What a delay does at each point: costly, and the same for all poles.
+std::vector<Complex> lateAt(const std::vector<Known> &points, double delay_s)
+{
+    std::vector<Complex> late;
+    for (const Known &point : points)
+        late.push_back(Model::late(point.hz, delay_s));
+    return late;
+}
+
 /// The best gain for a pole and a delay, and how badly that fits; what is far above `around_hz` counts for little.
-double fitGain(Model &model, const std::vector<Known> &points, double around_hz)
+double fitGain(Model &model, const std::vector<Known> &points, const std::vector<Complex> &late,
+    double around_hz)
 {
     model.gain = 1.0;
     double along = 0.0, squares = 0.0, weights = 0.0;
-    for (const Known &point : points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Known &point = points[i];
         const double above = point.hz / around_hz;
         const double weight =
             1.0 / (1e-4 + point.relative * point.relative) / (1.0 + above * above * above * above);
-        const Complex ratio = model.at(point.hz) / point.motor;
+        const Complex ratio = model.at(point.hz, late[i]) / point.motor;
         along += weight * ratio.real();
         squares += weight * std::norm(ratio);
         weights += weight;
@@ -52,20 +68,24 @@ Model fitted(const std::vector<Known> &points, double around_hz)
     constexpr double kLeastPole = 0.02, kMostPole = 500.0, kMostDelay_s = 20e-3;
     constexpr int kSteps = 40, kTurns = 4;
     Model best{0.0, 1.0, 0.0};
-    double least = fitGain(best, points, around_hz);
+    double least = fitGain(best, points, lateAt(points, best.delay_s), around_hz);
     double poleSpan = std::log(kMostPole / kLeastPole), delaySpan = kMostDelay_s;
     double poleMiddle = std::log(std::sqrt(kMostPole * kLeastPole)), delayMiddle = kMostDelay_s / 2;
     for (int turn = 0; turn < kTurns; ++turn) {
-        for (int i = 0; i <= kSteps; ++i)
-            for (int k = 0; k <= kSteps; ++k) {
-                Model model{0.0, std::exp(poleMiddle + poleSpan * (i / double(kSteps) - 0.5)),
-                    std::max(0.0, delayMiddle + delaySpan * (k / double(kSteps) - 0.5))};
-                const double left = fitGain(model, points, around_hz);
+        for (int k = 0; k <= kSteps; ++k) {
+            const double delay_s =
+                std::max(0.0, delayMiddle + delaySpan * (k / double(kSteps) - 0.5));
+            const std::vector<Complex> late = lateAt(points, delay_s);
+            for (int i = 0; i <= kSteps; ++i) {
+                Model model{
+                    0.0, std::exp(poleMiddle + poleSpan * (i / double(kSteps) - 0.5)), delay_s};
+                const double left = fitGain(model, points, late, around_hz);
                 if (left < least && model.gain > 0.0) {
                     least = left;
                     best = model;
                 }
             }
+        }
         poleMiddle = std::log(best.pole);
         delayMiddle = best.delay_s;
         poleSpan /= 8.0;
