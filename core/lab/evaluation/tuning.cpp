@@ -38,6 +38,7 @@ struct Known {
 std::vector<Complex> lateAt(const std::vector<Known> &points, double delay_s)
 {
     std::vector<Complex> late;
+    late.reserve(points.size());
     for (const Known &point : points)
         late.push_back(Model::late(point.hz, delay_s));
     return late;
