@@ -58,7 +58,9 @@ public:
 Q_SIGNALS:
     /// Connect it queued, or to what may be called in the session's thread.
     void told(const session::ToldPtr &told);
-    void crowded(); ///< a quarter of what may wait does; connect it queued
+    /// What was told is to be taken now: a quarter of what may wait does, or the recording ended meanwhile, so that nothing
+    /// else would take it. Connect it queued.
+    void dueNow();
 
 private:
     bool isOn() const { return m_recording != 0; }

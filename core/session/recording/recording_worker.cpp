@@ -55,7 +55,7 @@ RecordingWorker::RecordingWorker(
         m_tap.get(), &RecordingTap::told, this,
         [inbox = m_inbox](const ToldPtr &told) { inbox->put(told); }, Qt::DirectConnection);
     connect(
-        m_tap.get(), &RecordingTap::crowded, this, &RecordingWorker::takeAll, Qt::QueuedConnection);
+        m_tap.get(), &RecordingTap::dueNow, this, &RecordingWorker::takeAll, Qt::QueuedConnection);
     connect(&m_timer, &QTimer::timeout, this, &RecordingWorker::tick);
 }
 

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void theBytesOfTheLineAreThereIfAskedFor();
     void aSlowDiskStallsNobodyAndItsLossIsTold();
     void whatASlowDiskMissedIsDescribedAgain();
+    void whatIsToldWhileARecordingEndsIsTakenAll();
     void aFullDiskEndsTheRecordingAndNotTheSession();
     void aFileThatIsThereAlreadyIsAnError();
     void leavingWithoutAStopEndsTheFile();
@@ -324,6 +325,30 @@ void TestRecordingLive::whatASlowDiskMissedIsDescribedAgain()
     QVERIFY(named != channels.end());
     QCOMPARE(facts.capture.size(named->id), capture::Index(100));
     QCOMPARE(facts.all<record::Lost>().empty(), false);
+}
+
+void TestRecordingLive::whatIsToldWhileARecordingEndsIsTakenAll()
+{
+    const QTemporaryDir folder;
+    const auto tap = std::make_shared<RecordingTap>();
+    // Connected before the recorder is, it ends the recording between the session's look whether one runs and its word.
+    std::unique_ptr<Recording> recording;
+    connect(
+        tap.get(), &RecordingTap::told, tap.get(),
+        [&recording] {
+            recording->stop();
+            QTRY_VERIFY(!recording->running());
+        },
+        Qt::DirectConnection);
+    recording = std::make_unique<Recording>(tap, RecordingLimits{0, 0}, makeDiskSink);
+    bool started = false;
+    connect(recording.get(), &Recording::started, recording.get(), [&started] { started = true; });
+    recording->start(folder.filePath(QStringLiteral("r.pcapng")), RecordingTap::Content::Samples,
+        QStringLiteral("test"), QStringLiteral("fake"));
+    QTRY_VERIFY(started);
+    tap->onEvent(drive::StreamStarted{twoCurrents()}, TimePoint(1s));
+    QVERIFY(!recording->running());
+    QTRY_COMPARE(tap->waiting(), std::size_t(0));
 }
 
 void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
