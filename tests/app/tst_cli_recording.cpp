@@ -328,7 +328,7 @@ void TestCliRecording::wrongUsageIsExitStatus2_data()
 void TestCliRecording::wrongUsageIsExitStatus2()
 {
     QFETCH(QString, line);
-    const CliRun result = typed(line.split(QLatin1Char(' ')));
+    const CliRun result = typed(line);
     COMPARE_STATUS(result, 2);
     QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
 }

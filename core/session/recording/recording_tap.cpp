@@ -96,7 +96,7 @@ void RecordingTap::send(std::vector<record::Entry> entries, std::size_t bytes, T
     const std::size_t before = m_waiting.fetch_add(bytes), many = m_mostWaiting / 4;
     Q_EMIT told(std::make_shared<const Told>(
         Told{m_recording, now.time_since_epoch().count(), std::move(entries), bytes}));
-    // Whoever ends a recording switches off first and then takes what was told: one of the two sees the other.
+    // The recorder switches off first and then takes what was told: one of the two sees the other.
     if (!isOn() || (before < many && before + bytes >= many))
         Q_EMIT dueNow();
 }

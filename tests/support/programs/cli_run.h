@@ -45,15 +45,16 @@ struct CliRun {
     }
 };
 
-/// One that still runs has taken too long, and is ended: -1.
+/// One that still runs has taken too long, and is ended: -1, as one that did not start.
 inline CliRun resultOf(QProcess &process)
 {
     if (process.state() != QProcess::NotRunning) {
         process.kill();
         process.waitForFinished();
     }
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-        QString::fromUtf8(process.readAllStandardOutput()),
+    const bool ended =
+        process.error() != QProcess::FailedToStart && process.exitStatus() == QProcess::NormalExit;
+    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
         QString::fromUtf8(process.readAllStandardError())};
 }
 
