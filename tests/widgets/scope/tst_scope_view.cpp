@@ -1,4 +1,4 @@
-// The scope as a person sees it: pixels of the grabbed widget.
+// The scope as the user sees it: pixels of the grabbed widget.
 #include "support/scope_bench.h"
 #include "support/screen/text_catcher.h"
 #include "widgets/base/axis_ticks.h"
@@ -35,6 +35,7 @@ private Q_SLOTS:
     void theFirstAxisTakesTheUnitThatIsLeft();
     void aFifthUnitSharesTheLastAxis();
     void plotsAreStackedAndVanishWhenEmpty();
+    void aPaintBeforeTheNextFrameHasItsNumbers();
     void followingKeepsTheNewestSampleAtTheRightEdge();
     void aYoungSessionBeginsAtZeroSeconds();
     void noiseOfADigitStaysSmall();
@@ -394,7 +395,7 @@ void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()
     bench.picture();
 }
 
-/// Where that takes little room by themselves, else when somebody wants it.
+/// Where that takes little room by themselves, else when the user wants it.
 void TestScopeView::theZerosOfTheAxesStandAtOneHeight()
 {
     Bench bench({signal(1, "A"), signal(2, "V"), signal(3, "rpm")});
@@ -496,6 +497,23 @@ void TestScopeView::plotsAreStackedAndVanishWhenEmpty()
     bench.picture();
 }
 
+/// The upper plot is the lowest now and shows the times again, of which it has none before it is laid out.
+void TestScopeView::aPaintBeforeTheNextFrameHasItsNumbers()
+{
+    Bench bench({signal(1, "A"), signal(2, "V")});
+    bench.view.addChannel(bench.id(1), 0);
+    bench.view.addChannel(bench.id(2), 1);
+    bench.record(1000, 1);
+    bench.picture();
+    bench.view.removeChannel(bench.id(2));
+    QVERIFY(!bench.view.grab().isNull());
+    const auto *plot = bench.view.findChild<QCustomPlot *>();
+    const QCPAxis *time = plot->axisRect(0)->axis(QCPAxis::atBottom);
+    QVERIFY(time->tickLabels());
+    QVERIFY(!time->tickVector().empty());
+    QCOMPARE(time->tickVectorLabels().size(), time->tickVector().size());
+}
+
 void TestScopeView::followingKeepsTheNewestSampleAtTheRightEdge()
 {
     Bench bench({signal(1, "A")});
@@ -580,8 +598,8 @@ void TestScopeView::ofEarlierTracesTheNewerOneIsOnTop()
     bench.record(300, [](int, int tick) { return tick < 200 ? 50 : -50; });
     bench.view.fitAll();
     bench.view.setVisibleRange(0.2, 0.3);
-    bench.view.ghosts().setRecords(
-        {{nullptr, -0.1, 120}, {nullptr, -0.2, 40}}); // both where nothing else is
+    // Both where nothing else is.
+    bench.view.ghosts().setRecords({{nullptr, -0.1, 120}, {nullptr, -0.2, 40}});
     const QImage image = bench.picture();
     QColor newer = bench.view.colorOf(bench.id(1));
     newer.setAlpha(120);
@@ -617,8 +635,8 @@ void TestScopeView::recordsThatCameOneByOneLookLikeAllAtOnce()
     made(kept);
     std::mt19937 random(3);
     std::vector<Ghost> records;
-    constexpr double kOff =
-        0.000371; // no sample where a column begins: sums of seconds would put it here or there
+    // No sample where a column begins: sums of seconds would put it here or there.
+    constexpr double kOff = 0.000371;
     double from = 8.0 + kOff;
     double span = 0.5;
     for (int step = 0; step < 60; ++step) {

@@ -1,6 +1,18 @@
 #include "widgets/scope/drawing/scope_canvas.h"
 
+#include <algorithm>
+
 namespace widgets {
+
+namespace {
+
+/// An axis whose numbers were shown again has none before the next layout, and the library reads them unasked.
+bool hasItsNumbers(const QCPAxis *axis)
+{
+    return !axis->tickLabels() || axis->tickVectorLabels().size() == axis->tickVector().size();
+}
+
+} // namespace
 
 ScopeCanvas::ScopeCanvas(QWidget *parent)
     : QCustomPlot(parent)
@@ -22,12 +34,15 @@ void ScopeCanvas::paintEvent(QPaintEvent *)
         setBufferDevicePixelRatio(ratio);
     QCPPainter painter(this);
     QRegion ground(rect());
-    for (const QCPAxisRect *plot :
-        axisRects()) // which paint all of theirs; at their edges roundings may differ
+    m_laidOut = true;
+    // They paint all of theirs; at their edges roundings may differ.
+    for (const QCPAxisRect *plot : axisRects()) {
         ground -= plot->rect().adjusted(1, 1, -1, -1);
+        const QList<QCPAxis *> axes = plot->axes();
+        m_laidOut = m_laidOut && std::all_of(axes.begin(), axes.end(), hasItsNumbers);
+    }
     for (const QRect &part : ground)
         painter.fillRect(part, mBackgroundBrush);
-    m_laidOut = true;
     draw(&painter);
     m_laidOut = false;
 }
