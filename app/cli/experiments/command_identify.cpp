@@ -1,5 +1,5 @@
-// identify: measures the motor itself: its inertia and its friction, or what its windings and its magnets are. Afterwards the
-// motor is as it was.
+// identify: measures the motor itself: its inertia and its friction, or what its windings and its magnets are.
+// Afterwards the motor is as it was.
 #include "experiments/experiment_run.h"
 
 namespace cli {
@@ -25,7 +25,7 @@ constexpr OptionText kIdentifyOptions[] = {kRunOption};
 
 Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
 {
-    const QString &what = given.words().first();
+    const QString what = given.words().first();
     if (what != kMechanical && what != kElectrical)
         return usage(QStringLiteral("There is no \"%1\" to identify: write identify mechanical or "
                                     "identify electrical.")
