@@ -13,7 +13,7 @@ ROWS = {
              'capture fcp mcb motor',
              'mcp',
              'drive',
-             'record scope simulation snapshots',
+             'recorded scope simulation snapshots',
              'lab',
              'session'],
     'widgets': ['base',

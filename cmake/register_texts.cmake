@@ -1,4 +1,4 @@
-# Writes OUTPUT: what a person reads in TABLES (descriptions, names of groups) and in NAMES (those of values, which core has
+# Writes OUTPUT: what the user reads in TABLES (descriptions, names of groups) and in NAMES (those of values, which core has
 # in C++), marked for lupdate. It is never compiled: the program gets the same texts from core, and asks for their
 # translations by them.
 cmake_minimum_required(VERSION 3.25)

@@ -34,7 +34,7 @@ started+=($!)
 for _ in $(seq 100); do xdotool get_num_desktops >/dev/null 2>&1 && break; sleep 0.1; done
 
 program=
-# open_window PORT [THEME]: a new window, as nobody has used one before, connected.
+# open_window PORT [THEME]: a new window, as at the first start, connected.
 open_window() {
     local window=
     [ -z "$program" ] || { kill "$program"; wait "$program" || true; }

@@ -173,25 +173,25 @@
     </message>
     <message>
         <source>MF</source>
-        <comment>medium frequency: recorded once for many fast samples</comment>
+        <comment>medium frequency: 1 of 16 samples</comment>
         <translation>MF</translation>
     </message>
     <message>
         <source>polled</source>
-        <comment>read one by one</comment>
+        <comment>asked for again and again</comment>
         <translation>abgefragt</translation>
     </message>
     <message>
-        <source>The board cannot record this register: it is read one by one and drawn at that rate.</source>
-        <translation>Das Board kann dieses Register nicht aufzeichnen: Es wird einzeln gelesen und in diesem Takt gezeichnet.</translation>
+        <source>The board cannot record this register: it is polled and drawn at that rate.</source>
+        <translation>Das Board kann dieses Register nicht aufzeichnen: Es wird abgefragt und in diesem Takt gezeichnet.</translation>
     </message>
     <message>
-        <source>The board records no more signals at once: this one is read one by one.</source>
-        <translation>Mehr Signale zeichnet das Board nicht gleichzeitig auf: Dieses wird einzeln gelesen.</translation>
+        <source>The board records no more signals at once: this one is polled.</source>
+        <translation>Mehr Signale zeichnet das Board nicht gleichzeitig auf: Dieses wird abgefragt.</translation>
     </message>
     <message>
-        <source>The link is too slow to record it: it is read one by one.</source>
-        <translation>Die Verbindung ist zu langsam, um es aufzuzeichnen: Es wird einzeln gelesen.</translation>
+        <source>The link is too slow to record it: it is polled.</source>
+        <translation>Die Verbindung ist zu langsam, um es aufzuzeichnen: Es wird abgefragt.</translation>
     </message>
 </context>
 <context>
@@ -311,20 +311,12 @@
         <translation>MATLAB-Datei</translation>
     </message>
     <message>
-        <source>2 GiB of numbers</source>
-        <translation>2 GiB an Zahlen</translation>
-    </message>
-    <message>
         <source>NumPy array</source>
         <translation>NumPy-Feld</translation>
     </message>
     <message>
         <source>WAV, the fast signals as sound</source>
         <translation>WAV, die schnellen Signale als Ton</translation>
-    </message>
-    <message>
-        <source>64 signals and 4 GiB</source>
-        <translation>64 Signale und 4 GiB</translation>
     </message>
 </context>
 <context>
@@ -338,18 +330,6 @@
         <source>Written before: %1.</source>
         <comment>files</comment>
         <translation>Vorher geschrieben: %1.</translation>
-    </message>
-    <message>
-        <source>No %1 file: there is no time at which all fast signals were recorded.</source>
-        <translation>Keine %1-Datei: Es gibt keine Zeit, zu der alle schnellen Signale aufgezeichnet wurden.</translation>
-    </message>
-    <message>
-        <source>No %1 file: the signals have different rates.</source>
-        <translation>Keine %1-Datei: Die Signale haben verschiedene Raten.</translation>
-    </message>
-    <message>
-        <source>No %1 file: it holds %2. Choose fewer signals or a shorter range.</source>
-        <translation>Keine %1-Datei: Sie fasst %2. Wählen Sie weniger Signale oder einen kürzeren Bereich.</translation>
     </message>
 </context>
 <context>
@@ -628,6 +608,73 @@
     </message>
 </context>
 <context>
+    <name>FileProblem</name>
+    <message>
+        <source>2 GiB of numbers</source>
+        <translation>2 GiB an Zahlen</translation>
+    </message>
+    <message>
+        <source>64 signals and 4 GiB</source>
+        <translation>64 Signale und 4 GiB</translation>
+    </message>
+    <message>
+        <source>there is no heading with the names of signals</source>
+        <translation>es gibt keine Kopfzeile mit Signalnamen</translation>
+    </message>
+    <message>
+        <source>there is one column only</source>
+        <translation>es gibt nur eine Spalte</translation>
+    </message>
+    <message>
+        <source>there are too many columns</source>
+        <translation>es sind zu viele Spalten</translation>
+    </message>
+    <message>
+        <source>the line is too long for a line of numbers</source>
+        <translation>die Zeile ist zu lang für eine Zeile von Zahlen</translation>
+    </message>
+    <message>
+        <source>the line has another number of fields than the heading</source>
+        <translation>die Zeile hat eine andere Zahl von Feldern als die Kopfzeile</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time</source>
+        <translation>„%1“ ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>the time %1 is before the one above it</source>
+        <translation>die Zeit %1 liegt vor der darüber</translation>
+    </message>
+    <message>
+        <source>there is a heading and nothing else</source>
+        <translation>es gibt eine Kopfzeile und sonst nichts</translation>
+    </message>
+    <message>
+        <source>No %1 file: it holds at most %2. Choose fewer signals or a shorter range.</source>
+        <translation>Keine %1-Datei: Sie fasst höchstens %2. Wählen Sie weniger Signale oder einen kürzeren Bereich.</translation>
+    </message>
+    <message>
+        <source>No %1 file: there is no time at which all fast signals were recorded. Choose fewer of them.</source>
+        <translation>Keine %1-Datei: Es gibt keine Zeit, zu der alle schnellen Signale aufgezeichnet wurden. Wählen Sie weniger davon.</translation>
+    </message>
+    <message>
+        <source>No %1 file: the signals have different rates. Choose some of one rate.</source>
+        <translation>Keine %1-Datei: Die Signale haben verschiedene Raten. Wählen Sie solche mit gleicher Rate.</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>GainTexts</name>
     <message>
         <source>unit not known</source>
@@ -758,50 +805,6 @@
 </context>
 <context>
     <name>Imports</name>
-    <message>
-        <source>there is no heading with the names of signals</source>
-        <translation>es gibt keine Kopfzeile mit Signalnamen</translation>
-    </message>
-    <message>
-        <source>there is one column only</source>
-        <translation>es gibt nur eine Spalte</translation>
-    </message>
-    <message>
-        <source>there are too many columns</source>
-        <translation>es sind zu viele Spalten</translation>
-    </message>
-    <message>
-        <source>the line is too long for a line of numbers</source>
-        <translation>die Zeile ist zu lang für eine Zeile von Zahlen</translation>
-    </message>
-    <message>
-        <source>the line has another number of fields than the heading</source>
-        <translation>die Zeile hat eine andere Zahl von Feldern als die Kopfzeile</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number</source>
-        <translation>„%1“ ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no time</source>
-        <translation>„%1“ ist keine Zeit</translation>
-    </message>
-    <message>
-        <source>the time %1 is before the one above it</source>
-        <translation>die Zeit %1 liegt vor der darüber</translation>
-    </message>
-    <message>
-        <source>there is a heading and nothing else</source>
-        <translation>es gibt eine Kopfzeile und sonst nichts</translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-    <message>
-        <source>line %1, column %2: %3</source>
-        <translation>Zeile %1, Spalte %2: %3</translation>
-    </message>
     <message>
         <source>Importing %1</source>
         <translation>%1 wird importiert</translation>
@@ -2171,7 +2174,7 @@
         <translation>Stromskala</translation>
     </message>
     <message>
-        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
+        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It reconnects; arm again to move.</source>
         <translation>Rotorscope lief eine Weile nicht. Sein Wächter hat jedem Motor an %1 befohlen anzuhalten; dass sie es taten, ist nicht belegt. Es verbindet sich neu; zum Bewegen erneut freigeben.</translation>
     </message>
     <message>
@@ -2212,8 +2215,8 @@
         <translation>kein Board gefunden</translation>
     </message>
     <message>
-        <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
-        <translation>Nicht geschrieben (%1). Platz schaffen oder anderen Ordner wählen; nichts wurde ersetzt.</translation>
+        <source>Not written: %1. Make room or choose another folder; nothing was replaced.</source>
+        <translation>Nicht geschrieben: %1. Platz schaffen oder anderen Ordner wählen; nichts wurde ersetzt.</translation>
     </message>
     <message>
         <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
@@ -2851,8 +2854,8 @@
         <translation>Digits</translation>
     </message>
     <message>
-        <source>32768 digits are the full scale of the current sensor, which this board does not tell.</source>
-        <translation>32768 Digits sind der Vollausschlag des Stromsensors, den dieses Board nicht nennt.</translation>
+        <source>%1 digits are the full scale of the current sensor, which this board does not tell.</source>
+        <translation>%1 Digits sind der Vollausschlag des Stromsensors, den dieses Board nicht nennt.</translation>
     </message>
     <message>
         <source>no</source>
@@ -3630,7 +3633,7 @@
         </translation>
     </message>
     <message>
-        <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
+        <source>At the chosen rate it would be %1 kB/s: recorded at one period in %2.</source>
         <translation>Mit der gewünschten Rate wären es %1 kB/s: aufgezeichnet wird eine von %2 Perioden.</translation>
     </message>
     <message>
@@ -3901,8 +3904,8 @@
         <translation>Stromskala: nicht bekannt</translation>
     </message>
     <message>
-        <source>The current of 32768 digits, which the board does not tell.</source>
-        <translation>Der Strom bei 32768 Digits, den das Board nicht nennt.</translation>
+        <source>The current of %1 digits, which the board does not tell.</source>
+        <translation>Der Strom bei %1 Digits, den das Board nicht nennt.</translation>
     </message>
     <message>
         <source>Limits: not known yet</source>
@@ -3950,8 +3953,8 @@
         <translation>Dieses Board nennt die Skala seiner Ströme nicht. Ohne sie werden Ströme in Digits gezeigt und können nicht vorgegeben werden; mit einer falschen bekommt der Motor einen falschen Strom. Das Setzen hebt die Freigabe auf.</translation>
     </message>
     <message>
-        <source>&amp;Full-scale current [A] (peak, 32768 digits)</source>
-        <translation>&amp;Vollausschlag [A] (Spitze, 32768 Digits)</translation>
+        <source>&amp;Full-scale current [A] (peak, %1 digits)</source>
+        <translation>&amp;Vollausschlag [A] (Spitze, %1 Digits)</translation>
     </message>
     <message>
         <source>Or from the measuring circuit</source>
@@ -6130,8 +6133,8 @@
         <translation>&amp;Neu lesen</translation>
     </message>
     <message>
-        <source>Asks the board for these values anew; they are not polled.</source>
-        <translation>Fragt das Board erneut nach diesen Werten; sie werden nicht laufend gelesen.</translation>
+        <source>Reads these values from the board again; they are not polled.</source>
+        <translation>Liest diese Werte erneut vom Board; sie werden nicht laufend abgefragt.</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -6494,7 +6497,7 @@
         <translation>Die Datei mit Ihren eigenen Grenzen, %1, ist nicht lesbar (%2). Es gelten die vom letzten Ende von Rotorscope: prüfen Sie sie in der Steuerung.</translation>
     </message>
     <message>
-        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them anew in the control panel.</source>
+        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them again in the control panel.</source>
         <translation>Die Datei mit Ihren eigenen Grenzen, %1, ist nicht lesbar (%2). KEINE eigene Grenze gilt: setzen Sie sie in der Steuerung neu.</translation>
     </message>
     <message>
@@ -6714,10 +6717,10 @@
         <translation>I&amp;q sofort</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) of 6 rpm</source>
+        <source>%n step(s) of %1 rpm</source>
         <translation>
-            <numerusform>%n Stufe von 6 rpm</numerusform>
-            <numerusform>%n Stufen von 6 rpm</numerusform>
+            <numerusform>%n Stufe von %1 rpm</numerusform>
+            <numerusform>%n Stufen von %1 rpm</numerusform>
         </translation>
     </message>
     <message>
@@ -6912,7 +6915,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::RecordControl</name>
+    <name>widgets::RecordingControl</name>
     <message>
         <source>With the bytes of the &amp;line</source>
         <translation>Mit den Bytes der &amp;Leitung</translation>
@@ -7434,8 +7437,8 @@
         <translation>Erst &amp;exportieren…</translation>
     </message>
     <message>
-        <source>Markers that are in no file go with them.</source>
-        <translation>Markierungen, die in keiner Datei stehen, gehen mit ihnen verloren.</translation>
+        <source>Markers that are not saved are lost, too.</source>
+        <translation>Nicht gespeicherte Markierungen gehen ebenfalls verloren.</translation>
     </message>
     <message>
         <source>Save the &amp;markers</source>
@@ -7458,8 +7461,8 @@
         <translation>Erst &amp;speichern</translation>
     </message>
     <message>
-        <source>Markers of this recording were changed and are in no file.</source>
-        <translation>Markierungen dieser Aufzeichnung wurden geändert und stehen in keiner Datei.</translation>
+        <source>Markers of this recording were changed and are not saved.</source>
+        <translation>Markierungen dieser Aufzeichnung wurden geändert und sind nicht gespeichert.</translation>
     </message>
     <message>
         <source>The recording %1 does not hold all markers as they are now.</source>
@@ -7549,8 +7552,8 @@
         <translation>Stelle in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>Goes to another place in the recording. Back, it begins anew behind what the scope has already.</source>
-        <translation>Geht zu einer anderen Stelle der Aufzeichnung. Zurück beginnt sie von vorn, hinter dem, was das Oszilloskop schon hat.</translation>
+        <source>Goes to another place in the recording. Going back restarts it, after what the scope already has.</source>
+        <translation>Geht zu einer anderen Stelle der Aufzeichnung. Zurück beginnt sie von vorn, nach dem, was das Oszilloskop schon hat.</translation>
     </message>
 </context>
 <context>
@@ -8821,10 +8824,10 @@ mN·m</translation>
         <translation>Diese Signale bräuchten %1 kB/s, die Verbindung trägt %2 kB/s: sie werden mit %3 Hz aufgezeichnet.</translation>
     </message>
     <message numerus="yes">
-        <source>%n signal(s) do not fit into the recording and are read one by one.</source>
+        <source>%n signal(s) do not fit into the recording and are polled.</source>
         <translation>
-            <numerusform>%n Signal passt nicht in die Aufzeichnung und wird einzeln gelesen.</numerusform>
-            <numerusform>%n Signale passen nicht in die Aufzeichnung und werden einzeln gelesen.</numerusform>
+            <numerusform>%n Signal passt nicht in die Aufzeichnung und wird abgefragt.</numerusform>
+            <numerusform>%n Signale passen nicht in die Aufzeichnung und werden abgefragt.</numerusform>
         </translation>
     </message>
     <message>
@@ -8840,9 +8843,9 @@ mN·m</translation>
         <translation>Das Oszilloskop zeigt bis zu %1 Signale einer Datei: Nehmen Sie eines weg, um ein anderes zu sehen.</translation>
     </message>
     <message>
-        <source>%1, read one by one</source>
+        <source>%1, polled</source>
         <comment>a signal</comment>
-        <translation>%1, einzeln gelesen</translation>
+        <translation>%1, abgefragt</translation>
     </message>
 </context>
 <context>

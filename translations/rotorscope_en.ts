@@ -173,24 +173,24 @@
     </message>
     <message>
         <source>MF</source>
-        <comment>medium frequency: recorded once for many fast samples</comment>
+        <comment>medium frequency: 1 of 16 samples</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>polled</source>
-        <comment>read one by one</comment>
+        <comment>asked for again and again</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The board cannot record this register: it is read one by one and drawn at that rate.</source>
+        <source>The board cannot record this register: it is polled and drawn at that rate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The board records no more signals at once: this one is read one by one.</source>
+        <source>The board records no more signals at once: this one is polled.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The link is too slow to record it: it is read one by one.</source>
+        <source>The link is too slow to record it: it is polled.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -311,19 +311,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>2 GiB of numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>NumPy array</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>WAV, the fast signals as sound</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>64 signals and 4 GiB</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -337,18 +329,6 @@
     <message>
         <source>Written before: %1.</source>
         <comment>files</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No %1 file: there is no time at which all fast signals were recorded.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No %1 file: the signals have different rates.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No %1 file: it holds %2. Choose fewer signals or a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -628,6 +608,73 @@
     </message>
 </context>
 <context>
+    <name>FileProblem</name>
+    <message>
+        <source>2 GiB of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>64 signals and 4 GiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no heading with the names of signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is one column only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is too long for a line of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has another number of fields than the heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time %1 is before the one above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a heading and nothing else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: it holds at most %2. Choose fewer signals or a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: there is no time at which all fast signals were recorded. Choose fewer of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: the signals have different rates. Choose some of one rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>GainTexts</name>
     <message>
         <source>unit not known</source>
@@ -758,50 +805,6 @@
 </context>
 <context>
     <name>Imports</name>
-    <message>
-        <source>there is no heading with the names of signals</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is one column only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there are too many columns</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the line is too long for a line of numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the line has another number of fields than the heading</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the time %1 is before the one above it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is a heading and nothing else</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>line %1, column %2: %3</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Importing %1</source>
         <translation type="unfinished"></translation>
@@ -2171,7 +2174,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
+        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It reconnects; arm again to move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2212,7 +2215,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
+        <source>Not written: %1. Make room or choose another folder; nothing was replaced.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2874,7 +2877,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>32768 digits are the full scale of the current sensor, which this board does not tell.</source>
+        <source>%1 digits are the full scale of the current sensor, which this board does not tell.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3630,7 +3633,7 @@
         </translation>
     </message>
     <message>
-        <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
+        <source>At the chosen rate it would be %1 kB/s: recorded at one period in %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3901,7 +3904,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The current of 32768 digits, which the board does not tell.</source>
+        <source>The current of %1 digits, which the board does not tell.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3949,7 +3952,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Full-scale current [A] (peak, 32768 digits)</source>
+        <source>&amp;Full-scale current [A] (peak, %1 digits)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6129,7 +6132,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks the board for these values anew; they are not polled.</source>
+        <source>Reads these values from the board again; they are not polled.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6493,7 +6496,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them anew in the control panel.</source>
+        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them again in the control panel.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6713,10 +6716,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) of 6 rpm</source>
+        <source>%n step(s) of %1 rpm</source>
         <translation>
-            <numerusform>%n step of 6 rpm</numerusform>
-            <numerusform>%n steps of 6 rpm</numerusform>
+            <numerusform>%n step of %1 rpm</numerusform>
+            <numerusform>%n steps of %1 rpm</numerusform>
         </translation>
     </message>
     <message>
@@ -6911,7 +6914,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::RecordControl</name>
+    <name>widgets::RecordingControl</name>
     <message>
         <source>With the bytes of the &amp;line</source>
         <translation type="unfinished"></translation>
@@ -7433,7 +7436,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Markers that are in no file go with them.</source>
+        <source>Markers that are not saved are lost, too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7457,7 +7460,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Markers of this recording were changed and are in no file.</source>
+        <source>Markers of this recording were changed and are not saved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7548,7 +7551,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Goes to another place in the recording. Back, it begins anew behind what the scope has already.</source>
+        <source>Goes to another place in the recording. Going back restarts it, after what the scope already has.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8814,10 +8817,10 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n signal(s) do not fit into the recording and are read one by one.</source>
+        <source>%n signal(s) do not fit into the recording and are polled.</source>
         <translation>
-            <numerusform>%n signal does not fit into the recording and is read one by one.</numerusform>
-            <numerusform>%n signals do not fit into the recording and are read one by one.</numerusform>
+            <numerusform>%n signal does not fit into the recording and is polled.</numerusform>
+            <numerusform>%n signals do not fit into the recording and are polled.</numerusform>
         </translation>
     </message>
     <message>
@@ -8833,7 +8836,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, read one by one</source>
+        <source>%1, polled</source>
         <comment>a signal</comment>
         <translation type="unfinished"></translation>
     </message>

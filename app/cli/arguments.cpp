@@ -100,7 +100,7 @@ void addCommandOptions(QCommandLineParser &parser, const Command &command)
 }
 
 /// Options may stand before or behind the command's name; the later one counts.
-Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
+Outcome<bool> parseCommon(const QCommandLineParser &parser, Arguments &arguments)
 {
     const Given given(parser);
     if (given.has("port"))
@@ -132,7 +132,7 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
     return arguments.text.has_value();
 }
 
-Outcome<bool> takeLimits(const Given &given, Arguments &arguments)
+Outcome<bool> parseLimits(const Given &given, Arguments &arguments)
 {
     for (const auto &[option, limit] : {std::pair{"max-rpm", &arguments.limits.maxSpeedRpm},
              std::pair{"max-amps", &arguments.limits.maxCurrentAmps},
@@ -161,7 +161,7 @@ QStringList protectNegativeNumbers(QStringList line)
     return line;
 }
 
-Outcome<bool> takeCommand(const Command &command, const QStringList &line, Arguments &arguments)
+Outcome<bool> parseCommand(const Command &command, const QStringList &line, Arguments &arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(QLatin1String(command.help));
@@ -173,7 +173,7 @@ Outcome<bool> takeCommand(const Command &command, const QStringList &line, Argum
     if (!parser.parse(command.numbers ? protectNegativeNumbers(line) : line))
         return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
             + QStringLiteral("; ") + seeHelp);
-    const auto common = takeCommon(parser, arguments);
+    const auto common = parseCommon(parser, arguments);
     if (!common || *common)
         return common;
     const Given given(parser);
@@ -186,7 +186,7 @@ Outcome<bool> takeCommand(const Command &command, const QStringList &line, Argum
     arguments.raw = given.has("raw");
     if (const auto motor = readNumbers(given, {{"motor", &arguments.motor, 1, 7}}); !motor)
         return motor;
-    if (const auto limits = takeLimits(given, arguments); !limits)
+    if (const auto limits = parseLimits(given, arguments); !limits)
         return limits;
     if (command.read != nullptr)
         if (const auto taken = command.read(given, arguments); !taken)
@@ -223,7 +223,7 @@ Outcome<Arguments> parseArguments(const QStringList &line, std::span<const Comma
     if (!parser.parse(line))
         return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
             + QStringLiteral("; see rotorscope-cli --help."));
-    const auto common = takeCommon(parser, arguments);
+    const auto common = parseCommon(parser, arguments);
     if (!common)
         return tl::make_unexpected(common.error());
     if (*common)
@@ -237,7 +237,7 @@ Outcome<Arguments> parseArguments(const QStringList &line, std::span<const Comma
         return usage(QStringLiteral("There is no command \"%1\"; rotorscope-cli --help lists them.")
                          .arg(words.first()));
     arguments.command = *command;
-    return takeCommand(**command, words, arguments).map([&arguments](bool) { return arguments; });
+    return parseCommand(**command, words, arguments).map([&arguments](bool) { return arguments; });
 }
 
 } // namespace cli

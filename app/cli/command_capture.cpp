@@ -325,7 +325,7 @@ Outcome<int> CaptureRun::begin(const drive::Stream &stream)
     Conversation &talk = m_desk.talk;
     m_lineBefore = m_line = talk.lineCounters();
     talk.listen([this](const drive::Event &event) {
-        m_recorder.take(event);
+        m_recorder.accept(event);
         if (const auto *counters = std::get_if<drive::LinkCounters>(&event))
             m_line = *counters;
         const auto *status = std::get_if<drive::MotorStatus>(&event);
@@ -437,7 +437,7 @@ Outcome<int> CaptureRun::write()
 {
     std::uint64_t rows = 0;
     if (!m_wanted.file.isEmpty()) {
-        const auto written = session::exportFormatNamed("csv")->write(
+        const auto written = session::exportFormats().front().write(
             m_wanted.file, {m_recorder.capture().snapshot(m_recorder.channels()), {}}, {});
         if (written.file.error != session::FileError::None)
             return failure(kFileError, sentenceOf(written.file, m_wanted.file));
@@ -553,7 +553,7 @@ Outcome<bool> readCapture(const Given &given, Arguments &arguments)
         return usage(
             QStringLiteral("-o writes CSV; a recording is --record %1.").arg(capture.file));
     const auto *format = session::exportFormatOf(capture.file);
-    if (format != nullptr && format != session::exportFormatNamed("csv"))
+    if (format != nullptr && format != &session::exportFormats().front())
         return usage(QStringLiteral("-o writes CSV; for %1 record with --record FILE.pcapng, and "
                                     "export that.")
                          .arg(capture.file));

@@ -144,7 +144,7 @@ Outcome<bool> readDiff(const Given &given, Arguments &arguments)
 {
     arguments.tuning.all = given.has("all");
     arguments.tuning.device = std::any_of(arguments.words.begin(), arguments.words.end(), isDevice);
-    return takeOnly(given, arguments);
+    return parseOnly(given, arguments);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "recording_work.h"
 #include "sentences.h"
-#include "session/files/export_formats.h"
+#include "session/files/file_problems.h"
 
 #include <QFileInfo>
 #include <QJsonObject>
@@ -13,6 +13,8 @@
 namespace cli {
 
 namespace {
+
+constexpr char kRegistersEnding[] = ".json"; ///< beside those of the signals
 
 struct Source {
     std::unique_ptr<OpenedRecording> recording;
@@ -67,30 +69,11 @@ Outcome<capture::Snapshot> chosen(const capture::Capture &capture, const QString
     return capture.snapshot(ids);
 }
 
-QString problemText(session::ExportProblem problem, const session::ExportFormat &format)
-{
-    using Problem = session::ExportProblem;
-    switch (problem) {
-    case Problem::None:
-        break;
-    case Problem::NoFastSamples:
-        return QStringLiteral("there are no instants at which all fast signals were recorded; name "
-                              "fewer with --signals");
-    case Problem::DifferentRates:
-        return QStringLiteral("the signals have different rates; name some of one with --signals");
-    case Problem::TooManySignals:
-    case Problem::TooLong:
-        return QStringLiteral("it holds %1; take less with --signals, or --from and --to")
-            .arg(QLatin1String(format.mostText));
-    }
-    return {};
-}
-
 /// The newest snapshot of the registers, as the file that the command snapshot writes.
 Outcome<session::ExportOutcome> writeJson(
     const QString &path, const Source &source, std::optional<double> to)
 {
-    const record::RegisterSnapshot *newest = nullptr;
+    const recorded::RegisterSnapshot *newest = nullptr;
     if (source.recording)
         for (const auto &[at, snapshot] : source.recording->report.snapshots)
             if (!to || capture::toSeconds(at) <= *to)
@@ -118,29 +101,30 @@ Outcome<session::ExportOutcome> writeSignals(const RecordingArguments &wanted,
     const auto outcome = format.write(wanted.file, {*channels, range}, {});
     if (outcome.problem != session::ExportProblem::None)
         return failure(kUsage,
-            QStringLiteral("No %1 file: %2.")
-                .arg(QString::fromLatin1(format.suffix).toUpper(),
-                    problemText(outcome.problem, format)));
+            session::exportProblemText(outcome.problem, format)
+                + QStringLiteral(" The options --signals, --from and --to do that."));
     return outcome;
+}
+
+QString exportEndings(const QString &between)
+{
+    QStringList endings;
+    for (const session::ExportFormat &each : session::exportFormats())
+        endings.append(QLatin1Char('.') + QLatin1String(each.suffix));
+    endings.append(QLatin1String(kRegistersEnding));
+    endings.removeDuplicates();
+    return endings.join(between);
 }
 
 /// What the file's name ends in, and the options, ask for; nullptr: registers.
 Outcome<const session::ExportFormat *> formatOf(const RecordingArguments &wanted)
 {
-    if (endsWith(wanted.file, ".json"))
+    if (endsWith(wanted.file, kRegistersEnding))
         return nullptr;
-    const session::ExportFormat *format = session::exportFormatOf(wanted.file);
-    if (format == nullptr) {
-        QStringList endings;
-        for (const session::ExportFormat &each : session::exportFormats())
-            endings.append(QLatin1Char('.') + QLatin1String(each.suffix));
-        endings.removeDuplicates();
-        return usage(
-            QStringLiteral("Let the name of the file end in %1 or .json, not as in \"%2\".")
-                .arg(endings.join(QStringLiteral(", ")), wanted.file));
-    }
-    if (wanted.continental && format == session::exportFormatNamed("csv"))
-        return session::exportFormatNamed("csv-continental");
+    const session::ExportFormat *format = session::exportFormatOf(wanted.file, wanted.continental);
+    if (format == nullptr)
+        return usage(QStringLiteral("Let the name of the file end in one of %1, not as in \"%2\".")
+                         .arg(exportEndings(QStringLiteral(", ")), wanted.file));
     return format;
 }
 
@@ -210,10 +194,13 @@ Outcome<bool> readExport(const Given &given, Arguments &all)
     return true;
 }
 
+const QByteArray kExportWords =
+    "FILE.pcapng -o FILE" + exportEndings(QStringLiteral("|")).toLatin1();
+
 } // namespace
 
 const Command kExport{.name = "export",
-    .words = "FILE.pcapng -o FILE.csv|.mat|.npy|.wav|.json",
+    .words = kExportWords.constData(),
     .help =
         "Writes the signals of a recording, or of a CSV file, in another format; or its registers.",
     .least = 1,

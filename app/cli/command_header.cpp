@@ -45,7 +45,7 @@ const Command kHeader{.name = "header",
     .words = "-o drive_parameters.h",
     .help = "Writes the tuned values as a C header in the names of ST's drive_parameters.h.",
     .options = {&kOutputOption, 1},
-    .read = takeOutput,
+    .read = parseOutput,
     .ofOneMotor = true,
     .run = runHeader};
 

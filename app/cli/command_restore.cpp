@@ -98,7 +98,7 @@ constexpr OptionText kRestoreOptions[] = {
 Outcome<bool> readRestore(const Given &given, Arguments &arguments)
 {
     arguments.tuning.force = given.has("force");
-    return takeOnly(given, arguments);
+    return parseOnly(given, arguments);
 }
 
 } // namespace

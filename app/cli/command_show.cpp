@@ -30,7 +30,7 @@ QString startText(const RecordingReport &report)
     return QDateTime::fromSecsSinceEpoch(report.begin.startSeconds, Qt::UTC).toString(Qt::ISODate);
 }
 
-QString happeningText(const record::Happening &happening)
+QString happeningText(const recorded::Happening &happening)
 {
     QString line = QString::fromStdString(happening.name);
     for (const auto &[key, value] : happening.fields) {
@@ -70,11 +70,11 @@ QJsonObject json(const OpenedRecording &opened)
             {QStringLiteral("what"), QString::fromStdString(happening.name)},
             {QStringLiteral("fields"), fields}});
     }
-    for (const record::Note &note : report.notes)
+    for (const recorded::Note &note : report.notes)
         notes.append(QJsonObject{{QStringLiteral("from_s"), capture::toSeconds(note.from)},
             {QStringLiteral("to_s"), capture::toSeconds(note.to)},
             {QStringLiteral("text"), QString::fromStdString(note.text)}});
-    for (const record::Damage &place : report.damage)
+    for (const recorded::Damage &place : report.damage)
         damage.append(QJsonObject{{QStringLiteral("offset"), static_cast<qint64>(place.offset)},
             {QStringLiteral("bytes"), static_cast<qint64>(place.bytes)},
             {QStringLiteral("blocks"), static_cast<qint64>(place.blocks)},
@@ -118,12 +118,12 @@ void print(const OpenedRecording &opened, bool events, Output &out)
             out.line(QStringLiteral("%1 s  %2")
                          .arg(numberText(capture::toSeconds(at)), happeningText(happening)));
     }
-    for (const record::Note &note : report.notes)
+    for (const recorded::Note &note : report.notes)
         out.line(QStringLiteral("%1 s  note: %2")
                      .arg(numberText(capture::toSeconds(note.from)),
                          QString::fromStdString(note.text).replace(
                              QLatin1Char('\n'), QLatin1Char(' '))));
-    for (const record::Damage &place : report.damage)
+    for (const recorded::Damage &place : report.damage)
         out.line(QStringLiteral("Damaged: %1").arg(session::damageText(place)));
 }
 

@@ -43,7 +43,7 @@ const Command kSnapshot{.name = "snapshot",
     .words = "-o FILE.json",
     .help = "Saves every register that can be read, with the name of board and firmware.",
     .options = {&kOutputOption, 1},
-    .read = takeOutput,
+    .read = parseOutput,
     .run = runSnapshot};
 
 } // namespace cli

@@ -24,14 +24,14 @@ struct Command {
     const char *words = ""; ///< after the name
     const char *help = "";
     int least = 0, most = 0; ///< number of words
-    std::span<const OptionText> options =
-        {}; ///< its own, beside those that follow from the members below
-    Outcome<bool> (*read)(
-        const Given &given, Arguments &arguments) = nullptr; ///< its own words and options
+    /// Its own, beside those that follow from the members below.
+    std::span<const OptionText> options = {};
+    /// Its own words and options.
+    Outcome<bool> (*read)(const Given &given, Arguments &arguments) = nullptr;
     bool needsPort = true;
     bool canMove = false; ///< it can move a motor, or write what moves it
-    bool ownsMotor =
-        false; ///< a motor that it moved goes back to what it was, or is stopped if this program dies
+    /// A motor that it moved goes back to what it was, or is stopped if this program dies.
+    bool ownsMotor = false;
     bool ofOneMotor = false; ///< it has --motor, and runs if the board has that one
     bool numbers = false; ///< its words may be negative
     Outcome<int> (*run)(Desk &) = nullptr; ///< with a board

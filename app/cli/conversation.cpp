@@ -110,7 +110,8 @@ void Conversation::close()
 
 Outcome<drive::Ended> Conversation::ask(const decltype(drive::Wish::what) &what)
 {
-    // On a computer that stalls a wish may grow old before it leaves. Nothing of it has left then, and who typed it waits.
+    // On a computer that stalls a wish may grow old before it leaves. Nothing of it has left then, and who typed it
+    // waits.
     const auto tooLate = [](const drive::Ended &ended) {
         const auto wasLate = [](const drive::WriteResult &write) {
             return write.outcome == drive::Outcome::NotSent && write.reason == drive::kTooLate;
@@ -356,12 +357,12 @@ Failure Conversation::endReason() const
 void Conversation::onBatch(const session::BatchPtr &batch)
 {
     for (const drive::Event &event : batch->events)
-        take(event);
+        accept(event);
     m_session.acknowledge();
     Q_EMIT changed();
 }
 
-void Conversation::take(const drive::Event &event)
+void Conversation::accept(const drive::Event &event)
 {
     if (m_listener)
         m_listener(event);
@@ -384,7 +385,7 @@ void Conversation::take(const drive::Event &event)
             m_ended = *end;
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
         m_status[status->motor] = *status;
-    } else if (const auto *motion = std::get_if<drive::MotionRecord>(&event)) {
+    } else if (const auto *motion = std::get_if<drive::MotionEntry>(&event)) {
         m_motionLog.push_back(session::loggedNow(*motion, QDateTime::currentDateTime()));
     } else if (const auto *counters = std::get_if<drive::LinkCounters>(&event)) {
         m_counters = *counters;

@@ -1,8 +1,8 @@
 // Conversation: one session with one board, asked step by step. Each step waits in the event loop until what it waits
 // for has happened, the time is over, the connection broke or the user interrupted.
 //
-// Call order: connect(), then anything, then close(); or stopAtOnce() alone. The program has no other event loop, so none
-// is nested.
+// Call order: connect(), then anything, then close(); or stopAtOnce() alone. The program has no other event loop, so
+// none is nested.
 #pragma once
 
 #include "arguments.h"
@@ -78,8 +78,9 @@ public:
     /// @return  how far it was confirmed; a failure if the drive was not seen idle
     Outcome<drive::StopWord> stop(Milliseconds standstill);
 
-    /// Opens the port and stops every motor before anything else is asked of the board, in whatever language it is found
-    /// to speak; blind where no answer comes. Then as stop(). An interrupt does not end it before the STOPs have left.
+    /// Opens the port and stops every motor before anything else is asked of the board, in whatever language it is
+    /// found to speak; blind where no answer comes. Then as stop(). An interrupt does not end it before the STOPs have
+    /// left.
     /// @return  as stop(); each failure says that the motors may turn
     Outcome<drive::StopWord> stopAtOnce(Milliseconds standstill);
 
@@ -99,7 +100,7 @@ private:
     template <class T>
     Outcome<T> waitFor(const std::optional<T> &told, Milliseconds limit, drive::LinkReason late);
     void onBatch(const session::BatchPtr &batch);
-    void take(const drive::Event &event);
+    void accept(const drive::Event &event);
     void onInterruption(const session::Interruption &what);
     void onPort(session::PortState state, const session::PortError &why);
     bool ended() const;
@@ -114,8 +115,8 @@ private:
     std::shared_ptr<session::RecordingTap> m_tap = std::make_shared<session::RecordingTap>();
     session::Session m_session;
     std::function<void(const drive::Event &)> m_listener;
-    bool m_stopping =
-        false; ///< neither an interrupt nor a lost link ends this: the drive stops blind
+    /// Neither an interrupt nor a lost link ends this: the drive stops blind.
+    bool m_stopping = false;
     std::optional<Failure> m_broken; ///< why the connection is no more
     std::optional<drive::Identified> m_board;
     bool m_answered = false; ///< there was a connection

@@ -1,5 +1,5 @@
-// Interrupt: Ctrl-C and the signals that ask a program to end, as an event in the event loop instead of a sudden end. Up
-// to four at once, each in its own thread.
+// Interrupt: Ctrl-C and the signals that ask a program to end, as an event in the event loop instead of a sudden end.
+// Up to four at once, each in its own thread.
 #pragma once
 
 #include <QObject>

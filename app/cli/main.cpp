@@ -15,9 +15,9 @@ const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, 
     &kMotor, &kHeader, &kStep, &kIdentify, &kResponse, &kAutotune, &kExperiment, &kEvaluate, &kShow,
     &kExport, &kDecode};
 
-/// The limits that the user has set in the window hold here, too: those of the file are added to the arguments of a command
-/// that can move a motor, which is said on standard error. A file that cannot be read ends such a command, unless both
-/// limits are given.
+/// The limits that the user has set in the window hold here, too: those of the file are added to the arguments of a
+/// command that can move a motor, which is said on standard error. A file that cannot be read ends such a command,
+/// unless both limits are given.
 Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
 {
     drive::UserLimits &limits = arguments.limits;
@@ -28,7 +28,7 @@ Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
     if (!own)
         return failure(kFileError,
             QStringLiteral(
-                "Your own limits in %1 cannot be read (%2); set them anew in the window, "
+                "Your own limits in %1 cannot be read (%2); set them again in the window, "
                 "or give --max-rpm and --max-amps.")
                 .arg(file, own.error()));
     if (!*own)

@@ -1,5 +1,6 @@
-// What the program prints: text for people or JSON for programs on standard output, one line of error on standard error.
-// Whatever a board or a file wrote into these words, a terminal is given no control character of it. And how a run ends.
+// What the program prints: text for people or JSON for programs on standard output, one line of error on standard
+// error. Whatever a board or a file wrote into these words, a terminal is given no control character of it. And how a
+// run ends.
 #pragma once
 
 #include "base/result.h"

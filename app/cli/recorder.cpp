@@ -40,7 +40,7 @@ Tick endOf(const SampleBlock &block, Tick step)
 
 } // namespace
 
-void Recorder::take(const drive::Event &event)
+void Recorder::accept(const drive::Event &event)
 {
     if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
         if (m_origin || started->layout.empty())

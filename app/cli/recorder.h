@@ -27,7 +27,7 @@ public:
     double recordedSeconds() const { return m_complete ? m_seconds : m_recorded_s; }
 
     /// Layouts and blocks count, all else is passed over. A later layout is passed over, too.
-    void take(const drive::Event &event);
+    void accept(const drive::Event &event);
 
     bool complete() const { return m_complete; }
     bool empty() const { return !m_origin && !m_firstSeconds; }

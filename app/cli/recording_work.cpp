@@ -1,8 +1,8 @@
 #include "recording_work.h"
 
-#include "capture/csv_import.h"
 #include "output.h"
 #include "session/archive/disk_archive.h"
+#include "session/files/file_problems.h"
 #include "session/files/snapshot_json.h"
 
 #include <QCoreApplication>
@@ -46,23 +46,6 @@ Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
     return opened;
 }
 
-QString csvErrorText(const capture::CsvError &error)
-{
-    // In the order of the enumeration; %1 is what stands there.
-    constexpr std::array kWords{"there is no heading with the names of signals",
-        "there is one column only", "there are too many columns",
-        "the line is too long for a line of numbers",
-        "the line has another number of fields than the heading", "\"%1\" is no number",
-        "\"%1\" is no time", "the time %1 is before the one above it",
-        "there is a heading and nothing else"};
-    QString what = QLatin1String(kWords.at(static_cast<std::size_t>(error.what)));
-    what.replace(QLatin1String("%1"), QString::fromStdString(error.field));
-    const QString line = QString::number(error.line);
-    return error.column == 0
-        ? QStringLiteral("line %1: %2").arg(line, what)
-        : QStringLiteral("line %1, column %2: %3").arg(line, QString::number(error.column), what);
-}
-
 Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
 {
     QFile file(path);
@@ -79,7 +62,7 @@ Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
         goesOn = import.feed({piece.constData(), static_cast<std::size_t>(piece.size())});
     }
     if (!import.finish())
-        return refused(csvErrorText(*import.error()));
+        return refused(session::csvProblemText(*import.error()));
     return capture;
 }
 
@@ -162,10 +145,11 @@ Outcome<int> ConversationRecording::start(const QString &source)
 void ConversationRecording::add(TimePoint at, const snapshots::Snapshot &registers)
 {
     m_recording.add(at.time_since_epoch().count(),
-        record::RegisterSnapshot{"all registers", session::snapshotJson(registers).toStdString()});
+        recorded::RegisterSnapshot{
+            "all registers", session::snapshotJson(registers).toStdString()});
 }
 
-void ConversationRecording::add(TimePoint at, const record::Happening &happening)
+void ConversationRecording::add(TimePoint at, const recorded::Happening &happening)
 {
     m_recording.add(at.time_since_epoch().count(), happening);
 }
@@ -185,7 +169,7 @@ Outcome<int> ConversationRecording::finish()
         return failure(kFileError,
             QStringLiteral("%1 ends early: %2; what was recorded until then is in it.")
                 .arg(m_path, m_result->systemText));
-    if (m_last.lost != record::Lost{})
+    if (m_last.lost != recorded::Lost{})
         return failure(kDataLost,
             QStringLiteral("%1 samples are not in %2, because the disk was too slow.")
                 .arg(QString::number(m_last.lost.samples), m_path));

@@ -33,7 +33,7 @@ public:
     Outcome<int> start(const QString &source);
     /// What the board holds.
     void add(TimePoint at, const snapshots::Snapshot &registers);
-    void add(TimePoint at, const record::Happening &happening);
+    void add(TimePoint at, const recorded::Happening &happening);
     /// Ends it, if it is not over already.
     /// @return  kDone; a failure if it ended early or something did not get into it
     Outcome<int> finish();

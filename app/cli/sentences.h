@@ -1,4 +1,5 @@
-// One sentence for each way a connection or a file can fail, which says what to do. In English: scripts and logs read them.
+// One sentence for each way a connection or a file can fail, which says what to do. In English: scripts and logs read
+// them.
 #pragma once
 
 #include "arguments.h"

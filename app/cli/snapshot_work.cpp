@@ -84,7 +84,7 @@ Outcome<snapshots::Snapshot> loadSnapshot(const QString &path)
             .arg(path, wordsOf(snapshot.error())));
 }
 
-Outcome<bool> takeOutput(const Given &given, Arguments &arguments)
+Outcome<bool> parseOutput(const Given &given, Arguments &arguments)
 {
     arguments.tuning.file = given.value("output");
     if (arguments.tuning.file.isEmpty())
@@ -92,7 +92,7 @@ Outcome<bool> takeOutput(const Given &given, Arguments &arguments)
     return true;
 }
 
-Outcome<bool> takeOnly(const Given &given, Arguments &arguments)
+Outcome<bool> parseOnly(const Given &given, Arguments &arguments)
 {
     arguments.tuning.only = given.list("only");
     if (given.has("only") && arguments.tuning.only.isEmpty())

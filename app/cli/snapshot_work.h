@@ -22,9 +22,9 @@ Outcome<QByteArray> loadFile(const QString &path);
 Outcome<snapshots::Snapshot> loadSnapshot(const QString &path);
 
 /// -o, which must be there.
-Outcome<bool> takeOutput(const Given &given, Arguments &arguments);
+Outcome<bool> parseOutput(const Given &given, Arguments &arguments);
 /// --only, of groups and registers.
-Outcome<bool> takeOnly(const Given &given, Arguments &arguments);
+Outcome<bool> parseOnly(const Given &given, Arguments &arguments);
 
 /// What --only names; a usage failure if something in it fits no register of either snapshot.
 Outcome<snapshots::Selection> selectionOf(

@@ -1,6 +1,6 @@
 #include "write_report.h"
 
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 #include "sentences.h"
 
 #include <QJsonArray>

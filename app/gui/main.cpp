@@ -39,7 +39,7 @@ void loadLanguage(QApplication &application, const std::string &language)
     };
     for (const auto &[name, folder] : catalogues) {
         auto *translator = new QTranslator(&application);
-        // Without the person's language English is better than no plurals.
+        // Without the user's language English is better than no plurals.
         if (translator->load(locale, name, QStringLiteral("_"), folder)
             || translator->load(name + QLatin1String("_en"), folder))
             QApplication::installTranslator(translator);

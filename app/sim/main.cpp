@@ -1,5 +1,5 @@
-// rotorscope-sim: a simulated board behind a pseudo-terminal or a TCP port, in real time. One thread waits for the client, for
-// standard input, for a signal and for the board's next event.
+// rotorscope-sim: a simulated board behind a pseudo-terminal or a TCP port, in real time. One thread waits for the
+// client, for standard input, for a signal and for the board's next event.
 #include "describe.h"
 #include "lists.h"
 #include "options.h"
@@ -169,8 +169,8 @@ void Simulator::step()
         m_port.write(output);
 }
 
-/// While this program had no core the line went on: what it reads in one piece then may have been sent with its pause, which
-/// a real board would have seen.
+/// While this program had no core the line went on: what it reads in one piece then may have been sent with its pause,
+/// which a real board would have seen.
 void Simulator::receive(const Bytes &bytes, TimePoint now)
 {
     const bool late = now - m_looked >= kLate && bytes.size() > m_served.headerBytes;
@@ -215,9 +215,9 @@ int serve(const sim::Options &options)
         sayError(port.error());
         return kNoPort;
     }
-    sim::Link link;
+    sim::SymbolicLink link;
     if (!options.link.empty()) {
-        auto made = sim::Link::make(options.link, (*port)->address());
+        auto made = sim::SymbolicLink::make(options.link, (*port)->address());
         if (!made) {
             sayError(made.error());
             return kNoPort;

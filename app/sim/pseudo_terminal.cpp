@@ -95,33 +95,34 @@ void PseudoTerminal::write(ByteView bytes)
     }
 }
 
-Result<Link, std::string> Link::make(const std::string &path, const std::string &target)
+Result<SymbolicLink, std::string> SymbolicLink::make(
+    const std::string &path, const std::string &target)
 {
     // Only what an earlier simulator left behind makes room; any other link stays.
     if (linkTarget(path).starts_with("/dev/"))
         unlink(path.c_str());
     if (symlink(target.c_str(), path.c_str()) != 0)
         return fail(reason("cannot make the link " + path));
-    Link link;
+    SymbolicLink link;
     link.m_path = path;
     link.m_target = target;
     return link;
 }
 
-Link::Link(Link &&other) noexcept
+SymbolicLink::SymbolicLink(SymbolicLink &&other) noexcept
     : m_path(std::exchange(other.m_path, {}))
     , m_target(std::move(other.m_target))
 {
 }
 
-Link &Link::operator=(Link &&other) noexcept
+SymbolicLink &SymbolicLink::operator=(SymbolicLink &&other) noexcept
 {
     std::swap(m_path, other.m_path);
     std::swap(m_target, other.m_target);
     return *this;
 }
 
-Link::~Link()
+SymbolicLink::~SymbolicLink()
 {
     if (m_path.empty())
         return;

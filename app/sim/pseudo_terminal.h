@@ -34,14 +34,15 @@ private:
 };
 
 /// A symbolic link that exists as long as this object.
-class Link {
+class SymbolicLink {
 public:
-    Link() = default;
+    SymbolicLink() = default;
     /// Replaces a symbolic link of that name, nothing else; a sentence if it cannot be made.
-    static Result<Link, std::string> make(const std::string &path, const std::string &target);
-    Link(Link &&other) noexcept;
-    Link &operator=(Link &&other) noexcept;
-    ~Link();
+    static Result<SymbolicLink, std::string> make(
+        const std::string &path, const std::string &target);
+    SymbolicLink(SymbolicLink &&other) noexcept;
+    SymbolicLink &operator=(SymbolicLink &&other) noexcept;
+    ~SymbolicLink();
 
 private:
     std::string m_path, m_target;

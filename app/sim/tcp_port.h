@@ -1,5 +1,6 @@
 // A TCP port of this machine's loopback address, for clients that know no serial ports. One client at a time: while one
-// is there, others are turned away, and so is a browser that a page has sent here: no board is spoken to in HTTP or TLS.
+// is there, others are turned away, and so is a browser that a page has sent here: no board is spoken to in HTTP or
+// TLS.
 #pragma once
 
 #include "base/result.h"

@@ -15,11 +15,11 @@ namespace {
 /// While a packet still waits to be written it cannot be lost: a busy host gets this much more time.
 constexpr Duration kUnsentGrace = 250ms;
 constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
-constexpr Duration kRestAfterNack =
-    10ms; ///< the Performer listens again after the next idle line only
+/// The Performer listens again after the next idle line only.
+constexpr Duration kRestAfterNack = 10ms;
 /// A packet that lacks no more than this is left open: the replies of the dialogue fill it up, and what then follows is
-/// seen to be out of step. One that lacks more would swallow the whole dialogue: only silence ends it. So everybody who
-/// parses the line by lengths agrees on where packets start.
+/// seen to be out of step. One that lacks more would swallow the whole dialogue: only silence ends it. So every
+/// parser that goes by lengths agrees on where packets start.
 constexpr std::size_t kShortTail = 12;
 
 } // namespace
@@ -105,8 +105,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
     m_lastByte = now;
     m_tornTold = false;
     if (!std::exchange(m_heardBytes, true) && m_state == State::Negotiating)
-        m_attempts =
-            std::min(m_attempts, 2); // what was swallowed does not count, but may echo late
+        // What was swallowed does not count, but may echo late.
+        m_attempts = std::min(m_attempts, 2);
     const std::size_t wanted = std::min(kHeaderSize - m_firstHeard.size(), bytes.size());
     m_firstHeard.insert(m_firstHeard.end(), bytes.begin(), bytes.begin() + wanted);
     Packet packet;

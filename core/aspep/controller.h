@@ -38,19 +38,19 @@ public:
     struct Config {
         Beacon offer{}; ///< all fields maximal; payload CRC not asked for (no firmware has one)
         std::uint32_t baud = 1843200; ///< time-outs are computed from it
-        Duration payloadPause =
-            std::chrono::microseconds(1500); ///< header to payload, > 0.5 ms is required
-        Duration hostLatency =
-            std::chrono::milliseconds(20); ///< what a USB adapter and the scheduler may add
+        /// Header to payload, > 0.5 ms is required.
+        Duration payloadPause = std::chrono::microseconds(1500);
+        /// What a USB adapter and the scheduler may add.
+        Duration hostLatency = std::chrono::milliseconds(20);
         Duration patience{}; ///< how much later still a reply may come; more on busy computers
-        int attempts =
-            5; ///< how often a step of a dialogue is sent until the link is lost; oftener into silence
-        /// Beacons into perfect silence. A program may have fallen silent within a request: the board waits for the rest
-        /// without a time-out and swallows them, four bytes each. So many fill the largest request of the usual
+        /// How often a step of a dialogue is sent until the link is lost; oftener into silence.
+        int attempts = 5;
+        /// Beacons into perfect silence. A program may have fallen silent within a request: the board waits for the
+        /// rest without a time-out and swallows them, four bytes each. So many fill the largest request of the usual
         /// firmware, 256 bytes. Fewer only where this is not the last attempt; once connected so many are sent anyway.
         int firstSilentOffers = kSilentOffers;
-        Duration keepAliveAfter =
-            std::chrono::milliseconds(250); ///< silence after which a Ping is sent
+        /// Silence after which a Ping is sent.
+        Duration keepAliveAfter = std::chrono::milliseconds(250);
         Duration suspectAfter = std::chrono::milliseconds(500); ///< no valid packet: event Suspect
         Duration lostAfter = std::chrono::milliseconds(1000); ///< no valid packet: event Lost
     };
@@ -135,8 +135,8 @@ public:
 
     void receive(ByteView bytes, TimePoint now);
     void handleTimeout(TimePoint now); ///< early or repeated calls do nothing
-    void handleSent(
-        TimePoint now); ///< all output taken so far has left: reply time-outs count from here
+    /// All output taken so far has left: reply time-outs count from here.
+    void handleSent(TimePoint now);
 
     [[nodiscard]] std::vector<Output> takeOutput() { return std::exchange(m_output, {}); }
     [[nodiscard]] std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }

@@ -17,8 +17,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kMaxRounds =
-    10; ///< counter-proposals and returns to the start before there is no agreement
+/// Counter-proposals and returns to the start before there is no agreement.
+constexpr int kMaxRounds = 10;
 constexpr Duration kDialogueLimit = 4s; ///< whatever happens, a dialogue has ended after this
 
 /// An answer never has more than was offered: the Performer takes the minimum of both sides.
@@ -181,8 +181,8 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
 {
     endRequest(reply.parity != m_parity);
     m_parity = reply.parity;
-    const State before =
-        m_urgent ? m_urgent->before : m_state; // a stop may talk where there was no link
+    // A stop may talk where there was no link.
+    const State before = m_urgent ? m_urgent->before : m_state;
     const bool recovered = before == State::Connected || before == State::Recovering;
     m_state = State::Connected;
     m_step = Step::None;

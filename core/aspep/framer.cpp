@@ -89,7 +89,7 @@ Framer::Step Framer::parse(ByteView &bytes, Packet &packet)
             return Step::Packet;
         }
     }
-    return takePayload(bytes) ? finishPayload(packet) : Step::NeedBytes;
+    return acceptPayload(bytes) ? finishPayload(packet) : Step::NeedBytes;
 }
 
 Framer::Step Framer::startPacket()
@@ -110,7 +110,7 @@ Framer::Step Framer::startPacket()
     return Step::Packet;
 }
 
-bool Framer::takePayload(ByteView &bytes)
+bool Framer::acceptPayload(ByteView &bytes)
 {
     const std::size_t part = std::min(m_payloadSize - m_payload.size(), bytes.size());
     m_payload.insert(

@@ -57,7 +57,7 @@ private:
     Step startPacket();
     Step finishPayload(Packet &packet);
     Step bad(Step what);
-    bool takePayload(ByteView &bytes);
+    bool acceptPayload(ByteView &bytes);
     bool tooLong(const Data &data) const;
     void scan(ByteView bytes);
 

@@ -1,7 +1,7 @@
-// Where the packets of a stream begin again behind a lost or a spoilt byte. One header is no proof: its CRC-4 lets one noisy
-// word in sixteen pass. Two async packets in a row are, that are as long and end as the stream's packets do (mark and id); a
-// response or an answer of the dialogue may stand between them. What is proved is handed back whole, so that only the spoilt
-// packet is lost.
+// Where the packets of a stream begin again behind a lost or a spoilt byte. One header is no proof: its CRC-4 lets one
+// noisy word in sixteen pass. Two async packets in a row are, that are as long and end as the stream's packets do (mark
+// and id); a response or an answer of the dialogue may stand between them. What is proved is handed back whole, so that
+// only the spoilt packet is lost.
 #pragma once
 
 #include "aspep/packet.h"

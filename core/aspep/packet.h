@@ -35,8 +35,8 @@ struct Beacon {
     bool dataCrc = false;
     std::uint8_t rxUnits = 63; ///< a request holds up to (rxUnits + 1) * 32 bytes
     std::uint8_t txSyncUnits = 127; ///< a response holds up to (txSyncUnits + 1) * 32 bytes
-    std::uint8_t txAsyncUnits =
-        127; ///< an async packet holds up to txAsyncUnits * 64 bytes; 0: there are none
+    /// An async packet holds up to txAsyncUnits * 64 bytes; 0: there are none.
+    std::uint8_t txAsyncUnits = 127;
 
     std::size_t rxMax() const { return (std::size_t{rxUnits} + 1) * 32; }
     std::size_t txSyncMax() const { return (std::size_t{txSyncUnits} + 1) * 32; }
@@ -46,8 +46,8 @@ struct Beacon {
 
 struct Ping {
     bool configured = false;
-    bool parity =
-        false; ///< lowest bit of the number of requests accepted since the Performer's reset
+    /// Lowest bit of the number of requests accepted since the Performer's reset.
+    bool parity = false;
     std::uint8_t linkId = 0;
     std::uint16_t number = 0;
     bool operator==(const Ping &) const = default;

@@ -1,4 +1,5 @@
-// Numbers, bytes and words as text, and back: decimal with a point whatever the locale, hexadecimal digits, and tables of words.
+// Numbers, bytes and words as text, and back: decimal with a point whatever the locale, hexadecimal digits, and tables
+// of words.
 #pragma once
 
 #include "base/bytes.h"

@@ -309,7 +309,7 @@ void Capture::adopt(Capture other)
 {
     m_layout = {};
     clear();
-    other.takeArchived();
+    other.adoptArchived();
     other.forgetDeposits();
     const std::vector<Entry> entries = std::move(other.m_entries);
     for (const Entry &entry : entries) {

@@ -24,15 +24,15 @@ public:
         /// Of memory. From three quarters of it on the oldest samples go to the archive; what does not fit is
         /// released, the oldest first, a chunk at a time.
         std::size_t maxBytes = 1'500'000'000;
-        double polledHold =
-            2.0; ///< seconds that a polled value counts as true if no newer one comes
-        std::shared_ptr<SampleMemory> memory =
-            nullptr; ///< of the fast samples; none: the computer's own
-        std::shared_ptr<SampleArchive> archive =
-            nullptr; ///< for what there is no memory for; none: memory only
-        bool patient =
-            false; ///< append() waits for a slow archive and releases nothing for it: who
-        ///< reads a file has time, who listens to a board has not
+        /// Seconds that a polled value counts as true if no newer one comes.
+        double polledHold = 2.0;
+        /// Of the fast samples; none: the computer's own.
+        std::shared_ptr<SampleMemory> memory = nullptr;
+        /// For what there is no memory for; none: memory only.
+        std::shared_ptr<SampleArchive> archive = nullptr;
+        /// append() waits for a slow archive and releases nothing for it: who reads a file has time, who listens to a
+        /// board has not
+        bool patient = false;
     };
     /// Blocks and values that were not taken, by reason; all stay 0 with a drive that keeps its
     /// word.
@@ -93,15 +93,15 @@ public:
     void adopt(Capture other);
 
     std::vector<ChannelInfo> channels() const; ///< oldest first
-    const Channel *channel(
-        ChannelId id) const; ///< nullptr if there is none; valid until the next change
+    /// Nullptr if there is none; valid until the next change.
+    const Channel *channel(ChannelId id) const;
     std::optional<ChannelInfo> info(ChannelId id) const;
     /// The channel of a register that was streamed or asked for as a signal last; one that holds samples goes before
     /// one that holds none, and one with values read aside comes last.
     std::optional<ChannelId> find(catalog::RegisterId id) const;
     std::optional<ChannelId> find(catalog::RegisterId id, ChannelInfo::Kind kind) const;
-    std::vector<ChannelId>
-    streaming() const; ///< channels of the stream in effect: fast, then slow, in layout order
+    /// Channels of the stream in effect: fast, then slow, in layout order.
+    std::vector<ChannelId> streaming() const;
 
     std::uint64_t size(ChannelId id) const; ///< samples kept
     std::optional<TimeSpan> timeSpan() const; ///< of all channels; nullopt if nothing is recorded
@@ -150,7 +150,7 @@ private:
     bool releaseOldest();
     void fillArchive();
     bool handOver();
-    void takeArchived();
+    void adoptArchived();
     void forgetDeposits();
 
     static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
@@ -174,12 +174,12 @@ private:
     TickBase m_base; ///< and shifted behind what was there
     Nanos m_shift = 0; ///< added to every origin, so that time never runs backwards
     bool m_fresh = false; ///< no block since begin()
-    std::vector<Channel *>
-        m_fast; ///< of the layout; the entries own them, and keep what a board streams
+    /// Of the layout; the entries own them, and keep what a board streams.
+    std::vector<Channel *> m_fast;
     std::vector<Channel *> m_slow;
     Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
-    std::vector<Nanos>
-        m_slowTimes; ///< of the groups of the block being appended; kept, as memory is
+    /// Of the groups of the block being appended; kept, as memory is.
+    std::vector<Nanos> m_slowTimes;
     std::vector<double> m_slowValues; ///< of one signal at those times; kept, too
     std::uint64_t m_revision = 0;
     std::uint64_t m_sinceCheck = 0;
@@ -191,9 +191,9 @@ private:
     std::set<catalog::RegisterId> m_polledAnew; ///< ended for good, not begun again
 };
 
-/// A stretch of a capture as a capture of its own, which stays when the other lets go of its samples: those in [from, to) of
-/// all channels that have any there, in their order. They have their names and units, not their registers; gaps stay gaps.
-/// Cost: a search and 24 bytes a sample.
+/// A stretch of a capture as a capture of its own, which stays when the other lets go of its samples: those in [from,
+/// to) of all channels that have any there, in their order. They have their names and units, not their registers; gaps
+/// stay gaps. Cost: a search and 24 bytes a sample.
 Capture excerptOf(const Capture &capture, Nanos from, Nanos to);
 
 } // namespace capture

@@ -30,12 +30,12 @@ std::uint64_t Capture::archiveRoom() const
 void Capture::keepWithinLimit()
 {
     m_sinceCheck = 0;
-    takeArchived();
+    adoptArchived();
     fillArchive();
     while (bytes() > m_config.maxBytes) {
         if (m_config.patient && !m_sent.empty()) {
             m_sent.front().deposit->wait();
-            takeArchived();
+            adoptArchived();
             fillArchive();
         } else if (!releaseOldest()) {
             return;
@@ -121,7 +121,7 @@ bool Capture::handOver()
 }
 
 /// From now on what the archive has is read from there.
-void Capture::takeArchived()
+void Capture::adoptArchived()
 {
     while (!m_sent.empty()) {
         const Sent &sent = m_sent.front();

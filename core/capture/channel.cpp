@@ -35,12 +35,17 @@ Index Channel::atOrAfter(Nanos time) const
     return std::visit([time](const auto &column) { return column.atOrAfter(time); }, m_column);
 }
 
+std::size_t Channel::pieceOf(Index index) const
+{
+    return std::visit([index](const auto &column) { return column.pieceOf(index); }, m_column);
+}
+
 Nanos Channel::holdUntil(Index index) const
 {
     if (const FastColumn *column = fast())
-        return column->segments()[column->segmentOf(index)].timeOf(index + 1);
+        return column->segments()[column->pieceOf(index)].timeOf(index + 1);
     const ValueColumn *column = values();
-    const Run &run = column->runs()[column->runOf(index)];
+    const Run &run = column->runs()[column->pieceOf(index)];
     return index + 1 < run.end() ? column->timeOf(index + 1) : run.holdUntil;
 }
 
@@ -57,7 +62,7 @@ std::optional<TimeSpan> Channel::timeSpan() const
 template <class Range>
 MinMax Channel::shown(const Range &range) const
 {
-    if (range.min > range.max)
+    if (range.empty())
         return {};
     // Rounding keeps the order: the extremes of rounded values are the rounded extremes.
     const auto a = static_cast<float>(toShown(range.min));
@@ -69,19 +74,15 @@ MinMax Channel::extremes(double from, double to) const
 {
     const Index low = atOrAfter(toNanos(from));
     const Index high = atOrAfter(toNanos(to));
-    if (const FastColumn *column = fast())
-        return shown(column->extremes(low, high));
-    return shown(values()->valueExtremes(low, high));
+    const auto ask = [&](const auto &column) { return shown(column.extremes(low, high)); };
+    return std::visit(ask, m_column);
 }
 
 std::vector<MinMax> Channel::columns(const Slices &slices) const
 {
     std::vector<MinMax> result(slices.count);
     const auto set = [&](std::size_t i, auto range) { result[i] = shown(range); };
-    if (const FastColumn *column = fast())
-        column->slices(slices, set);
-    else
-        values()->slices(slices, set);
+    std::visit([&](const auto &column) { column.slices(slices, set); }, m_column);
     return result;
 }
 
@@ -116,7 +117,7 @@ std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) 
     };
     const auto goesOn = [&] { return index < stop && result.size() < limit; };
     if (const FastColumn *column = fast()) {
-        for (std::size_t piece = column->segmentOf(index); goesOn(); ++piece) {
+        for (std::size_t piece = column->pieceOf(index); goesOn(); ++piece) {
             const Segment &segment = column->segments()[piece];
             for (; index < segment.end() && goesOn(); ++index)
                 put(segment.timeOf(index), segment.timeOf(index + 1));
@@ -124,7 +125,7 @@ std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) 
         return result;
     }
     const ValueColumn *column = values();
-    for (std::size_t piece = column->runOf(index); goesOn(); ++piece) {
+    for (std::size_t piece = column->pieceOf(index); goesOn(); ++piece) {
         const Run &run = column->runs()[piece];
         for (Nanos time = column->timeOf(index); index < run.end() && goesOn(); ++index) {
             const Nanos next = index + 1 < run.end() ? column->timeOf(index + 1) : run.holdUntil;
@@ -152,31 +153,19 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
     const Index start = near > begin() ? near - 1 : near;
     const auto leastNanos = static_cast<Nanos>(least * kNanosPerSecond);
     // A gap that is wide enough ends so long behind the one before it: those between are passed over, however many.
-    const auto walk = [&](std::size_t piece, std::size_t count, auto startOf, auto stopOf) {
+    const auto walk = [&](const auto &column) {
+        std::size_t piece = column.pieceOf(start);
         std::size_t stride = 1;
-        while (piece + 1 < count && startOf(piece) < stop) {
-            const Nanos next = startOf(++piece);
-            add(stopOf(piece - 1), next);
-            const std::size_t last = lastThatBegins(piece, stride, count,
-                [&](std::size_t one) { return startOf(one) <= next + leastNanos; });
+        while (piece + 1 < column.pieces() && column.startOf(piece) < stop) {
+            const Nanos next = column.startOf(++piece);
+            add(column.stopOf(piece - 1), next);
+            const std::size_t last = lastThatBegins(piece, stride, column.pieces(),
+                [&](std::size_t one) { return column.startOf(one) <= next + leastNanos; });
             stride = std::max<std::size_t>(1, last - piece);
             piece = last;
         }
     };
-    if (const FastColumn *column = fast()) {
-        const std::vector<Segment> &segments = column->segments();
-        walk(
-            column->segmentOf(start), segments.size(),
-            [&](std::size_t i) { return segments[i].start(); },
-            [&](std::size_t i) { return segments[i].stop(); });
-        return result;
-    }
-    const ValueColumn *column = values();
-    const std::vector<Run> &runs = column->runs();
-    walk(
-        column->runOf(start), runs.size(),
-        [&](std::size_t i) { return column->timeOf(runs[i].first); },
-        [&](std::size_t i) { return runs[i].holdUntil; });
+    std::visit(walk, m_column);
     return result;
 }
 

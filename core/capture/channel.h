@@ -70,6 +70,7 @@ public:
     FastColumn *fast() { return std::get_if<FastColumn>(&m_column); }
     const ValueColumn *values() const { return std::get_if<ValueColumn>(&m_column); }
     ValueColumn *values() { return std::get_if<ValueColumn>(&m_column); }
+    const Column &column() const { return m_column; }
 
     Index begin() const;
     Index end() const;
@@ -78,6 +79,7 @@ public:
     Nanos timeOf(Index index) const;
     double at(Index index) const; ///< in the channel's unit
     Index atOrAfter(Nanos time) const;
+    std::size_t pieceOf(Index index) const; ///< the same for samples without a gap between them
     Nanos holdUntil(Index index) const; ///< until when that sample's value is known to be true
 
     /// [first sample, end of the last one's step); a polled value ends where it begins. nullopt if there is no sample.

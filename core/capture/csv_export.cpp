@@ -11,15 +11,15 @@ namespace capture {
 namespace {
 using Kind = ChannelInfo::Kind;
 
-// Bytes. All pieces are as large as that, to the byte: a system keeps a file's pages in blocks as large as the writes are
-// and as they are aligned (folios, in Linux), and larger ones cost it less. Pieces of 256 KiB that begin anywhere take 1.4
-// times as long to write (ext4 of Linux 6.18); more than this gains nothing.
+// Bytes. All pieces are as large as that, to the byte: a system keeps a file's pages in blocks as large as the writes
+// are and as they are aligned (folios, in Linux), and larger ones cost it less. Pieces of 256 KiB that begin anywhere
+// take 1.4 times as long to write (ext4 of Linux 6.18); more than this gains nothing.
 constexpr std::size_t kPiece = 1 << 20;
 constexpr std::size_t kMostRowsARun = 512; ///< so that their text stays in the cache
 constexpr std::size_t kTimeWidth = 24; ///< digits of 64 bits, sign and point
 constexpr std::size_t kCodeWidth = 16; ///< of an entry of CodeTexts
-constexpr std::size_t kNumberWidth =
-    24; ///< a double's shortest text: sign, 17 digits, point, e-308
+/// A double's shortest text: sign, 17 digits, point, e-308.
+constexpr std::size_t kNumberWidth = 24;
 constexpr std::size_t kLineEndWidth = 2;
 constexpr std::size_t kColumnWidth = kNumberWidth + 1; ///< and the separator
 
@@ -58,8 +58,8 @@ char *writeNumber(char *at, double value, char decimal)
 constexpr std::uint64_t eightDigits(std::uint32_t number)
 {
     const std::uint64_t fours = number / 10'000 | std::uint64_t{number % 10'000} << 32;
-    const std::uint64_t hundreds =
-        (fours * 10486 >> 20) & 0x7F'0000'007FU; // / 100, exact below 10^4
+    // / 100, exact below 10^4
+    const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x7F'0000'007FU;
     const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
     const std::uint64_t tens = (twos * 103 >> 10) & 0x000F'000F'000F'000FU; // / 10, exact below 100
     return tens | (twos - 10 * tens) << 8;
@@ -399,7 +399,7 @@ bool CsvWriter::plan(Run &run) const
             run.count = 1;
             continue;
         }
-        const Segment &segment = fast->segments()[fast->segmentOf(column.next)];
+        const Segment &segment = fast->segments()[fast->pieceOf(column.next)];
         const auto left =
             static_cast<std::size_t>(std::min(segment.end(), column.stop) - column.next);
         run.count = std::min(run.count, fast->codes(column.next, left).size());

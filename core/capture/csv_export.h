@@ -1,8 +1,8 @@
 // A capture as comma-separated text, made piece by piece from a snapshot: the owner of the file writes the pieces.
 // The format is described in docs/csv.md: two dialects, UTF-8, shortest numbers that read back exactly, time first.
 //
-// Rows are the samples of the fastest kind of channel that has any in the range; slower ones are held. What is not known is
-// blank, what was lost has no row, and nothing is ever filled in.
+// Rows are the samples of the fastest kind of channel that has any in the range; slower ones are held. What is not
+// known is blank, what was lost has no row, and nothing is ever filled in.
 #pragma once
 
 #include "capture/capture.h"
@@ -29,8 +29,8 @@ struct CsvOptions {
 /// For one file per rate; every sample of every channel is then in some file.
 std::vector<Snapshot> splitByRate(const Snapshot &channels);
 
-/// Whether CsvWriter would write every sample of these channels, all of their time, into one file: not if a slower one has
-/// values that no row shows. Cost: a search for each of those.
+/// Whether CsvWriter would write every sample of these channels, all of their time, into one file: not if a slower one
+/// has values that no row shows. Cost: a search for each of those.
 bool everySampleHasARow(const Snapshot &channels);
 
 /// A column's heading, e.g. `I_Q_MEAS [A]`: quoted where it must be, and with a leading apostrophe where a
@@ -48,8 +48,8 @@ public:
     CsvWriter(const CsvWriter &) = delete;
     CsvWriter &operator=(const CsvWriter &) = delete;
 
-    /// Shows the next mebibyte of the text, the last time what is left of it: good until the following call. False when all
-    /// was shown.
+    /// Shows the next mebibyte of the text, the last time what is left of it: good until the following call. False when
+    /// all was shown.
     bool next(std::string_view &piece);
 
     double progress() const; ///< 0..1

@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr Nanos kDay = 86'400 * kSecond;
-constexpr Nanos kFarthest =
-    4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, and so does a difference of two times
+/// 127 years: UTC seconds fit, and so does a difference of two times
+constexpr Nanos kFarthest = 4'000'000'000 * kSecond;
 constexpr int kGap = 10; ///< usual distances
-constexpr int kExact =
-    1000; ///< equal distances differ by less than this part of one, or a nanosecond of rounding
+/// Equal distances differ by less than this part of one, or a nanosecond of rounding.
+constexpr int kExact = 1000;
 constexpr std::size_t kShownField = 40;
 constexpr std::size_t kAtOnce = 512; ///< values of a channel
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -68,8 +68,8 @@ bool isCalled(std::string_view name, std::string_view known)
 constexpr Word<Nanos> kTimeUnits[] = {
     {"s", kSecond}, {"ms", 1'000'000}, {"us", 1000}, {"\u00b5s", 1000}, {"ns", 1}};
 
-/// The same of what may be the time: a unit of time may stand there without a blank, unlike one of a signal, whose name may
-/// end like `joint[0]`.
+/// The same of what may be the time: a unit of time may stand there without a blank, unlike one of a signal, whose name
+/// may end like `joint[0]`.
 std::pair<std::string, std::string> timeNameAndUnit(std::string_view heading)
 {
     auto [name, unit] = nameAndUnit(heading);
@@ -156,11 +156,11 @@ bool CsvImport::feed(std::string_view text)
         }
         text.remove_prefix(end + 1);
         if (m_rest.empty()) {
-            takeLine(part);
+            parseLine(part);
         } else {
             m_rest += part;
             const std::string line = std::exchange(m_rest, {});
-            takeLine(line);
+            parseLine(line);
         }
     }
     return !m_error;
@@ -170,7 +170,7 @@ bool CsvImport::finish()
 {
     if (!m_error && !m_rest.empty()) {
         const std::string line = std::exchange(m_rest, {});
-        takeLine(line);
+        parseLine(line);
     }
     settleAll();
     if (!m_error && m_rows == 0)
@@ -178,7 +178,7 @@ bool CsvImport::finish()
     return !m_error;
 }
 
-bool CsvImport::takeLine(std::string_view line)
+bool CsvImport::parseLine(std::string_view line)
 {
     ++m_line;
     if (m_line == 1 && line.starts_with(kByteOrderMark))
@@ -187,7 +187,7 @@ bool CsvImport::takeLine(std::string_view line)
         line.remove_suffix(1);
     if (trimmed(line).empty())
         return true; // an empty line ends many a file
-    return m_columns == 0 ? takeHeading(line) : takeRow(line);
+    return m_columns == 0 ? parseHeading(line) : parseRow(line);
 }
 
 /// A line into m_fields; quotes go, doubled ones become one.
@@ -244,7 +244,7 @@ bool CsvImport::splitQuoted(std::string_view line)
     return true;
 }
 
-bool CsvImport::takeHeading(std::string_view line)
+bool CsvImport::parseHeading(std::string_view line)
 {
     m_separator = separatorOf(line);
     if (!split(line))
@@ -294,7 +294,7 @@ std::string_view CsvImport::withPoint(std::string_view field)
     return m_scratch;
 }
 
-bool CsvImport::takeTime(std::string_view field, std::size_t column, Nanos &time)
+bool CsvImport::parseTime(std::string_view field, std::size_t column, Nanos &time)
 {
     field = withPoint(field);
     const auto exact = exactTime(field, m_timeUnit);
@@ -317,8 +317,8 @@ double CsvImport::number(std::string_view field)
     return value && std::isfinite(*value) ? *value : kUnknown;
 }
 
-/// The distance that three of four rows around this one, and itself, keep to. A few close rows or a few gaps do not change
-/// it, and rows that come in twos and threes have that of their longer pauses.
+/// The distance that three of four rows around this one, and itself, keep to. A few close rows or a few gaps do not
+/// change it, and rows that come in twos and threes have that of their longer pauses.
 Nanos CsvImport::usualAround(std::uint64_t row) const
 {
     const std::uint64_t from = row > kAround ? row - kAround : 1;
@@ -336,7 +336,8 @@ Nanos CsvImport::usualAround(std::uint64_t row) const
     return *usual;
 }
 
-/// Far from the row before; or at several times the usual distance, where rows come at equal ones: then rows are missing.
+/// Far from the row before; or at several times the usual distance, where rows come at equal ones: then rows are
+/// missing.
 bool CsvImport::isGap(std::uint64_t row, Nanos usual) const
 {
     const Nanos distance = m_distances[row % m_distances.size()];
@@ -397,14 +398,14 @@ void CsvImport::settleAll()
         store(i);
 }
 
-bool CsvImport::takeRow(std::string_view line)
+bool CsvImport::parseRow(std::string_view line)
 {
     if (!split(line))
         return false;
     if (m_fields.size() != m_columns)
         return fail(CsvError::What::OtherNumberOfFields, std::min(m_fields.size(), m_columns) + 1);
     Nanos time = 0;
-    if (!takeTime(trimmed(m_fields[m_timeColumn]), m_timeColumn + 1, time))
+    if (!parseTime(trimmed(m_fields[m_timeColumn]), m_timeColumn + 1, time))
         return false;
     time += m_midnights;
     if (m_rows > 0 && time < m_last && m_wrapsAtMidnight && m_last - time > kDay / 2) {

@@ -1,10 +1,11 @@
 // Comma-separated text into a capture, piece by piece. It reads what CsvWriter writes, in both dialects, to the last
-// digit; and the files of PlotJuggler (`__time` first) and of VESC Tool (`;`, `ms_today` in ms). Nothing is guessed from
-// the system's language: what separates fields is counted in the heading, and a comma within a number is its decimal
-// mark only where fields are separated by something else.
+// digit; and the files of PlotJuggler (`__time` first) and of VESC Tool (`;`, `ms_today` in ms). Nothing is guessed
+// from the system's language: what separates fields is counted in the heading, and a comma within a number is its
+// decimal mark only where fields are separated by something else.
 //
-// Each column but the time becomes a channel of values. Empty fields are gaps, and so are distances that stand out among
-// those of the rows around: docs/csv.md says when. So a row reaches the capture when some more have been read. Source of the foreign formats: headings as these programs write them.
+// Each column but the time becomes a channel of values. Empty fields are gaps, and so are distances that stand out
+// among those of the rows around: docs/csv.md says when. So a row reaches the capture when some more have been read.
+// Source of the foreign formats: headings as these programs write them.
 #pragma once
 
 #include "capture/capture.h"
@@ -44,7 +45,8 @@ public:
     {
     }
 
-    /// The next piece of the text, cut anywhere. False after the first error; the capture then holds the rows before it.
+    /// The next piece of the text, cut anywhere. False after the first error; the capture then holds the rows before
+    /// it.
     bool feed(std::string_view text);
     /// The text is over. False if there is an error.
     bool finish();
@@ -54,12 +56,12 @@ public:
     const std::vector<ChannelId> &channels() const { return m_channels; } ///< in the file's order
 
 private:
-    bool takeLine(std::string_view line);
-    bool takeHeading(std::string_view line);
-    bool takeRow(std::string_view line);
+    bool parseLine(std::string_view line);
+    bool parseHeading(std::string_view line);
+    bool parseRow(std::string_view line);
     bool split(std::string_view line);
     bool splitQuoted(std::string_view line);
-    bool takeTime(std::string_view field, std::size_t column, Nanos &time);
+    bool parseTime(std::string_view field, std::size_t column, Nanos &time);
     std::string_view withPoint(std::string_view field);
     double number(std::string_view field);
     void settle();

@@ -17,8 +17,8 @@ CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
         const auto load = [entries](std::size_t at) {
             return _mm_loadu_si128(reinterpret_cast<const __m128i *>(entries + at));
         };
-        __m128i low =
-            load(count - kInOne); // may overlap what comes: harmless, and no odd end is left
+        // May overlap what comes: harmless, and no odd end is left.
+        __m128i low = load(count - kInOne);
         __m128i high = low;
         for (std::size_t i = 0; i + kInOne < count; i += kInOne) {
             const __m128i next = load(i);
@@ -42,8 +42,8 @@ CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
 #ifdef __SSE2__
 constexpr std::size_t kTogether = 4;
 
-/// Of four registers with eight codes each, what `pick` leaves of each, side by side in the lower half of one: the four are
-/// interleaved, so that one `pick` halves them all.
+/// Of four registers with eight codes each, what `pick` leaves of each, side by side in the lower half of one: the four
+/// are interleaved, so that one `pick` halves them all.
 template <class Pick>
 __m128i reduceFour(const __m128i *of, Pick pick)
 {
@@ -117,13 +117,13 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
         }
         copy(high * kFanOut, to);
         if (opened) // not before: a wide load of what narrow stores have just written waits for them
-            ranges[low] = extremesOf16(samples + low * kFanOut);
+            ranges[low] = extremesOf(samples + low * kFanOut, kFanOut);
     } else
 #endif
     {
         copy(from, to);
         for (i = low; i < high; ++i)
-            ranges[i] = extremesOf16(samples + i * kFanOut);
+            ranges[i] = extremesOf(samples + i * kFanOut, kFanOut);
     }
     const CodeRange *finer = ranges;
     for (std::size_t level = 1; level < kLevels && high > low; ++level) {
@@ -138,8 +138,8 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
 
 CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
 {
-    // Climb: at each level only the ragged ends are read, the aligned middle is left to the next level. A few entries are
-    // read as they are: ends of varying length, each guessed wrong by the processor, cost more.
+    // Climb: at each level only the ragged ends are read, the aligned middle is left to the next level. A few entries
+    // are read as they are: ends of varying length, each guessed wrong by the processor, cost more.
     constexpr std::size_t kFew = 128;
     static_assert(kSliceSamples >> 4 * kLevels <= kFew, "the top level ends the climb");
     std::size_t low = (from + kFanOut - 1) / kFanOut;
@@ -169,7 +169,7 @@ void FastColumn::append(
         return;
     const bool follows = !m_broken && !m_segments.empty() && m_segments.back().base == base
         && m_segments.back().step == step && m_segments.back().tickOf(m_end) == tick;
-    if (m_end - m_chunkBase == m_chunks.size() * kChunkSamples)
+    if (m_end - m_begin == m_chunks.size() * kChunkSamples)
         addChunk(); // first, so that no segment stays empty where there is no memory for it
     if (!follows)
         m_segments.push_back({m_end, 0, tick, step, base});
@@ -181,8 +181,8 @@ void FastColumn::append(
 void FastColumn::appendCodes(std::span<const std::int16_t> codes)
 {
     while (!codes.empty()) {
-        const std::size_t used = static_cast<std::size_t>(m_end - m_chunkBase) % kChunkSamples;
-        if (m_end - m_chunkBase == m_chunks.size() * kChunkSamples)
+        const std::size_t used = inChunk(m_end);
+        if (m_end - m_begin == m_chunks.size() * kChunkSamples)
             addChunk();
         const std::size_t count = std::min(codes.size(), kChunkSamples - used);
         fill(codes.data(), used, used + count);
@@ -209,8 +209,7 @@ void FastColumn::addChunk()
 void FastColumn::handOver(std::vector<Stretch> &to)
 {
     assert(archivableBytes() > 0);
-    const Chunk &chunk =
-        *m_chunks[static_cast<std::size_t>(m_archived.handed() - m_chunkBase / kChunkSamples)];
+    const Chunk &chunk = chunkOf(toArchive());
     const auto bytesOf = [](const auto &part) {
         return std::shared_ptr<const std::byte>(
             part, reinterpret_cast<const std::byte *>(part.get()));
@@ -223,15 +222,14 @@ void FastColumn::handOver(std::vector<Stretch> &to)
 void FastColumn::place(Index first, std::span<const Stretch> where)
 {
     assert(where.size() == 2 && where[0].size == kSliceBytes);
-    if (first < m_chunkBase)
+    if (first < m_begin)
         return;
     const auto partOf = [&where]<class Entry>(std::size_t i, const Entry *) {
         const Stretch &part = where[i];
         return std::shared_ptr<const Entry[]>(
             part.data, reinterpret_cast<const Entry *>(part.data.get()));
     };
-    std::shared_ptr<Chunk> &old =
-        m_chunks[static_cast<std::size_t>(first - m_chunkBase) / kChunkSamples];
+    std::shared_ptr<Chunk> &old = m_chunks[chunkAt(first)];
     // Another one with the same extremes: copies of the column may be reading the old one.
     auto chunk = std::make_shared<Chunk>(*old);
     chunk->samples = partOf(0, static_cast<const std::int16_t *>(nullptr));
@@ -243,27 +241,23 @@ void FastColumn::place(Index first, std::span<const Stretch> where)
 std::int16_t FastColumn::at(Index index) const
 {
     assert(index >= m_begin && index < m_end);
-    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
-    return m_chunks[offset / kChunkSamples]->samples[offset % kChunkSamples];
+    return chunkOf(index).samples[inChunk(index)];
 }
 
 std::span<const std::int16_t> FastColumn::codes(Index index, std::size_t limit) const
 {
     if (index < m_begin || index >= m_end)
         return {};
-    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
-    const std::size_t inChunk = offset % kChunkSamples;
+    const std::size_t at = inChunk(index);
     const auto left = static_cast<std::size_t>(m_end - index);
-    const std::size_t count = std::min({limit, kChunkSamples - inChunk, left});
-    return {&m_chunks[offset / kChunkSamples]->samples[inChunk], count};
+    return {&chunkOf(index).samples[at], std::min({limit, kChunkSamples - at, left})};
 }
 
 CodeRange FastColumn::blockExtremes(Index index) const
 {
     static_assert(kBlockSamples == kFanOut * kFanOut, "an entry of the second level");
     assert(index % kBlockSamples == 0 && index >= m_begin && index + kBlockSamples <= m_end);
-    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
-    return m_chunks[offset / kChunkSamples]->level(1)[offset % kChunkSamples / kBlockSamples];
+    return chunkOf(index).level(1)[inChunk(index) / kBlockSamples];
 }
 
 CodeRange FastColumn::extremes(Index from, Index to) const
@@ -272,17 +266,15 @@ CodeRange FastColumn::extremes(Index from, Index to) const
     to = std::min(to, m_end);
     CodeRange range = CodeRange::nothing();
     while (from < to) {
-        const auto offset = static_cast<std::size_t>(from - m_chunkBase);
-        const std::size_t inChunk = offset % kChunkSamples;
-        const auto left = static_cast<std::size_t>(to - from);
-        const std::size_t count = std::min(left, kChunkSamples - inChunk);
-        range.include(m_chunks[offset / kChunkSamples]->extremes(inChunk, inChunk + count));
+        const std::size_t at = inChunk(from);
+        const auto count = static_cast<std::size_t>(std::min<Index>(to - from, kChunkSamples - at));
+        range.include(chunkOf(from).extremes(at, at + count));
         from += count;
     }
     return range;
 }
 
-std::size_t FastColumn::segmentOf(Index index) const
+std::size_t FastColumn::pieceOf(Index index) const
 {
     if (index < m_begin || index >= m_end)
         return m_segments.size();
@@ -318,12 +310,10 @@ void FastColumn::seek(Nanos wanted, Walk &walk) const
         walk.block *= kFanOut;
 }
 
-/// Index of the first sample at or after `time`, rounded to a multiple of the walk's block inside its segment.
-Index FastColumn::edge(double time, Walk &walk) const
+/// Index of the first sample from `wanted` on, rounded to a multiple of the walk's block inside its
+/// segment.
+Index FastColumn::edge(Nanos wanted, Walk &walk) const
 {
-    auto wanted = static_cast<Nanos>(time);
-    const double rest = time - static_cast<double>(wanted);
-    wanted += (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0); // as toNanos(), without a call
     if (!walk.known || wanted >= walk.next)
         seek(wanted, walk);
     const Segment &here = m_segments[walk.segment];
@@ -346,10 +336,9 @@ void FastColumn::releaseOldest()
     if (!canRelease())
         return;
     m_chunks.pop_front();
-    m_chunkBase += kChunkSamples;
-    m_archived.release(m_chunkBase / kChunkSamples);
-    m_begin = m_chunkBase;
-    const std::size_t keep = segmentOf(m_begin);
+    m_begin += kChunkSamples;
+    m_archived.release(m_begin / kChunkSamples);
+    const std::size_t keep = pieceOf(m_begin);
     m_segments.erase(m_segments.begin(), m_segments.begin() + static_cast<std::ptrdiff_t>(keep));
     Segment &front = m_segments.front();
     front.firstTick = front.tickOf(m_begin);

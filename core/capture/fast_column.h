@@ -27,8 +27,8 @@ namespace capture {
 /// Number of a sample in its column; keeps its meaning when old samples are released.
 using Index = std::uint64_t;
 
-/// Equal slices of time on a grid. Where one begins depends on its number alone: slices of two stretches of one grid are
-/// the same where both have them.
+/// Equal slices of time on a grid. Where one begins depends on its number alone: slices of two stretches of one grid
+/// are the same where both have them.
 struct Slices {
     double origin = 0.0; ///< seconds
     double width = 0.0; ///< seconds
@@ -100,8 +100,8 @@ std::size_t lastThatBegins(std::size_t low, std::size_t stride, std::size_t coun
     return low;
 }
 
-/// Which chunks of a column lie in an archive, or are on their way: always the oldest. Chunks are counted from the first
-/// one that the column ever had.
+/// Which chunks of a column lie in an archive, or are on their way: always the oldest. Chunks are counted from the
+/// first one that the column ever had.
 class ArchivedChunks {
 public:
     std::uint64_t handed() const { return m_handed; } ///< the oldest that is not even on its way
@@ -166,15 +166,17 @@ public:
     /// sequential reading.
     std::span<const std::int16_t> codes(Index index, std::size_t limit) const;
 
-    std::size_t segmentOf(
-        Index index) const; ///< the segment that holds it; segments().size() if none
+    std::size_t pieceOf(Index index) const; ///< the segment that holds it; pieces() if none
+    std::size_t pieces() const { return m_segments.size(); }
+    Nanos startOf(std::size_t piece) const { return m_segments[piece].start(); }
+    Nanos stopOf(std::size_t piece) const { return m_segments[piece].stop(); }
     /// First sample at or after `time`; end() if there is none.
     Index atOrAfter(Nanos time) const;
-    Nanos timeOf(Index index) const { return m_segments[segmentOf(index)].timeOf(index); }
+    Nanos timeOf(Index index) const { return m_segments[pieceOf(index)].timeOf(index); }
 
-    /// Extremes of slices. Their edges are rounded to blocks of the pyramid, by less than a sixteenth of a slice and never
-    /// across a gap: every sample is in exactly one slice. Those that are not at the end stay what they are while samples
-    /// are appended.
+    /// Extremes of slices. Their edges are rounded to blocks of the pyramid, by less than a sixteenth of a slice and
+    /// never across a gap: every sample is in exactly one slice. Those that are not at the end stay what they are while
+    /// samples are appended.
     /// @param visit  called with (slice, CodeRange) for the slices that hold samples, in order
     template <class Visit>
     void slices(const Slices &slices, Visit visit) const;
@@ -185,8 +187,8 @@ public:
 
     // The way into an archive: the oldest full chunk that is not on its way is handed over, and what was handed over
     // first is placed first. Copies made before go on reading where they did.
-    static constexpr std::size_t kArchivedBytes =
-        kSliceBytes + kSliceRanges * sizeof(CodeRange); ///< of a chunk
+    /// Of a chunk.
+    static constexpr std::size_t kArchivedBytes = kSliceBytes + kSliceRanges * sizeof(CodeRange);
     Index toArchive() const
     {
         return m_archived.handed() * kChunkSamples;
@@ -197,7 +199,7 @@ public:
     }
     std::uint64_t archivedBytes() const
     {
-        return m_archived.placedFrom(m_chunkBase / kChunkSamples) * kArchivedBytes;
+        return m_archived.placedFrom(m_begin / kChunkSamples) * kArchivedBytes;
     }
     static constexpr std::size_t chunkBytes() { return kArchivedBytes; } ///< of the next one
     /// Appends two stretches. Only if archivableBytes() is not 0.
@@ -234,24 +236,32 @@ private:
         Nanos next = 0; ///< start of the one behind it; the end of all times if there is none
         double perNano = 0.0; ///< samples
         double width = 0.0; ///< of a slice, in nanoseconds
-        std::uint64_t block =
-            1; ///< its edges are rounded to, as long as that is less than a sixteenth of a slice
+        /// Its edges are rounded to, as long as that is less than a sixteenth of a slice.
+        std::uint64_t block = 1;
     };
 
     void appendCodes(std::span<const std::int16_t> codes);
     void addChunk();
     /// Copies into [from, to) of the last chunk and builds the extremes that are complete with it.
     void fill(const std::int16_t *codes, std::size_t from, std::size_t to);
-    Index edge(double time, Walk &walk) const;
+    Index edge(Nanos wanted, Walk &walk) const;
     void seek(Nanos wanted, Walk &walk) const;
+    static std::size_t inChunk(Index index)
+    {
+        return static_cast<std::size_t>(index % kChunkSamples);
+    }
+    std::size_t chunkAt(Index index) const
+    {
+        return static_cast<std::size_t>((index - m_begin) / kChunkSamples);
+    }
+    const Chunk &chunkOf(Index index) const { return *m_chunks[chunkAt(index)]; }
 
     std::shared_ptr<SampleMemory> m_memory;
     std::deque<std::shared_ptr<Chunk>> m_chunks;
     std::int16_t *m_filledSamples = nullptr; ///< of the last chunk, for who appends
     CodeRange *m_filledRanges = nullptr;
     ArchivedChunks m_archived;
-    Index m_chunkBase = 0; ///< index of the first sample of the first chunk
-    Index m_begin = 0;
+    Index m_begin = 0; ///< of the first chunk
     Index m_end = 0;
     bool m_broken = false;
     std::vector<Segment> m_segments;
@@ -264,9 +274,9 @@ void FastColumn::slices(const Slices &slices, Visit visit) const
         return;
     Walk walk;
     walk.width = slices.width * kNanosPerSecond;
-    Index low = edge(slices.edge(0) * kNanosPerSecond, walk);
+    Index low = edge(toNanos(slices.edge(0)), walk);
     for (std::size_t i = 0; i < slices.count && low < m_end; ++i) {
-        const Index high = edge(slices.edge(i + 1) * kNanosPerSecond, walk);
+        const Index high = edge(toNanos(slices.edge(i + 1)), walk);
         if (high > low)
             visit(i, extremes(low, high));
         low = high;

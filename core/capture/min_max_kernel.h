@@ -59,14 +59,6 @@ inline CodeRange reduce(__m128i low, __m128i high)
 }
 } // namespace sse
 
-/// Extremes of exactly 16 codes: the inner loop of every append.
-inline CodeRange extremesOf16(const std::int16_t *codes)
-{
-    const __m128i a = sse::load(codes);
-    const __m128i b = sse::load(codes + 8);
-    return sse::reduce(_mm_min_epi16(a, b), _mm_max_epi16(a, b));
-}
-
 inline CodeRange extremesOf(const std::int16_t *codes, std::size_t count)
 {
     if (count < 8)
@@ -82,7 +74,6 @@ inline CodeRange extremesOf(const std::int16_t *codes, std::size_t count)
     return sse::reduce(_mm_min_epi16(low, tail), _mm_max_epi16(high, tail));
 }
 #else
-inline CodeRange extremesOf16(const std::int16_t *codes) { return extremesOfPlain(codes, 16); }
 inline CodeRange extremesOf(const std::int16_t *codes, std::size_t count)
 {
     return extremesOfPlain(codes, count);

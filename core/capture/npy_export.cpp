@@ -106,8 +106,8 @@ std::string NpyWriter::head() const
     text += "], 'fortran_order': False, 'shape': (" + std::to_string(rows()) + ",)}";
     const bool plain =
         text.size() < 60'000 && std::ranges::all_of(text, [](char c) { return (c & 0x80) == 0; });
-    const std::size_t width =
-        plain ? 2 : 4; // of the length of what follows; version 3.0 is in UTF-8
+    // Of the length of what follows; version 3.0 is in UTF-8.
+    const std::size_t width = plain ? 2 : 4;
     constexpr std::size_t kAligned = 64;
     while ((8 + width + text.size() + 1) % kAligned != 0)
         text += ' ';

@@ -1,6 +1,7 @@
 // A capture as one array of structures in NumPy's file format: `tick`, `seconds`, then a field for each signal in its
-// unit. A row is an instant at which any of the signals has a sample; NaN where a signal has none. Where samples of a fast
-// signal were lost, a row of NaN stands at the first lost instant, so that no line is drawn across. Source of the layout: numpy/lib/format.py, versions 1.0 and 3.0.
+// unit. A row is an instant at which any of the signals has a sample; NaN where a signal has none. Where samples of a
+// fast signal were lost, a row of NaN stands at the first lost instant, so that no line is drawn across. Source of the
+// layout: numpy/lib/format.py, versions 1.0 and 3.0.
 #pragma once
 
 #include "capture/rows.h"
@@ -23,7 +24,8 @@ public:
     {
         return m_tooLong;
     } ///< more numbers than that; there is nothing to write
-    /// Shows the next piece, about 1 MiB, good until the following call. False when all is written, or if it is too long.
+    /// Shows the next piece, about 1 MiB, good until the following call. False when all is written, or if it is too
+    /// long.
     bool next(std::string_view &bytes);
     double progress() const; ///< 0..1
     std::uint64_t rows() const { return m_rows.time.size() + m_gaps.size(); }

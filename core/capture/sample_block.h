@@ -29,8 +29,8 @@ struct StreamSignal {
 struct StreamLayout {
     StreamId id = 0; ///< a new one for each configuration that took effect
     double tickHz = 0.0;
-    double originSeconds =
-        0.0; ///< time of tick 0 on the session's axis; the same as long as the board is not reset
+    /// Time of tick 0 on the session's axis; the same as long as the board is not reset.
+    double originSeconds = 0.0;
     std::uint32_t fastStep = 1; ///< ticks between two fast samples
     std::vector<StreamSignal> fast;
     std::vector<StreamSignal> slow;
@@ -51,8 +51,8 @@ struct SampleBlock {
     StreamId stream = 0;
     Tick firstTick = 0;
     std::uint32_t count = 0; ///< samples a fast signal
-    std::vector<std::int16_t>
-        fast; ///< signal after signal: sample i of signal s is fast[s * count + i]
+    /// Signal after signal: sample i of signal s is fast[s * count + i].
+    std::vector<std::int16_t> fast;
     std::vector<SlowGroup> slow;
     Tick lostTicks = 0; ///< ticks missing before firstTick since the block before it of this stream
 };

@@ -1,8 +1,9 @@
 // Where the samples of fast columns and their finest extremes lie, in slices of fixed size. Slices are handed out from
-// arenas of two mebibytes, so that no slice is rounded up to pages. An arena holds slices of one size, and is given back
-// when the last of them is.
+// arenas of two mebibytes, so that no slice is rounded up to pages. An arena holds slices of one size, and is given
+// back when the last of them is.
 //
-// Used in one thread (the one that appends); slices may be let go in any. Others may put the arenas elsewhere, e.g. into a file.
+// Used in one thread (the one that appends); slices may be let go in any. Others may put the arenas elsewhere, e.g.
+// into a file.
 #pragma once
 
 #include "capture/min_max_kernel.h"

@@ -121,7 +121,7 @@ void ValueColumn::handOver(std::vector<Stretch> &to)
 
 void ValueColumn::place(Index first, std::span<const Stretch> where)
 {
-    if (first < m_begin)
+    if (first < begin())
         return;
     Chunk &chunk = m_chunks[static_cast<std::size_t>(first / kChunkSamples - m_released)];
     assert(where.size() == 1 && where[0].size == chunk.bytes());
@@ -146,37 +146,15 @@ void ValueColumn::endHere()
     run.holdUntil = std::min(run.holdUntil, m_lastTime + usual);
 }
 
-std::size_t ValueColumn::runOf(Index index) const
+std::size_t ValueColumn::pieceOf(Index index) const
 {
-    if (index < m_begin || index >= m_end)
+    if (index < begin() || index >= m_end)
         return m_runs.size();
     const auto after = std::ranges::upper_bound(m_runs, index, {}, &Run::first);
     return static_cast<std::size_t>(after - m_runs.begin()) - 1;
 }
 
-namespace {
-/// Index of the first of these rising times that is not before `time`. They begin before it and end at it or later.
-/// @param guess  about where it is: found in a few steps from there
-std::size_t firstFrom(std::span<const Nanos> times, Nanos time, std::size_t guess)
-{
-    std::size_t low = 0; // is before it
-    std::size_t high = times.size() - 1; // is not
-    const bool rises = times[guess] < time;
-    (rises ? low : high) = guess;
-    for (std::size_t reach = 1; reach < high - low; reach *= 4) {
-        const std::size_t probe = rises ? low + reach : high - reach;
-        const bool before = times[probe] < time;
-        (before ? low : high) = probe;
-        if (before != rises)
-            break;
-    }
-    const auto first = times.begin() + static_cast<std::ptrdiff_t>(low + 1);
-    const auto last = times.begin() + static_cast<std::ptrdiff_t>(high);
-    return static_cast<std::size_t>(std::lower_bound(first, last, time) - times.begin());
-}
-} // namespace
-
-Index ValueColumn::atOrAfter(Nanos time) const { return edge(time, m_begin, 0); }
+Index ValueColumn::atOrAfter(Nanos time) const { return edge(time, begin(), 0); }
 
 Index ValueColumn::edge(Nanos time, Index low, Nanos tolerance) const
 {
@@ -203,38 +181,24 @@ std::size_t ValueColumn::Chunk::atOrAfter(Nanos time, std::size_t count, Nanos t
     const Nanos last = timeOf(count - 1);
     if (last < time)
         return count;
-    // Most values come at about equal steps.
-    const double share = static_cast<double>(time - start) / static_cast<double>(last - start);
-    auto index = static_cast<std::size_t>(share * static_cast<double>(count - 1));
-    if (step == 0) {
-        index = firstFrom(std::span(times(), count), time, index);
+    std::size_t index = 0;
+    if (step == 0) { // most values come at about equal steps
+        const double share = static_cast<double>(time - start) / static_cast<double>(last - start);
+        const auto guess = static_cast<std::size_t>(share * static_cast<double>(count - 1));
+        index = 1 + lastThatBegins(0, std::max<std::size_t>(1, guess), count, [&](std::size_t i) {
+            return times()[i] < time;
+        });
     } else {
-        while (timeOf(index) >= time) // may be one off, by rounding
-            --index;
-        while (timeOf(index) < time)
-            ++index;
+        index = static_cast<std::size_t>((time - start + step - 1) / step);
     }
     // Rounded from where it is, not from the guess, which is another one when there are more values.
     const std::size_t block = (index + kBlockSamples / 2) / kBlockSamples * kBlockSamples;
     return block < count && std::abs(timeOf(block) - time) <= tolerance ? block : index;
 }
 
-std::size_t ValueColumn::read(Index index, std::span<Nanos> times, std::span<double> values) const
+ValueRange ValueColumn::extremes(Index from, Index to) const
 {
-    const Chunk &chunk = chunkOf(index);
-    const std::size_t from = inChunk(index);
-    const std::size_t count =
-        std::min({times.size(), kChunkSamples - from, static_cast<std::size_t>(m_end - index)});
-    for (std::size_t i = 0; i < count; ++i) {
-        times[i] = chunk.timeOf(from + i);
-        values[i] = valueIn(chunk, from + i);
-    }
-    return count;
-}
-
-ValueRange ValueColumn::valueExtremes(Index from, Index to) const
-{
-    from = std::max(from, m_begin);
+    from = std::max(from, begin());
     to = std::min(to, m_end);
     ValueRange range;
     while (from < to) {
@@ -284,12 +248,11 @@ void ValueColumn::releaseOldest()
     m_chunks.pop_front();
     ++m_released;
     m_archived.release(m_released);
-    m_begin = m_released * kChunkSamples;
-    const std::size_t keep = runOf(m_begin);
+    const std::size_t keep = pieceOf(begin());
     m_runs.erase(m_runs.begin(), m_runs.begin() + static_cast<std::ptrdiff_t>(keep));
     Run &front = m_runs.front();
-    front.count -= m_begin - front.first;
-    front.first = m_begin;
+    front.count -= begin() - front.first;
+    front.first = begin();
 }
 
 std::size_t ValueColumn::bytes() const

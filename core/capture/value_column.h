@@ -1,9 +1,10 @@
-// The samples of one slow or polled signal, or of a computed or imported one: an instant and a number each, in chunks with
-// the extremes of every 128, 512 and of all. A full chunk at equal steps keeps no instants, and one of values that repeat, as
-// all do that came from 16 bits, keeps their places in a table: 2.2 bytes a sample where both hold, else up to 16.
-// Values hold until the next one, at most to the end of their run.
+// The samples of one slow or polled signal, or of a computed or imported one: an instant and a number each, in chunks
+// with the extremes of every 128, 512 and of all. A full chunk at equal steps keeps no instants, and one of values that
+// repeat, as all do that came from 16 bits, keeps their places in a table: 2.2 bytes a sample where both hold, else up
+// to 16. Values hold until the next one, at most to the end of their run.
 //
-// A copy shares the samples and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an archive.
+// A copy shares the samples and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an
+// archive.
 #pragma once
 
 #include "capture/fast_column.h"
@@ -13,28 +14,20 @@
 
 namespace capture {
 
-/// Extremes of one drawing column, in the channel's unit; empty() where there is no sample.
-struct MinMax {
-    float min = std::numeric_limits<float>::infinity();
-    float max = -std::numeric_limits<float>::infinity();
+/// empty() where there is no sample.
+template <class T>
+struct Extremes {
+    T min = std::numeric_limits<T>::infinity();
+    T max = -std::numeric_limits<T>::infinity();
     bool empty() const { return min > max; }
-    void include(MinMax other)
+    void include(Extremes other)
     {
         min = std::min(min, other.min);
         max = std::max(max, other.max);
     }
 };
-
-/// Extremes of values as they are; min > max where there is none.
-struct ValueRange {
-    double min = std::numeric_limits<double>::infinity();
-    double max = -std::numeric_limits<double>::infinity();
-    void include(ValueRange other)
-    {
-        min = std::min(min, other.min);
-        max = std::max(max, other.max);
-    }
-};
+using MinMax = Extremes<float>; ///< of one drawing column, in the channel's unit
+using ValueRange = Extremes<double>; ///< of values as they are
 
 /// Values without a gap between them.
 struct Run {
@@ -50,8 +43,8 @@ public:
     static constexpr std::size_t kBlockSamples = 128; ///< with extremes of their own
     static constexpr std::size_t kMostSampleBytes = sizeof(Nanos) + sizeof(double);
 
-    bool empty() const { return m_begin == m_end; }
-    Index begin() const { return m_begin; }
+    bool empty() const { return begin() == m_end; }
+    Index begin() const { return m_released * kChunkSamples; }
     Index end() const { return m_end; }
     const std::vector<Run> &runs() const { return m_runs; }
 
@@ -71,28 +64,28 @@ public:
 
     /// The next value starts a new run.
     void breakHere() { m_broken = true; }
-    /// The same where nobody asks any more: the last value holds no longer than the one before it did.
+    /// The same where polling has ended: the last value holds no longer than the one before it did.
     void endHere();
 
     Nanos lastTime() const { return m_lastTime; } ///< of the newest value; 0 if there is none
     Nanos timeOf(Index index) const { return chunkOf(index).timeOf(inChunk(index)); }
     double at(Index index) const { return valueIn(chunkOf(index), inChunk(index)); }
-    std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
+    std::size_t pieceOf(Index index) const; ///< the run that holds it; pieces() if none
+    std::size_t pieces() const { return m_runs.size(); }
+    Nanos startOf(std::size_t piece) const { return timeOf(m_runs[piece].first); }
+    Nanos stopOf(std::size_t piece) const { return m_runs[piece].holdUntil; }
 
     Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
-    /// As many from `index` on as there is room for, at most to the end of a chunk; how many these are.
-    /// @param values  as many as `times`
-    std::size_t read(Index index, std::span<Nanos> times, std::span<double> values) const;
     /// Of [from, to), clipped to what is kept. Cost: a read a chunk, and some of its two ends.
-    ValueRange valueExtremes(Index from, Index to) const;
+    ValueRange extremes(Index from, Index to) const;
     /// Of the whole block that begins there; all of it has to be there. Cost: no sample is read.
     const ValueRange &blockExtremes(Index from) const
     {
         return chunkOf(from).ranges[static_cast<std::ptrdiff_t>(inChunk(from) / kBlockSamples)];
     }
 
-    /// Extremes of slices, as of a FastColumn: edges are rounded by less than a sixteenth of a slice, and every value is in
-    /// exactly one.
+    /// Extremes of slices, as of a FastColumn: edges are rounded by less than a sixteenth of a slice, and every value
+    /// is in exactly one.
     /// @param visit  called with (slice, ValueRange) for the slices that hold values, in order
     template <class Visit>
     void slices(const Slices &slices, Visit visit) const;
@@ -115,8 +108,8 @@ private:
     static constexpr std::size_t kFanOut = 4;
     struct Chunk {
         Nanos start = 0; ///< of its first sample: a search touches one chunk's samples only
-        Nanos step =
-            0; ///< from each to the next; 0: the instants are written down, before the values
+        /// From each to the next; 0: the instants are written down, before the values.
+        Nanos step = 0;
         bool coded = false; ///< values are places in the table
         bool settled = false; ///< it is full, and the next two are there
         ValueRange all;
@@ -147,8 +140,8 @@ private:
         std::size_t atOrAfter(Nanos time, std::size_t count, Nanos tolerance) const;
     };
     void addChunk(Nanos start);
-    /// First value at or after `time`, not before `low`; or where a block begins, if that is no farther from `time` than
-    /// `tolerance`.
+    /// First value at or after `time`, not before `low`; or where a block begins, if that is no farther from `time`
+    /// than `tolerance`.
     Index edge(Nanos time, Index low, Nanos tolerance) const;
     void measure(std::size_t block); ///< of the last chunk: whole now
     void settle(); ///< the last chunk, which is full, in as few bytes as it takes
@@ -177,7 +170,6 @@ private:
     ArchivedChunks m_archived;
     Nanos m_lastTime = 0;
     Index m_released = 0; ///< chunks let go
-    Index m_begin = 0;
     Index m_end = 0;
     bool m_broken = true;
     std::vector<Run> m_runs;
@@ -190,11 +182,11 @@ void ValueColumn::slices(const Slices &slices, Visit visit) const
         return;
     constexpr double kRounding = 1.0 / 16;
     const auto tolerance = static_cast<Nanos>(slices.width * kRounding * kNanosPerSecond);
-    Index low = edge(toNanos(slices.edge(0)), m_begin, tolerance);
+    Index low = edge(toNanos(slices.edge(0)), begin(), tolerance);
     for (std::size_t i = 0; i < slices.count && low < m_end; ++i) {
         const Index high = edge(toNanos(slices.edge(i + 1)), low, tolerance);
         if (high > low)
-            visit(i, valueExtremes(low, high));
+            visit(i, extremes(low, high));
         low = high;
     }
 }

@@ -1,5 +1,6 @@
-// Up to 65,536 different values, each with a code of 16 bits: what came from 16 bits, whatever it was scaled with and however it
-// was written down since, has no more. Values keep their bits. One may add while others read what they know the codes of.
+// Up to 65,536 different values, each with a code of 16 bits: what came from 16 bits, whatever it was scaled with and
+// however it was written down since, has no more. Values keep their bits. One may add while others read what they know
+// the codes of.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +28,11 @@ private:
     void spread(std::size_t places);
     std::size_t placeOf(std::uint64_t bits) const;
 
-    // As large as it may become: nobody who reads has it moved, and pages that nothing is written to are none.
+    // As large as it may become: it never moves under a reader, and unwritten pages take no memory.
     std::unique_ptr<double[]> m_values = std::make_unique_for_overwrite<double[]>(kMost);
     std::size_t m_size = 0;
-    std::vector<std::uint32_t>
-        m_places; ///< by a hash of the bits: a code and one; 0: free. A power of two, half empty
+    /// By a hash of the bits: a code and one; 0: free. A power of two, half empty.
+    std::vector<std::uint32_t> m_places;
 };
 
 } // namespace capture

@@ -104,7 +104,7 @@ void WavWriter::findRuns(Nanos from, Nanos to)
         for (const Channel *channel : m_channels) {
             const FastColumn &column = *channel->fast();
             const Index first = column.atOrAfter(start);
-            const Segment &segment = column.segments()[column.segmentOf(first)];
+            const Segment &segment = column.segments()[column.pieceOf(first)];
             run.first.push_back(first);
             run.count = std::min(run.count, segment.end() - first);
             stop = std::min(stop, segment.stop());
@@ -122,7 +122,7 @@ void WavWriter::addRun(Nanos start, Run run)
     if (gap && m_gaps.size() < kMostCues)
         m_gaps.push_back({m_frames, start - m_end});
     const FastColumn &column = *m_channels.front()->fast();
-    const Segment &segment = column.segments()[column.segmentOf(run.first.front())];
+    const Segment &segment = column.segments()[column.pieceOf(run.first.front())];
     m_end = segment.timeOf(run.first.front() + run.count);
     m_frames += run.count;
     m_runs.push_back(std::move(run));

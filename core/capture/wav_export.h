@@ -2,9 +2,9 @@
 // as the board sent them, at the rate of the samples. Made piece by piece from a snapshot.
 //
 // WAV knows no gap and no unit. Where samples are missing the next ones follow at once, with a cue point that says how
-// long the gap was; nothing is filled in. Names, units and factors stand in the INFO list as a comment. Only instants at
-// which every channel has a sample are written. Source of the layout: RIFF, "Multimedia Programming Interface and Data
-// Specifications 1.0" (IBM, Microsoft 1991).
+// long the gap was; nothing is filled in. Names, units and factors stand in the INFO list as a comment. Only instants
+// at which every channel has a sample are written. Source of the layout: RIFF, "Multimedia Programming Interface and
+// Data Specifications 1.0" (IBM, Microsoft 1991).
 #pragma once
 
 #include "capture/capture.h"

@@ -32,10 +32,12 @@ std::string upper(std::string_view text)
     return result;
 }
 
-Catalog::Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales)
+Catalog::Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales,
+    const StartRegisters &start)
     : m_registers(std::move(registers))
     , m_motors(std::clamp(motors, 1, static_cast<int>(kMotorBits)))
     , m_scales(std::move(scales))
+    , m_start(start)
 {
     m_scales.resize(static_cast<std::size_t>(m_motors));
     for (std::size_t i = 0; i < m_registers.size(); ++i) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "base/result.h"
+#include "catalog/control_mode.h"
 #include "catalog/csv.h"
 #include "catalog/register_info.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,18 +23,27 @@ struct Scales {
     double voltsPerDigit = 0.0;
     double hertzPerDigit = 0.0; ///< of Frequency: only where values are per unit
     double rpmPerSpeedDigit = 6.0; ///< of SpeedTenthHz in the datalog: 0.1 Hz = 6 rpm
-    double rpmPerReadDigit =
-        6.0; ///< of the same registers when read one by one (differs up to firmware 6.3)
+    /// Of the same registers when read one by one (differs up to firmware 6.3).
+    double rpmPerReadDigit = 6.0;
     bool operator==(const Scales &) const = default;
+};
+
+/// Which registers say where a START goes, by name: of each kind the first that a board has. What is followed in the
+/// end, not the ramp on the way to it; `ramp` is the last one, s32 rpm and u16 ms.
+struct StartRegisters {
+    std::array<std::string_view, 2> mode, ramp, speed, current;
+    ControlMode (*controlOf)(std::int64_t mode) = controlModeOf;
 };
 
 class Catalog {
 public:
     Catalog() = default;
-    Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales);
+    Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales,
+        const StartRegisters &start = {});
 
     const std::vector<RegisterInfo> &registers() const { return m_registers; }
     int motors() const { return m_motors; }
+    const StartRegisters &start() const { return m_start; }
 
     /// The register an id (with motor) belongs to; nullptr if the table does not have it.
     const RegisterInfo *find(RegisterId id) const;
@@ -62,6 +73,7 @@ private:
     std::vector<RegisterInfo> m_registers;
     int m_motors = 1;
     std::vector<Scales> m_scales; ///< one a motor
+    StartRegisters m_start;
     std::unordered_map<RegisterId, std::size_t> m_byId;
     std::unordered_map<std::string, std::size_t> m_byName; ///< upper case, aliases included
 };
@@ -75,8 +87,8 @@ std::string upper(std::string_view text);
 Result<std::vector<RegisterInfo>, TableError> readTable(
     std::string_view csv, std::string_view family, std::uint32_t version);
 
-/// The CSV text of `resources/registers/<name>.csv`, built into the library so that core needs no file access; an empty view
-/// if there is none.
+/// The CSV text of `resources/registers/<name>.csv`, built into the library so that core needs no file access; an empty
+/// view if there is none.
 std::string_view builtInTable(std::string_view name);
 
 } // namespace catalog

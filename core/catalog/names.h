@@ -1,6 +1,6 @@
 // Names of numbers: states, modes, faults and configuration flags, in English. Those in capitals are the firmware's own
-// words; a window may translate the others. And what kind of fault stands behind a name, so that a window can explain it
-// whatever the protocol. Facts: firmware 6.0 to 6.4.2.
+// words; a window may translate the others. And what kind of fault stands behind a name, so that a window can explain
+// it whatever the protocol. Facts: firmware 6.0 to 6.4.2.
 #pragma once
 
 #include <cstdint>

@@ -45,7 +45,7 @@ enum class Effect : std::uint8_t {
     Kept, ///< a parameter: gains, limits, stages of a start-up. Nothing else is ever brought back from a file
     Reference, ///< what a motor or an output follows: set-points, ramps
     Mode, ///< what the control of a motor follows
-    Unbounded, ///< drives a motor by what no limit of speed or current holds: a voltage, a duty, an angle, another source
+    Unbounded, ///< drives a motor by what no limit of speed or current holds: a voltage, a duty, an angle
     Command, ///< makes the firmware begin something: its state machine, a profile, a search
     Board, ///< the board itself: its memory, a reset, its link
 };
@@ -84,8 +84,8 @@ struct RegisterInfo {
     int fractionBits = 0; ///< fixed point: the number is raw / 2^fractionBits; 0 for whole digits
     /// Every number it can have, where the wire has other digits for them; empty: it has the number itself.
     std::vector<WireDigits> wire;
-    bool streamsUpperHalf =
-        false; ///< a 32-bit register of which the stream carries the upper 16 bits
+    /// A 32-bit register of which the stream carries the upper 16 bits.
+    bool streamsUpperHalf = false;
     bool perMotor = true; ///< false: one for the whole board, addressed without a motor
     bool stub = false; ///< answers without effect or with left-overs: never polled
     bool dangerous = false; ///< a write can move or harm something at once

@@ -262,8 +262,8 @@ Result<std::vector<RegisterInfo>, TableError> readTable(
         const auto wanted = reader.isFor((*rows)[i], family, version);
         if (!wanted)
             return fail(wanted.error());
-        const auto info =
-            reader.read((*rows)[i]); // also where not wanted: a bad row is an error for every board
+        // Also where not wanted: a bad row is an error for every board.
+        const auto info = reader.read((*rows)[i]);
         if (!info)
             return fail(info.error());
         if (*wanted)

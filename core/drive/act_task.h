@@ -1,6 +1,6 @@
-// An act on a motor: what the board holds of it is read, then the act is judged, then its requests leave, in their order and
-// each once. One whose answer is lost ends it Unknown (NotSent, if the link can tell that the board did nothing), and the
-// state is read instead: an act is never carried out twice.
+// An act on a motor: what the board holds of it is read, then the act is judged, then its requests leave, in their
+// order and each once. One whose answer is lost ends it Unknown (NotSent, if the link can tell that the board did
+// nothing), and the state is read instead: an act is never carried out twice.
 #pragma once
 
 #include "drive/reader.h"
@@ -37,7 +37,8 @@ protected:
     virtual std::vector<RegisterId> needs() const { return {}; }
     /// Why it is not sent where one of them was never answered.
     virtual std::string unread() const { return "no answer"; }
-    /// Gives the requests, with what was read; none: it is done. @return  why it must not be; empty if it may, or was ended here
+    /// Gives the requests, with what was read; none: it is done. @return  why it must not be; empty if it may, or was
+    /// ended here
     virtual std::string plan() = 0;
     void request(Request one) { m_requests.push_back(std::move(one)); }
 

@@ -1,15 +1,15 @@
 // Drive for a serial line whose protocol is not told. It tries the protocols one after the other and stays
 // with the first whose board answers; from then on it is that protocol's drive, until disconnect().
 //
-// Order and why: first ASPEP, because the four bytes of its BEACON mean nothing to a board of the older protocol (a length
-// that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was. Then the
-// older protocol, which begins with reads alone. In the first round the BEACONs end after a second: a board that is there
-// and free answers the first. One that was left within a request needs many, and one that boots when the port opens may
-// be silent for seconds: therefore ASPEP is tried once more behind the others before no answer is reported.
-// Nothing that could move a motor is sent until the board is known.
+// Order and why: first ASPEP, because the four bytes of its BEACON mean nothing to a board of the older protocol (a
+// length that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was.
+// Then the older protocol, which begins with reads alone. In the first round the BEACONs end after a second: a board
+// that is there and free answers the first. One that was left within a request needs many, and one that boots when the
+// port opens may be silent for seconds: therefore ASPEP is tried once more behind the others before no answer is
+// reported. Nothing that could move a motor is sent until the board is known.
 //
-// A board that refuses in the frames of another protocol has proved which one it speaks: that is tried next, and nothing
-// else as long as its answers go on to prove it.
+// A board that refuses in the frames of another protocol has proved which one it speaks: that is tried next, and
+// nothing else as long as its answers go on to prove it.
 //
 // A stop that is asked for before a board has answered goes out in every protocol: while it is sent blind, the
 // candidates take turns, each with its own way of a stop without a link; then each stops what it finds.
@@ -33,7 +33,7 @@ std::optional<StopWord> wordIn(const Event &event)
 {
     if (const auto *progress = std::get_if<StopProgress>(&event))
         return progress->word;
-    const auto *record = std::get_if<MotionRecord>(&event);
+    const auto *record = std::get_if<MotionEntry>(&event);
     return record != nullptr ? record->stop : std::nullopt;
 }
 
@@ -180,7 +180,7 @@ private:
     void takeTurn(TimePoint now);
     void sift(TimePoint now);
     std::optional<LinkReason> siftLink(const LinkChanged &change); ///< why the candidate has failed
-    void takeProof(LinkReason reason);
+    void acceptProof(LinkReason reason);
     void afterFailure(LinkReason reason, TimePoint now);
 
     std::vector<const ProtocolRow *> m_candidates;
@@ -246,7 +246,7 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
     m_repeating = false;
 }
 
-/// It knows what the one before knew of the line.
+/// It starts with what the one before had found out of the line.
 std::unique_ptr<Drive> AutoDrive::make(std::size_t which, bool hasty) const
 {
     auto drive = m_candidates[which]->make(m_options, hasty ? Search::Hasty : Search::Patient);
@@ -361,7 +361,7 @@ void AutoDrive::sift(TimePoint now)
 }
 
 /// One that is led elsewhere twice in a round, by noise or by two boards, is proved nothing.
-void AutoDrive::takeProof(LinkReason reason)
+void AutoDrive::acceptProof(LinkReason reason)
 {
     const auto proven = std::ranges::find_if(
         m_candidates, [&](const ProtocolRow *row) { return isProof(*row, reason); });
@@ -384,7 +384,7 @@ void AutoDrive::takeProof(LinkReason reason)
 
 void AutoDrive::afterFailure(LinkReason reason, TimePoint now)
 {
-    takeProof(reason);
+    acceptProof(reason);
     if (!m_plan.empty())
         return tryNext(now);
     // No answer in any protocol: told once a round, and tried again.

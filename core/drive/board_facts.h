@@ -1,5 +1,5 @@
-// What a drive knows of the board at its other end whatever the protocol: motors, registers, scales, limits, what it can
-// do. Plain data; filled by the identification, read by everybody else.
+// What a drive knows of the board at its other end whatever the protocol: motors, registers, scales, limits, what it
+// can do. Plain data; filled by the identification, read by the other parts.
 #pragma once
 
 #include "catalog/catalog.h"
@@ -19,8 +19,6 @@ inline constexpr const char *kNoCurrentScale =
     "The board does not tell its current scale: enter it first.";
 inline constexpr const char *kNoCycle =
     "Boards of this protocol take each set-point as a request of its own.";
-/// Digits of the full-scale current: those of firmware's 16-bit fractions.
-inline constexpr double kFullScaleDigits = 32768.0;
 
 /// All features, none of which is there.
 inline std::vector<Capability> noFeatures(const std::string &reason)
@@ -31,8 +29,8 @@ inline std::vector<Capability> noFeatures(const std::string &reason)
     return all;
 }
 
-/// What a round of watched registers has read a moment ago. A parameter is not asked for once more before it is written:
-/// nobody but this drive writes it, and firmware leaves parameters alone.
+/// What a round of watched registers has read a moment ago. A parameter is not asked for once more before it is
+/// written: only this drive writes it, and firmware leaves parameters alone.
 struct LatelyRead {
     static constexpr Duration kHolds = std::chrono::milliseconds(250); ///< from `asked` on
     Value value;

@@ -1,6 +1,6 @@
-// Reads the watched registers one by one, on a line where nothing comes by itself: those that are drawn (Watch::drawn) as
-// often as the link gives, each in its turn, the others once a period. What the build does not have is reported once and left
-// out from then on. Decides only what is asked next; the owner of the link decides when.
+// Reads the watched registers one by one, on a line where nothing comes by itself: those that are drawn (Watch::drawn)
+// as often as the link gives, each in its turn, the others once a period. What the build does not have is reported once
+// and left out from then on. Decides only what is asked next; the owner of the link decides when.
 #pragma once
 
 #include "drive/reader.h"

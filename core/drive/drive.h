@@ -5,23 +5,24 @@
 // A drive is made read-only. Until arm() it has no way to write: wishes that write or move end NotSent.
 #pragma once
 
-#include "aspep/packet.h"
 #include "base/output.h"
 #include "drive/event.h"
 #include "drive/protocol.h"
 #include "drive/wish.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace drive {
 
-/// What is known of the board at a line from when it was heard last. A stop needs it where nothing is heard any more; it
-/// outlives the link, the drive and the port.
+/// What is known of the board at a line from when it was heard last. A stop needs it where nothing is heard any more;
+/// it outlives the link, the drive and the port.
 struct LineMemory {
     std::optional<Protocol> spoken{}; ///< where the drive had to find out
     int motors = 1;
-    std::optional<aspep::Beacon> agreed{}; ///< of MCP over ASPEP; a board takes no wider one
+    /// The four bytes of a link that was agreed on, in its protocol's own words; a board takes no wider one.
+    std::optional<std::array<std::uint8_t, 4>> agreed{};
 };
 
 class Drive {
@@ -39,8 +40,8 @@ public:
     virtual void receive(ByteView bytes, TimePoint now) = 0;
     virtual void handleTimeout(TimePoint now) = 0; ///< early or repeated calls do nothing
     virtual void handleSent(TimePoint now) = 0; ///< all output taken so far has left
-    /// An edge of the line by which the board says that it is ready for the next output; where there is none it is never
-    /// called.
+    /// An edge of the line by which the board says that it is ready for the next output; where there is none it is
+    /// never called.
     virtual void handleReady(bool /*high*/, TimePoint) { }
     [[nodiscard]] virtual std::vector<Output> takeOutput() = 0;
     [[nodiscard]] virtual std::vector<Event> takeEvents() = 0;
@@ -62,11 +63,11 @@ public:
     virtual void arm() = 0;
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
-    /// How long what comes may be gathered before it is given to receive(): some milliseconds where a board streams by itself,
-    /// each of its motors was seen idle, and nothing is armed or being stopped. Zero: not at all.
+    /// How long what comes may be gathered before it is given to receive(): some milliseconds where a board streams by
+    /// itself, each of its motors was seen idle, and nothing is armed or being stopped. Zero: not at all.
     virtual Duration gathersFor() const { return {}; }
-    /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the
-    /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
+    /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the link as
+    /// Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint) { disarm(); }
 
     /// From the drive that had this line before; ahead of connect(). It is for a stop that nothing answers.

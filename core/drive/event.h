@@ -4,10 +4,11 @@
 #include "base/time.h"
 #include "capture/sample_block.h"
 #include "catalog/catalog.h"
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 #include "drive/wish.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,8 +49,8 @@ struct LinkChanged {
 
 /// What the board said of itself. Text is the device's: never format or rich text.
 struct Identity {
-    std::string
-        protocol; ///< for people, e.g. "MCP over ASPEP 6.4.0": comes from core, shown as it is
+    /// For people, e.g. "MCP over ASPEP 6.4.0": comes from core, shown as it is.
+    std::string protocol;
     std::string firmware; ///< name
     std::string version; ///< e.g. "6.4.0"
     std::string controlBoard;
@@ -72,6 +73,8 @@ struct MotorLimits {
     double polePairs = 0.0;
     double torquePerAmp = 0.0; ///< N m for each A of Iq
     double speedStepRpm = 1.0; ///< what a set-point of speed resolves, or what people ask for
+    /// The greatest speed that the protocol holds.
+    double wireRpm = std::numeric_limits<double>::infinity();
 };
 
 /// What can be streamed, and what the link can carry.
@@ -184,8 +187,8 @@ struct MotorStatus {
     std::vector<std::string> faultsNow; ///< by name, present
     std::vector<std::string> faultsPast; ///< occurred and not acknowledged
     std::optional<double> speedRpm;
-    /// Whether an encoder or Hall sensors tell the speed, also of a rotor that nothing drives. An observer does not: without
-    /// voltages it sees nothing. Empty: not known yet.
+    /// Whether an encoder or Hall sensors tell the speed, also of a rotor that nothing drives. An observer does not:
+    /// without voltages it sees nothing. Empty: not known yet.
     std::optional<bool> speedMeasured = {};
     TimePoint at;
     TimePoint asked = {}; ///< when the reading began: it is no older than that; 0: not known
@@ -201,8 +204,8 @@ struct CyclicSetPointsChanged {
     bool on = false;
 };
 
-/// The four words of a stop, each with its own evidence, and the alarm when there is none. The last word is MayCoast, and
-/// never Standstill, where nothing measures the speed of a rotor that is not driven.
+/// The four words of a stop, each with its own evidence, and the alarm when there is none. The last word is MayCoast,
+/// and never Standstill, where nothing measures the speed of a rotor that is not driven.
 enum class StopWord : std::uint8_t {
     Requested,
     Accepted,
@@ -233,6 +236,6 @@ struct LinkCounters {
 
 using Event =
     std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus, StreamStarted,
-        CyclicSetPointsChanged, capture::SampleBlock, StopProgress, LinkCounters, MotionRecord>;
+        CyclicSetPointsChanged, capture::SampleBlock, StopProgress, LinkCounters, MotionEntry>;
 
 } // namespace drive

@@ -15,7 +15,7 @@ std::vector<MotionCaution> cautionsOf(const SetPoint &to, const MotionScene &sce
     const bool vector = to.feature == Feature::CurrentReference;
     const auto first = torque ? scene.iqReferenceAmps : scene.speedReferenceRpm;
     const auto second = vector ? scene.idReferenceAmps : std::optional(0.0);
-    std::optional<double> length; // of the step; empty: it comes from nobody knows where
+    std::optional<double> length; // of the step; empty: where it begins is unknown
     bool agreed = false; // both set-points lie within it, and then no step between them surprises
     if (first && second) {
         const double most = torque ? scene.agreedAmps : scene.agreedRpm;

@@ -14,12 +14,12 @@ namespace drive {
 enum class MotionCaution : std::uint8_t {
     FirstStart, ///< the first START of this motor since the board was met
     Step, ///< a set-point that moves by more than a fifth of its limit
-    StepFromUnknown, ///< one that moves by nobody knows how much
+    StepFromUnknown, ///< one that moves by an unknown amount
     Reversal, ///< the other way, or torque against the turning, while the rotor turns
     Position, ///< the shaft goes to an angle, wherever it is now
     NoSpeedLimit, ///< torque control, in which nothing keeps the speed within the user's own limit
     OtherMode, ///< speed control becomes torque control or back, while the motor is driven
-    UnknownMode, ///< nobody knows whether it does
+    UnknownMode, ///< whether it does is unknown
     EndsExperiment, ///< a motor that is moved by itself is taken over
 };
 

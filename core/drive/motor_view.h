@@ -1,6 +1,6 @@
-// What a board says of one motor and of how it drives it: the structures it describes itself with, as named members with
-// units, and the few facts that tuning starts from. Neutral: which bytes hold what is known behind this header only.
-// Pure functions; they ask for nothing.
+// What a board says of one motor and of how it drives it: the structures it describes itself with, as named members
+// with units, and the few facts that tuning starts from. Neutral: which bytes hold what is known behind this header
+// only. Pure functions; they ask for nothing.
 #pragma once
 
 #include "drive/event.h"
@@ -26,8 +26,8 @@ struct MotorFacts {
     /// How late the measured speed is with the average that ST's generator takes for the board's sensor: half its
     /// length. No board tells the one that it was built with.
     double speedDelay_s = 0.0;
-    double bandwidthGuide_radps =
-        0.0; ///< of the current loop: ST's advice for how the board measures currents
+    /// Of the current loop: ST's advice for how the board measures currents.
+    double bandwidthGuide_radps = 0.0;
     bool sixStep = false;
     /// The sensor that knows the angle at rest, by which the drive starts; empty: by a rev-up, or not known.
     std::string angleSensor;
@@ -37,16 +37,17 @@ struct MotorFacts {
 
 /// One member of a structure.
 struct StructureField {
-    std::string key; ///< core's own word, unique in its structure, e.g. "pole pairs"
+    std::string key; ///< core's own word, unique among all of them, e.g. "pole pairs"
     std::string unit; ///< empty: a count, a name, flags
     Value value; ///< a whole number, a floating-point one or a text, in that unit
     bool flags = false;
-    std::vector<std::string>
-        names; ///< of the bits that are set, or the one of an enumeration's value
+    /// Of the bits that are set, or the one of an enumeration's value.
+    std::vector<std::string> names;
 };
 
 /// One structure; without members where it was not read or has an unknown length.
 struct StructureView {
+    enum class Of : std::uint8_t { Motor, Limits, Firmware, Scales, Board } of{};
     RegisterId id = 0; ///< of this motor
     std::string name; ///< of the register
     bool writable = false;
@@ -68,7 +69,7 @@ motor::MotorSheet sheetOf(const MotorFacts &facts);
 /// The same as what a gain plan starts from.
 motor::GainPlant gainPlant(const MotorFacts &facts);
 
-/// In the order motor, application, firmware, scales, board.
+/// In the order of StructureView::Of.
 std::vector<StructureView> motorStructures(
     const catalog::Catalog &catalog, int motor, const ValueSource &known);
 

@@ -1,5 +1,5 @@
-// The protocols, a row each: the one list of them. The window, the command line, the simulated boards and Protocol::Auto
-// choose from it. A protocol more is a folder below this one, and a row.
+// The protocols, a row each: the one list of them. The window, the command line, the simulated boards and
+// Protocol::Auto choose from it. A protocol more is a folder below this one, and a row.
 #pragma once
 
 #include "drive/drive.h"

@@ -1,4 +1,5 @@
-// Reads a list of registers, as many a request as the protocol can. What is lost is asked for again, until it is given up.
+// Reads a list of registers, as many a request as the protocol can. What is lost is asked for again, until it is given
+// up.
 #pragma once
 
 #include "drive/board_facts.h"

@@ -22,7 +22,8 @@ public:
 
     void watch(const Watch &watch, TimePoint now);
     void restart(TimePoint now); ///< a new connection: absent registers are asked again, once
-    /// Nothing is driven and nobody may write: numbers to be read by eye come five times a second, what is drawn as ever.
+    /// No motor is driven and no write is allowed: numbers are read five times a second, what is drawn at the full
+    /// rate.
     void setAtRest(bool atRest) { m_atRest = atRest; }
     /// When the next round begins; nothing if there is none.
     std::optional<TimePoint> due() const

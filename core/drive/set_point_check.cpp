@@ -99,8 +99,10 @@ std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
 {
     if (auto why = refuseSpeed(board, motor, rpm); !why.empty())
         return why;
-    return std::abs(rpm) > kGreatestWireRpm ? "beyond the 32767 rpm that this protocol can hold"
-                                            : "";
+    const double most = board.limitsOf(motor).wireRpm;
+    return std::abs(rpm) > most
+        ? "beyond the " + shortNumber(most) + " rpm that this protocol can hold"
+        : "";
 }
 
 std::string refuseStages(const BoardFacts &board, int motor, ByteView raw)

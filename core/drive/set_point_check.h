@@ -13,12 +13,10 @@
 
 namespace drive {
 
-/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
-constexpr double kGreatestWireRpm = 32767.0;
 /// What every protocol can hold.
 constexpr std::chrono::milliseconds kLongestRamp{65535};
 
-/// The end of the reason where only a limit is missing that the person may do without.
+/// The end of the reason where only a limit is missing that the user may do without.
 inline constexpr const char *kExpertMode = "expert mode";
 
 /// Why there is nothing to be moved; empty if there is that motor.
@@ -35,10 +33,10 @@ std::string refuseCommand(const BoardFacts &board, const Command &command);
 std::string refuseSpeed(const BoardFacts &board, int motor, double rpm);
 std::string refuseCurrent(const BoardFacts &board, int motor, double amps);
 
-/// Why this speed must not be asked for by a protocol that holds 16 bits of rpm; empty if it may.
+/// Why this speed must not be asked for by a protocol that holds so much; empty if it may.
 std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
 
-/// Why stages of a start-up are beyond what the user allows or a protocol of 16 bits can hold; empty if they are not.
+/// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
 std::string refuseStages(const BoardFacts &board, int motor, ByteView raw);
 
 /// Where a position ramp goes.

@@ -1,10 +1,8 @@
 #include "drive/start_target.h"
 
 #include "base/bytes.h"
-#include "drive/mcb/mcb_commands.h"
 #include "drive/values.h"
 
-#include <array>
 #include <cmath>
 #include <span>
 #include <string_view>
@@ -14,14 +12,8 @@ namespace drive {
 namespace {
 
 using catalog::Catalog;
+using catalog::ControlMode;
 using catalog::RegisterInfo;
-
-// Of each kind the first that a board has. What is followed in the end, not the ramp on the way to it.
-constexpr std::array<std::string_view, 2> kModes{"DRV_OP_CMD", "CONTROL_MODE"};
-constexpr std::array<std::string_view, 1> kRamps{"SPEED_RAMP"}; // s32 rpm, u16 ms
-constexpr std::array<std::string_view, 4> kSpeeds{
-    "CL_VEL_SET_POINT_VALUE", "RAMP_FINAL_SPEED", "FOC_SPEEDREF_FREQ_PU", "SPEED_REF"};
-constexpr std::array<std::string_view, 3> kCurrents{"CL_CUR_Q_SET_POINT", "FOC_IQREF", "I_Q_REF"};
 
 const RegisterInfo *first(const Catalog &catalog, std::span<const std::string_view> names)
 {
@@ -36,8 +28,9 @@ const RegisterInfo *first(const Catalog &catalog, std::span<const std::string_vi
 std::vector<catalog::RegisterId> startRegisters(const Catalog &catalog, int motor)
 {
     std::vector<catalog::RegisterId> ids;
-    for (const RegisterInfo *info : {first(catalog, kModes), first(catalog, kRamps),
-             first(catalog, kSpeeds), first(catalog, kCurrents)})
+    const catalog::StartRegisters &start = catalog.start();
+    for (const RegisterInfo *info : {first(catalog, start.mode), first(catalog, start.ramp),
+             first(catalog, start.speed), first(catalog, start.current)})
         if (info != nullptr)
             ids.push_back(catalog.withMotor(*info, motor));
     return ids;
@@ -54,12 +47,11 @@ StartTarget startTarget(
         const auto value = valueOf(info);
         return value ? asNumber(*value) : std::nullopt;
     };
-    const RegisterInfo *mode = first(catalog, kModes);
-    const auto number = numberOf(mode);
+    const catalog::StartRegisters &start = catalog.start();
+    const auto number = numberOf(first(catalog, start.mode));
     if (!number)
         return target;
-    target.control = mode->name == kModes.front() ? mcbControlOf(std::lround(*number))
-                                                  : controlModeOf(std::lround(*number));
+    target.control = start.controlOf(std::lround(*number));
     const auto reference = [&](const RegisterInfo *info) -> std::optional<double> {
         const auto digits = numberOf(info);
         if (!digits)
@@ -69,7 +61,7 @@ StartTarget startTarget(
         return each > 0.0 ? std::optional(*digits * each) : std::nullopt;
     };
     if (target.control == ControlMode::Speed) {
-        const auto ramp = valueOf(first(catalog, kRamps));
+        const auto ramp = valueOf(first(catalog, start.ramp));
         const auto *bytes = ramp ? std::get_if<Bytes>(&*ramp) : nullptr;
         constexpr std::size_t kRampBytes = 6;
         if (bytes != nullptr && bytes->size() == kRampBytes) {
@@ -77,10 +69,10 @@ StartTarget startTarget(
             target.rpm = reader.s32();
             target.ramp = std::chrono::milliseconds(reader.u16());
         } else {
-            target.rpm = reference(first(catalog, kSpeeds));
+            target.rpm = reference(first(catalog, start.speed));
         }
     } else if (target.control == ControlMode::Torque) {
-        target.amps = reference(first(catalog, kCurrents));
+        target.amps = reference(first(catalog, start.current));
     }
     return target;
 }

@@ -1,12 +1,12 @@
-// What a START of a motor goes to, by what its board holds: the reference that its control follows, under whatever name the
-// board has it. Pure functions; reading the registers is left to the caller.
+// What a START of a motor goes to, by what its board holds: the reference that its control follows, under whatever name
+// the board has it. Pure functions; reading the registers is left to the caller.
 //
-// A speed that is asked for while a motor rests is kept until it runs: the reference in force still has the old one then, and
-// the last ramp has the speed that a start goes to (firmware 6.0 to 6.4.2). Where a board tells its last ramp, that counts.
+// A speed that is asked for while a motor rests is kept until it runs: the reference in force still has the old one
+// then, and the last ramp has the speed that a start goes to (firmware 6.0 to 6.4.2). Where a board tells its last
+// ramp, that counts.
 #pragma once
 
 #include "catalog/catalog.h"
-#include "drive/control_mode.h"
 #include "drive/motion_limits.h"
 #include "drive/motor_view.h"
 
@@ -17,11 +17,12 @@
 namespace drive {
 
 struct StartTarget {
-    ControlMode control = ControlMode::Other; ///< Other: also where it is not known
+    /// Other: also where it is not known.
+    catalog::ControlMode control = catalog::ControlMode::Other;
     std::optional<double> rpm; ///< of Speed, signed
     std::optional<double> amps; ///< of Torque: Iq, signed
-    std::optional<std::chrono::milliseconds> ramp =
-        {}; ///< in which a start goes there, where a board tells it
+    /// In which a start goes there, where a board tells it.
+    std::optional<std::chrono::milliseconds> ramp = {};
 };
 
 /// The registers that startTarget() looks at; empty for a board without them.

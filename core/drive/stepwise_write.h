@@ -1,5 +1,5 @@
-// A list of writes, one register after the other, each by its own steps: questions, the value before, the write, the value
-// after. A write whose answer was lost is not sent again: what is read back decides.
+// A list of writes, one register after the other, each by its own steps: questions, the value before, the write, the
+// value after. A write whose answer was lost is not sent again: what is read back decides.
 #pragma once
 
 #include "drive/reader.h"

@@ -7,7 +7,7 @@ namespace drive {
 
 bool isDriveIdle(const MotorStatus &status) { return rests(status.state) || status.waitsForBus; }
 
-MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecord record)
+MotionEntry recordOf(const StopProgress &progress, TimePoint asked, MotionEntry record)
 {
     record.act = MotionAct::Stop;
     record.motor = progress.motor;
@@ -108,7 +108,7 @@ void StopSequence::stopAnswered(int number, TimePoint now)
         tell(*motor, StopWord::Accepted, now);
 }
 
-void StopSequence::takeStatus(const MotorStatus &status, TimePoint askedAt)
+void StopSequence::acceptStatus(const MotorStatus &status, TimePoint askedAt)
 {
     Motor *motor = find(status.motor);
     if (motor == nullptr || !motor->firstSent || askedAt < *motor->firstSent)

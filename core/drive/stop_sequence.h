@@ -1,14 +1,15 @@
 // The stop of every motor: what is to be sent when, and what may be claimed on what evidence. It does no sending.
 //
-// Each motor for itself: Requested -STOP sent, OK-> Accepted -two states in a row, asked for after a STOP had left, show
-// it idle-> DriveIdle -three slow speeds in a row-> Standstill. Where nothing measures the speed of a rotor that is not
-// driven, the last word is MayCoast. STOP is due at once and every 100 ms until DriveIdle, because a board answers OK to
-// every STOP and may lose one. Half a second without DriveIdle is the alarm NotConfirmed, once; the repeating goes on.
+// Each motor for itself: Requested -STOP sent, OK-> Accepted -two states in a row, asked for after a STOP had left,
+// show it idle-> DriveIdle -three slow speeds in a row-> Standstill. Where nothing measures the speed of a rotor that
+// is not driven, the last word is MayCoast. STOP is due at once and every 100 ms until DriveIdle, because a board
+// answers OK to every STOP and may lose one. Half a second without DriveIdle is the alarm NotConfirmed, once; the
+// repeating goes on.
 //
-// Rules. A motor that becomes known while a stop is active joins it; one that the board says it does not have leaves it. A
-// stop is open until every motor is idle and the board has told how many there are. Asked for again, an open stop goes
-// on: what was requested keeps its half second, a motor that was idle begins anew. Without a link STOPs are due for two
-// seconds after it was asked for last; then only with one.
+// Rules. A motor that becomes known while a stop is active joins it; one that the board says it does not have leaves
+// it. A stop is open until every motor is idle and the board has told how many there are. Asked for again, an open stop
+// goes on: what was requested keeps its half second, a motor that was idle begins anew. Without a link STOPs are due
+// for two seconds after it was asked for last; then only with one.
 #pragma once
 
 #include "drive/event.h"
@@ -19,7 +20,7 @@
 namespace drive {
 
 /// A word of a stop as the motion log has it. @param record  with the STOPs that left since the word before
-MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecord record = {});
+MotionEntry recordOf(const StopProgress &progress, TimePoint asked, MotionEntry record = {});
 
 /// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
 bool isDriveIdle(const MotorStatus &status);
@@ -32,8 +33,8 @@ public:
     static constexpr Duration kBlindTime = std::chrono::seconds(2);
     static constexpr double kStandstillRpm = 10.0;
     static constexpr int kStandstillReadings = 3;
-    static constexpr int kIdleReadings =
-        2; ///< one could be damaged: answers are not protected on the wire
+    /// One could be damaged: answers are not protected on the wire.
+    static constexpr int kIdleReadings = 2;
 
     /// How sure the number of motors is.
     enum class Count : std::uint8_t {
@@ -69,7 +70,7 @@ public:
     void stopFailed(int number, TimePoint now);
     void stopAnswered(int number, TimePoint now);
     /// A status whose request left at `askedAt`.
-    void takeStatus(const MotorStatus &status, TimePoint askedAt);
+    void acceptStatus(const MotorStatus &status, TimePoint askedAt);
     void handleTimeout(TimePoint now);
     /// When the next STOP or the alarm is due.
     std::optional<TimePoint> nextStop(bool connected, TimePoint now) const;

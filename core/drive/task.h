@@ -4,7 +4,7 @@
 
 #include "base/time.h"
 #include "drive/event.h"
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 
 #include <optional>
 #include <string>
@@ -106,7 +106,7 @@ public:
     bool takeBoardChanged() { return std::exchange(m_boardChanged, false); }
 
     /// The act that the motion log is told of when this ends; empty: it is none.
-    std::optional<MotionRecord> &motion() { return m_motion; }
+    std::optional<MotionEntry> &motion() { return m_motion; }
 
     /// What it has read since the last call.
     virtual std::vector<Reading> takeReadings() { return {}; }
@@ -149,7 +149,7 @@ protected:
 
 private:
     Ended m_ended;
-    std::optional<MotionRecord> m_motion;
+    std::optional<MotionEntry> m_motion;
     Permission m_permission;
     TimePoint m_fresh{};
     bool m_begun = false;

@@ -1,8 +1,8 @@
-// The engine of every drive: tasks and their answers, the order in which they get the link, stop, a lost link, leaving. A
-// protocol brings what it asks and how it is sent (P below), and the hooks that have no answer here.
+// The engine of every drive: tasks and their answers, the order in which they get the link, stop, a lost link, leaving.
+// A protocol brings what it asks and how it is sent (P below), and the hooks that have no answer here.
 #pragma once
 
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 #include "drive/read_task.h"
 #include "drive/wish_drive.h"
 #include "drive/wish_queue.h"
@@ -11,8 +11,8 @@
 
 namespace drive {
 
-/// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks; Writes, the task of
-///            a write wish; stateSteps(), as in Identified
+/// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks; Writes, the
+///            task of a write wish; stateSteps(), as in Identified
 template <class P>
 class TaskDrive : public WishDrive {
 public:
@@ -119,14 +119,14 @@ protected:
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     /// Sends the next request of the task; false: it has nothing to ask now.
     bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);
-    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once. Without one it is
-    /// that to the STOP that is under way.
+    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once. Without one it
+    /// is that to the STOP that is under way.
     void passAnswer(const Answer &answer, TimePoint now)
     {
         if (m_task == nullptr)
             return onStopAnswer(P::endIn(answer).outcome == Outcome::Ok, now);
         m_task->onResponse(answer, now);
-        if (m_task == &m_watch && !m_doubtedAt) // then it may have left before nobody knows what
+        if (m_task == &m_watch && !m_doubtedAt) // else it may be older than what raised the doubt
             for (const Reading &reading : m_watch.readings())
                 if (reading.status == ReadStatus::Ok)
                     m_board.lately[reading.id] = {reading.value, m_askedAt};

@@ -1,6 +1,6 @@
-// The states of the motors, read over and over: what the user must always be able to trust. Slow while nothing happens, fast
-// while a start or a stop is under way, or after something was commanded. Decides what is asked next; the owner of the link
-// decides when.
+// The states of the motors, read over and over: what the user must always be able to trust. Slow while nothing happens,
+// fast while a start or a stop is under way, or after something was commanded. Decides what is asked next; the owner of
+// the link decides when.
 #pragma once
 
 #include "drive/reader.h"
@@ -20,8 +20,8 @@ inline constexpr Duration kVitalsEvery = std::chrono::milliseconds(100);
 inline constexpr Duration kVitalsFast = std::chrono::milliseconds(20);
 inline constexpr Duration kVitalsHurry = std::chrono::milliseconds(500); ///< how long it stays fast
 inline constexpr Duration kVitalsPause = std::chrono::milliseconds(250); ///< at most, for others
-inline constexpr Duration kVitalsRound =
-    std::chrono::milliseconds(500); ///< a round that took longer is of two times
+/// A round that took longer is of two times.
+inline constexpr Duration kVitalsRound = std::chrono::milliseconds(500);
 
 /// A step of a run, by the numbers that firmware has for the states that it covers.
 struct NumberedStep {

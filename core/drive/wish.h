@@ -93,12 +93,15 @@ struct ExpertMode {
     int motor = 1;
 };
 
-/// The scale of a motor's currents as the user knows it, for boards that do not tell it: the current of 32768 digits.
+/// Digits of the full-scale current: those of firmware's 16-bit fractions.
+inline constexpr double kFullScaleDigits = 32768.0;
+
+/// The scale of a motor's currents as the user knows it, for boards that do not tell it.
 /// Zero: not known. Holds for this connection. Nothing is sent; what waits to be written is cut, and the drive is
 /// disarmed, because it was meant by the scale before. Refused where the board tells its scale.
 struct CurrentScale {
     int motor = 1;
-    double fullScaleAmps = 0.0; ///< peak
+    double fullScaleAmps = 0.0; ///< peak, of kFullScaleDigits
 };
 
 /// Signals that the board records by itself at its control rate. Replaces what was streamed before; empty stops.
@@ -111,7 +114,8 @@ struct Stream {
 };
 
 /// Whether set-points travel with every exchange, instead of as a write of their own. It moves nothing by itself: what
-/// the drive has is held. It begins only while the motor stands and ends with the connection; a position is always written.
+/// the drive has is held. It begins only while the motor stands and ends with the connection; a position is always
+/// written.
 struct CyclicSetPoints {
     bool on = true;
 };
@@ -119,14 +123,15 @@ struct CyclicSetPoints {
 /// Registers to be read over and over; replaces the list before. The drive spreads them over the spare link time.
 struct Watch {
     std::vector<RegisterId> registers;
-    Duration period =
-        std::chrono::milliseconds(100); ///< wished for; the rate reached is what the link can spare
-    /// Of them, those that are drawn: where boards record nothing by themselves they are read as often as the line gives.
+    /// Wished for; the rate reached is what the link can spare.
+    Duration period = std::chrono::milliseconds(100);
+    /// Of them, those that are drawn: where boards record nothing by themselves they are read as often as the line
+    /// gives.
     std::vector<RegisterId> drawn = {};
 };
 
-/// What acts (Permission::Armed, and arming) is done at once or not at all: a wish that is older than this when the link
-/// is free for it ends NotSent. A start that leaves seconds after its key was pressed is not expected any more.
+/// What acts (Permission::Armed, and arming) is done at once or not at all: a wish that is older than this when the
+/// link is free for it ends NotSent. A start that leaves seconds after its key was pressed is not expected any more.
 constexpr Duration kWishExpiresAfter = std::chrono::milliseconds(500);
 inline constexpr char kTooLate[] = "too late: it was asked for more than half a second ago";
 

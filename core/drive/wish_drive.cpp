@@ -63,7 +63,7 @@ void WishDrive::setArmed(bool armed)
 {
     if (std::exchange(m_armed, armed) == armed)
         return;
-    MotionRecord record;
+    MotionEntry record;
     record.act = armed ? MotionAct::Arm : MotionAct::Disarm;
     record.asked = record.ended = m_workedAt;
     m_events.emplace_back(std::move(record));
@@ -81,7 +81,7 @@ void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, Ti
             Ended{wish.id, outcome, std::move(reason), {}, outcome == Outcome::Refused});
 }
 
-std::string WishDrive::take(const UserLimits &limits)
+std::string WishDrive::accept(const UserLimits &limits)
 {
     if (!isPlausible(limits))
         return "no limit is like that";
@@ -90,7 +90,7 @@ std::string WishDrive::take(const UserLimits &limits)
     return {};
 }
 
-std::string WishDrive::take(const ExpertMode &expert)
+std::string WishDrive::accept(const ExpertMode &expert)
 {
     if (!m_facts.identified || !m_facts.hasMotor(expert.motor))
         return "there is no such motor";
@@ -100,11 +100,11 @@ std::string WishDrive::take(const ExpertMode &expert)
     return {};
 }
 
-std::string WishDrive::take(const CurrentScale &scale)
+std::string WishDrive::accept(const CurrentScale &scale)
 {
     if (!m_facts.identified || !m_facts.hasMotor(scale.motor))
         return "there is no such motor";
-    return isPlausible(scale) ? takeScale(scale) : "no full-scale current is like that";
+    return isPlausible(scale) ? acceptScale(scale) : "no full-scale current is like that";
 }
 
 bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
@@ -119,15 +119,15 @@ bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
     if (watched != nullptr) {
         watch(*watched, now);
     } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
-        why = take(*limits);
+        why = accept(*limits);
     } else if (m_mode != Mode::Open || m_lost
         || (m_toldState == LinkState::Connecting && ofTheBoard)) {
         why = "not connected";
         otherwise = Outcome::NotSent;
     } else if (expert != nullptr) {
-        why = take(*expert);
+        why = accept(*expert);
     } else if (scale != nullptr) {
-        why = take(*scale);
+        why = accept(*scale);
     } else if (why = refuseAcknowledge(wish); why.empty()) {
         return false;
     }
@@ -157,7 +157,7 @@ void WishDrive::followStatuses(std::vector<MotorStatus> statuses, TimePoint aske
     for (MotorStatus &status : statuses) {
         // An answer from before a gap tells nothing of now.
         if (!m_doubtedAt || askedAt >= *m_doubtedAt)
-            m_stop.takeStatus(status, askedAt);
+            m_stop.acceptStatus(status, askedAt);
         m_faultNow[status.motor] =
             status.state == MotorState::FaultNow || !status.faultsNow.empty();
         m_events.emplace_back(std::move(status));

@@ -4,7 +4,7 @@
 
 #include "drive/board_facts.h"
 #include "drive/drive.h"
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 #include "drive/stop_sequence.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ public:
 
 protected:
     /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
-    virtual std::string takeScale(const CurrentScale &)
+    virtual std::string acceptScale(const CurrentScale &)
     {
         return m_facts.reasonAgainst(Feature::CurrentScale);
     }
@@ -44,8 +44,8 @@ protected:
     virtual void work(TimePoint now) = 0; ///< sends what is due, tells what has happened
     virtual void watch(const Watch &watch, TimePoint now) = 0;
     virtual void limitsChanged() { } ///< the user's own
-    virtual void lookAtOnce(
-        TimePoint now) = 0; ///< at the states of the motors, and often for a while
+    /// At the states of the motors, and often for a while.
+    virtual void lookAtOnce(TimePoint now) = 0;
 
     /// Carries out, or refuses, what takes no task; false: it takes one.
     bool handleAtOnce(const Wish &wish, TimePoint now);
@@ -90,12 +90,12 @@ protected:
 private:
     std::string refuseAcknowledge(const Wish &wish) const; ///< while the fault is there
     // Each takes what it is given, or says why not.
-    std::string take(const UserLimits &limits);
-    std::string take(const ExpertMode &expert);
-    std::string take(const CurrentScale &scale);
+    std::string accept(const UserLimits &limits);
+    std::string accept(const ExpertMode &expert);
+    std::string accept(const CurrentScale &scale);
 
     TimePoint m_stopAsked; ///< by the user
-    std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
+    std::map<int, MotionEntry> m_stopsSent; ///< by motor: the STOPs since the log was last told
     std::map<int, bool> m_faultNow; ///< by motor, as the newest state says
     bool m_armed = false;
     TimePoint m_countersAt;

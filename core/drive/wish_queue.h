@@ -14,8 +14,8 @@ namespace drive {
 template <class P>
 class WishQueue {
 public:
-    static constexpr std::size_t kMaxWaiting =
-        1000; ///< more are refused: no link answers that fast
+    /// More are refused: no link answers that fast.
+    static constexpr std::size_t kMaxWaiting = 1000;
 
     /// @return false if too many wait already; the task is gone then
     bool add(std::unique_ptr<WishTask<P>> task)

@@ -10,6 +10,7 @@ namespace drive {
 
 namespace {
 
+using catalog::ControlMode;
 using catalog::Effect;
 using catalog::RegisterInfo;
 
@@ -27,8 +28,8 @@ std::string refuseUnbounded(const BoardFacts &board, int motor, Reach reach)
                                       : "no limit of your own holds for it; take yours away first";
 }
 
-std::string refuseEffect(const BoardFacts &board, const RegisterInfo &info,
-    const RegisterWrite &write, Reach reach, ControlMode (*controlOf)(std::int64_t))
+std::string refuseEffect(
+    const BoardFacts &board, const RegisterInfo &info, const RegisterWrite &write, Reach reach)
 {
     if (info.effect == Effect::Kept)
         return {};
@@ -50,7 +51,7 @@ std::string refuseEffect(const BoardFacts &board, const RegisterInfo &info,
             ? refuseTorqueControl(board)
             : "";
     case Effect::Mode:
-        if (const ControlMode mode = controlOf(static_cast<std::int64_t>(number));
+        if (const auto mode = board.catalog->start().controlOf(static_cast<std::int64_t>(number));
             mode != ControlMode::Speed)
             return mode == ControlMode::Torque ? refuseTorqueControl(board)
                                                : refuseUnbounded(board, motor, reach);
@@ -71,8 +72,7 @@ std::string refuseTorqueControl(const BoardFacts &board)
         + std::to_string(std::lround(board.user.maxSpeedRpm)) + " rpm: take that limit away first";
 }
 
-std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach,
-    ControlMode (*controlOf)(std::int64_t))
+std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach)
 {
     if (auto why = board.reasonWithout(write.id); !why.empty())
         return why;
@@ -81,7 +81,7 @@ std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Rea
         return "cannot be written";
     if (auto why = catalog::refuseValue(*info, write.value); !why.empty())
         return why;
-    if (auto why = refuseEffect(board, *info, write, reach, controlOf); !why.empty())
+    if (auto why = refuseEffect(board, *info, write, reach); !why.empty())
         return why;
     return refuseNumber(board, write);
 }

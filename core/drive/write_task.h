@@ -53,7 +53,7 @@ protected:
     /// Why a value that the board took does not read back yet; empty if it would.
     virtual std::string notShownYet(const RegisterWrite &, const WriteResult &) const { return {}; }
 
-    /// The value before, if it was read a moment ago: then a question less stands between a person and the write. Parameters
+    /// The value before, if it was read a moment ago: then the write leaves without another read. Parameters
     /// alone: what a motor follows, firmware changes by itself.
     void recall(Item &item, TimePoint now)
     {

@@ -147,7 +147,7 @@ void Client::receive(ByteView bytes, TimePoint now)
         return;
     }
     while (!bytes.empty())
-        take(m_framer.next(bytes, m_frame), now);
+        accept(m_framer.next(bytes, m_frame), now);
     // Behind all that has come: none of it answers what leaves now.
     if (m_urgent && (m_state == State::Ready || m_state == State::Settling))
         leaveUrgent(now);
@@ -166,7 +166,7 @@ bool Client::hearsRefusal(ByteView bytes)
     return false;
 }
 
-void Client::take(Framer::Step step, TimePoint now)
+void Client::accept(Framer::Step step, TimePoint now)
 {
     if (step == Framer::Step::NeedBytes)
         return;

@@ -1,5 +1,5 @@
-// The master's end of the older serial protocol: one request at a time, each with exactly one end. It owns no port and no
-// clock; what may be asked, and when, is decided above.
+// The master's end of the older serial protocol: one request at a time, each with exactly one end. It owns no port and
+// no clock; what may be asked, and when, is decided above.
 //
 // Replies carry neither a number nor the motor, so an answer that comes late could be taken for another's. Therefore
 // nothing is asked while an answer may still be on its way: what has a wrong check, a wrong length or a wrong kind is
@@ -112,7 +112,7 @@ private:
 
     void put(Bytes frame, TimePoint now);
     bool hearsRefusal(ByteView bytes);
-    void take(Framer::Step step, TimePoint now);
+    void accept(Framer::Step step, TimePoint now);
     void onReply(const Reply &reply, TimePoint now);
     void onReplyWhileRecovering(const Reply &reply, TimePoint now);
     void settle(TimePoint now);

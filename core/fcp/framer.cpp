@@ -10,13 +10,13 @@ Framer::Step Framer::next(ByteView &bytes, Frame &frame)
     while (!bytes.empty()) {
         const std::uint8_t byte = bytes.front();
         bytes = bytes.subspan(1);
-        if (const Step step = takeByte(byte, frame); step != Step::NeedBytes)
+        if (const Step step = acceptByte(byte, frame); step != Step::NeedBytes)
             return step;
     }
     return Step::NeedBytes;
 }
 
-Framer::Step Framer::takeByte(std::uint8_t byte, Frame &frame)
+Framer::Step Framer::acceptByte(std::uint8_t byte, Frame &frame)
 {
     if (m_size == 0 && m_side == Side::Client && byte != kAckHeader && byte != kNackHeader
         && byte != kStartNoticeHeader)

@@ -77,8 +77,8 @@ constexpr std::uint8_t kTargetMotor = 0x00, kFlags = 0x01, kStatus = 0x02, kCont
                        kPowerBoard = 0x73;
 } // namespace number
 
-constexpr unsigned kMostMotors =
-    7; ///< bits 7..5 of a request's header; 0 is the motor selected last
+/// Bits 7..5 of a request's header; 0 is the motor selected last.
+constexpr unsigned kMostMotors = 7;
 constexpr std::size_t kRevUpStages = 5;
 constexpr std::size_t kStageBytes = 8;
 

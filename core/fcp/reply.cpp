@@ -134,16 +134,16 @@ Bytes encodeFirmwareVersion(std::string_view text)
     return out.take();
 }
 
-Result<RevUpStage, ReplyError> decodeRevUp(ByteView data)
+Result<StageFields, ReplyError> decodeRevUp(ByteView data)
 {
     ByteReader in(data);
-    const RevUpStage stage{in.s32(), in.s16(), in.u16()};
+    const StageFields stage{in.s32(), in.s16(), in.u16()};
     if (!in.ok() || in.left() > 0)
         return fail(ReplyError::BadLength);
     return stage;
 }
 
-Bytes encodeRevUp(const RevUpStage &stage)
+Bytes encodeRevUp(const StageFields &stage)
 {
     return ByteWriter().s32(stage.speed_rpm).s16(stage.torque).u16(stage.duration_ms).take();
 }

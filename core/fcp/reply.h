@@ -19,8 +19,8 @@ struct Ack {
     bool operator==(const Ack &) const = default;
 };
 struct Nack {
-    std::optional<std::uint8_t>
-        error; ///< ErrorCode, or a number without a name; empty: none was sent
+    /// ErrorCode, or a number without a name; empty: none was sent.
+    std::optional<std::uint8_t> error;
     bool operator==(const Nack &) const = default;
 };
 /// Sent unasked by SDK 4 after a start: the selected motor and every value known before are void.
@@ -66,10 +66,11 @@ Result<FirmwareVersion, ReplyError> decodeFirmwareVersion(ByteView data);
 FirmwareVersion firmwareVersionOf(std::string_view text);
 Bytes encodeFirmwareVersion(std::string_view text); ///< cut at 32 bytes
 
-Result<RevUpStage, ReplyError> decodeRevUp(ByteView data);
-Bytes encodeRevUp(const RevUpStage &stage);
+Result<StageFields, ReplyError> decodeRevUp(ByteView data);
+Bytes encodeRevUp(const StageFields &stage);
 
-/// Which dialect an acknowledged EXECUTE_CMD speaks: empty is STM32's, the id again is PowerPC's. Any other id is an error.
+/// Which dialect an acknowledged EXECUTE_CMD speaks: empty is STM32's, the id again is PowerPC's. Any other id is an
+/// error.
 Result<Dialect, ReplyError> decodeExecuteAck(std::uint8_t command, ByteView data);
 
 } // namespace fcp

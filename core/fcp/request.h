@@ -1,4 +1,5 @@
-// Requests: what a client asks, typed. The encoder refuses what a frame cannot hold; what is safe to ask is decided above.
+// Requests: what a client asks, typed. The encoder refuses what a frame cannot hold; what is safe to ask is decided
+// above.
 //
 // Header: bits 7..5 motor (0: the one selected last), bits 4..0 frame code. Numbers are little-endian.
 #pragma once
@@ -41,15 +42,15 @@ struct GetRevUp {
     std::uint8_t stage = 0; ///< 0..4; firmware reads past its table beyond
     bool operator==(const GetRevUp &) const = default;
 };
-struct RevUpStage {
+struct StageFields {
     std::int32_t speed_rpm = 0;
     std::int16_t torque = 0; ///< s16A
     std::uint16_t duration_ms = 0;
-    bool operator==(const RevUpStage &) const = default;
+    bool operator==(const StageFields &) const = default;
 };
 struct SetRevUp {
     std::uint8_t stage = 0; ///< 0..4; firmware writes past its table beyond
-    RevUpStage values;
+    StageFields values;
     bool operator==(const SetRevUp &) const = default;
 };
 struct SetCurrentReference {

@@ -6,9 +6,8 @@ namespace lab {
 
 namespace {
 
-/// What they leave room for is in the comment of each.
-constexpr double kAboveBoard =
-    1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
+/// Of the greatest speed that a board tells: its own loop overshoots there.
+constexpr double kAboveBoard = 1.1;
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// The bounds of an experiment that are known before it begins: a person agrees to them, and its runner holds the motor to
-// the same ones. What only a board can tell, its bus voltage and its temperature, is left to the runner.
+// The bounds of an experiment that are known before it begins: the user agrees to them, and its runner holds the motor
+// to the same ones. What only a board can tell, its bus voltage and its temperature, is left to the runner.
 #pragma once
 
 #include "lab/envelope.h"
@@ -7,7 +7,7 @@
 
 namespace lab {
 
-/// Of two bounds, of which 0 is one that nobody knows.
+/// Of two bounds, of which 0 is an unknown one.
 double lowerKnown(double one, double other);
 /// From the first command to the last.
 /// @param before_rpm  the set-point of a motor that runs, which passes it on its way back; 0: it stands
@@ -27,10 +27,10 @@ CurrentBound currentBoundOf(const Experiment &experiment);
 /// Whatever the plan: what the board tells, and never more than the user allows.
 double allowedRpm(const Experiment &experiment);
 
-/// Whoever agreed to the one has agreed to the other.
+/// Whether `wanted` is within what was agreed to.
 bool covers(const Caps &agreed, const Caps &wanted);
 
-/// What a person agrees to: what is done, and within which bounds.
+/// What the user agrees to: what is done, and within which bounds.
 struct Agreement {
     std::size_t kind = 0; ///< of the plan
     bool flux = false; ///< with currents along the magnets

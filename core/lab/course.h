@@ -1,6 +1,6 @@
-// What an experiment asks of a motor, and what the runner has to know before: where the motor is brought first, which speeds the
-// plan itself asks for, what the user allows, what is recorded, and which registers it borrows. A machine without I/O or
-// bounds, which are the runner's.
+// What an experiment asks of a motor, and what the runner has to know before: where the motor is brought first, which
+// speeds the plan itself asks for, what the user allows, what is recorded, and which registers it borrows. A machine
+// without I/O or bounds, which are the runner's.
 #pragma once
 
 #include "drive/wish.h"
@@ -40,7 +40,8 @@ struct Conditions {
     std::vector<drive::RegisterWrite> lent = {};
     /// References of a motor that turns which are 0 before, because they are afterwards.
     std::vector<drive::RegisterId> zeroBefore = {};
-    /// The speed has to rest there first. Without it a course begins as well where the speed loop makes the speed swing.
+    /// The speed has to rest there first. Without it a course begins as well where the speed loop makes the speed
+    /// swing.
     bool steady = true;
     /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
     milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
@@ -53,7 +54,8 @@ class Course {
 public:
     struct Moment {
         TimePoint now;
-        /// Newest speed, and Iq over the newest packet; where the speed swung when the course began, its mean until then.
+        /// Newest speed, and Iq over the newest packet; where the speed swung when the course began, its mean until
+        /// then.
         std::optional<double> rpm, amps;
         bool answered = true; ///< what was asked for last
     };

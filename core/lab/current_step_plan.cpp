@@ -14,8 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kSpeedUsed = 0.35, kSpeedUsedObserved = 0.45; ///< of the allowed speed
-/// Of it, around the speed: where the speed leaves that, the next current comes at once. A torque may push the motor further
-/// than it slows down while nothing pushes.
+/// Of it, around the speed: where the speed leaves that, the next current comes at once. A torque may push the motor
+/// further than it slows down while nothing pushes.
 constexpr double kBelow = 0.15, kAbove = 0.25;
 constexpr double kLowest = 0.5; ///< of the speed
 /// Of the allowed speed, above what an observer needs, and at most of the way there: while the next current is on its

@@ -1,6 +1,7 @@
-// A series of current steps: a motor turns at a speed, and its torque, or the current along its magnets, jumps to and fro.
-// Meanwhile nothing holds the speed, so each current is held for milliseconds only, and no longer than the speed stays near
-// where it was. Afterwards the motor coasts back to its speed, and speed control takes it over again: it is never braked.
+// A series of current steps: a motor turns at a speed, and its torque, or the current along its magnets, jumps to and
+// fro. Meanwhile nothing holds the speed, so each current is held for milliseconds only, and no longer than the speed
+// stays near where it was. Afterwards the motor coasts back to its speed, and speed control takes it over again: it is
+// never braked.
 #pragma once
 
 #include "lab/course.h"

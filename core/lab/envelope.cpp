@@ -47,7 +47,7 @@ void Envelope::set(const Caps &caps, TimePoint now)
     m_heard = now;
 }
 
-std::optional<std::string> Envelope::take(
+std::optional<std::string> Envelope::accept(
     const drive::Event &event, const catalog::Catalog &catalog, TimePoint now)
 {
     if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {

@@ -1,9 +1,9 @@
-// The bounds within which a motor may be moved by a program alone: what breaks them ends the experiment with a Stop. Looked
-// at with every packet of samples and every reading, in the thread of the link. It sends nothing.
+// The bounds within which a motor may be moved by a program alone: what breaks them ends the experiment with a Stop.
+// Looked at with every packet of samples and every reading, in the thread of the link. It sends nothing.
 //
-// Bounds of speed and current are absolute and of one sample each: none is averaged away. Silence is a bound, too, because
-// a motor that nobody hears of is not under control: of samples, and of each polled figure that is bounded. A bound of zero
-// holds nothing.
+// Bounds of speed and current are absolute and of one sample each: none is averaged away. Silence is a bound, too,
+// because a motor that tells nothing is not under control: of samples, and of each polled figure that is bounded. A
+// bound of zero holds nothing.
 #pragma once
 
 #include "drive/event.h"
@@ -26,8 +26,8 @@ struct Watched {
     int motor = 1;
     drive::RegisterId speed = 0, current = 0, currentD = 0; ///< streamed
     drive::RegisterId bus = 0, temperature = 0; ///< polled
-    drive::RegisterId angle =
-        0; ///< streamed; where the speed is not, it is how far this goes in a packet
+    /// Streamed; where the speed is not, it is how far this goes in a packet.
+    drive::RegisterId angle = 0;
     double polePairs = 0.0;
 };
 
@@ -43,7 +43,7 @@ public:
 
     /// @param catalog  of the board: units of what is polled
     /// @return  which bound is broken, in words with its numbers; empty: none
-    std::optional<std::string> take(
+    std::optional<std::string> accept(
         const drive::Event &event, const catalog::Catalog &catalog, TimePoint now);
     /// What has not come for too long.
     std::optional<std::string> silence(TimePoint now) const;

@@ -77,7 +77,7 @@ std::unique_ptr<Course> courseOf(const Experiment &experiment)
         [&](const auto &plan) { return courseOf(plan, experiment.subject); }, experiment.plan);
 }
 
-record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator)
+recorded::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator)
 {
     return std::visit(
         [&](const auto &plan) { return entryOf(plan, experiment.subject, regulator); },
@@ -116,7 +116,7 @@ std::string shownText(const Outcome &outcome)
         + text(shows->before_rpm);
 }
 
-record::Happening entryOfEnd(const Outcome &outcome)
+recorded::Happening entryOfEnd(const Outcome &outcome)
 {
     const char *how = outcome.end == End::Complete ? "complete" : "ended early";
     return {kEndEntry, {{"outcome", how}, {"reason", outcome.reason}}};

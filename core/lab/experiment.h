@@ -1,4 +1,5 @@
-// An experiment: a plan of any kind and the motor that it is for; and how it ended. Plain values, which may cross threads.
+// An experiment: a plan of any kind and the motor that it is for; and how it ended. Plain values, which may cross
+// threads.
 #pragma once
 
 #include "base/time.h"
@@ -32,19 +33,19 @@ milliseconds lengthOf(const Experiment &experiment);
 std::unique_ptr<Course> courseOf(const Experiment &experiment);
 
 /// The plan as an entry of its recording. @param regulator  that closes the speed loop; its gains are 0 if not known
-record::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator);
+recorded::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator);
 
 /// How it ended.
 enum class End : std::uint8_t {
     Complete,
     Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
     Aborted, ///< the envelope was broken, or the board reported a fault
-    Interrupted, ///< somebody stopped, disarmed or took the motor over; or several in a row did not go on
+    Interrupted, ///< it was stopped, disarmed or taken over; or several in a row did not go on
     Lost, ///< the link or the port went
 };
 
-/// The speed reference of a motor that rests as before: its board goes on showing the last one that was in force, until the
-/// next start. That goes where it went before.
+/// The speed reference of a motor that rests as before: its board goes on showing the last one that was in force, until
+/// the next start. That goes where it went before.
 struct ShownReference {
     std::string name; ///< of the register
     double before_rpm = 0.0, now_rpm = 0.0;
@@ -62,8 +63,8 @@ struct Outcome {
     bool operator==(const Outcome &) const = default;
 };
 
-/// Several in a row, when one more is over: with what is to be said of those before it. They go on only where all came to
-/// their end and nothing is left on the board, because the next one would begin with that.
+/// Several in a row, when one more is over: with what is to be said of those before it. They go on only where all came
+/// to their end and nothing is left on the board, because the next one would begin with that.
 /// @param before  how it stood until then  @param more  there is a next one
 Outcome inRow(const Outcome &before, const Outcome &last, bool more);
 /// One more thing that is to be said of its end.
@@ -72,7 +73,7 @@ void addReason(Outcome &outcome, const std::string &reason);
 std::string shownText(const Outcome &outcome);
 
 /// The same as an entry of its recording.
-record::Happening entryOfEnd(const Outcome &outcome);
+recorded::Happening entryOfEnd(const Outcome &outcome);
 inline constexpr const char *kEndEntry = "experiment ended";
 
 } // namespace lab

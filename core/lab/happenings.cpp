@@ -8,14 +8,14 @@
 
 namespace lab {
 
-std::optional<double> numberOf(const record::Happening &happening, std::string_view key)
+std::optional<double> numberOf(const recorded::Happening &happening, std::string_view key)
 {
     constexpr double kMost = 1e9;
     const auto value = happening.number<double>(key);
     return value && std::isfinite(*value) && std::abs(*value) < kMost ? value : std::nullopt;
 }
 
-bool endsLink(const record::Happening &what)
+bool endsLink(const recorded::Happening &what)
 {
     const std::string state = what.name == "link" ? what.field("state") : std::string();
     return state == "closed" || state == "lost";
@@ -23,14 +23,14 @@ bool endsLink(const record::Happening &what)
 
 Happenings carriedOut(const Happenings &all)
 {
-    const auto movedNothing = [](const record::Happening &what) {
+    const auto movedNothing = [](const recorded::Happening &what) {
         const std::string outcome = what.field("outcome");
         return outcome == "not sent" || outcome == "refused";
     };
     Happenings carried;
     std::map<std::string, bool> idle; // by wish: whether the next one of that number moved nothing
     for (auto at = all.rbegin(); at != all.rend(); ++at) {
-        const record::Happening &what = at->second;
+        const recorded::Happening &what = at->second;
         const auto wish = idle.find(what.field("wish"));
         if (what.name == "ended")
             idle[what.field("wish")] = movedNothing(what);

@@ -1,10 +1,10 @@
-// What happened while an experiment was recorded, its signals, and when it drove the motor, as a recording has them. Fields are
-// read as what they should be: files are foreign.
+// What happened while an experiment was recorded, its signals, and when it drove the motor, as a recording has them.
+// Fields are read as what they should be: files are foreign.
 #pragma once
 
 #include "base/text.h"
 #include "capture/capture.h"
-#include "record/entry.h"
+#include "recorded/entry.h"
 
 #include <optional>
 #include <string>
@@ -17,13 +17,13 @@ namespace lab {
 using capture::Nanos;
 
 /// By their time.
-using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
+using Happenings = std::vector<std::pair<Nanos, recorded::Happening>>;
 
 /// A finite number of a magnitude below 1e9; empty if it is anything else.
-std::optional<double> numberOf(const record::Happening &happening, std::string_view key);
+std::optional<double> numberOf(const recorded::Happening &happening, std::string_view key);
 
 /// Nothing reached the board any more. One that is out of step for a moment goes on with what it was told.
-bool endsLink(const record::Happening &what);
+bool endsLink(const recorded::Happening &what);
 
 /// Without what was asked for and not sent, or refused: it moved nothing, whether or not it was asked for again.
 Happenings carriedOut(const Happenings &all);

@@ -14,8 +14,8 @@ struct Lent {
     bool operator==(const Lent &) const = default;
 };
 
-/// As `rotorscope-cli set` takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a number as it
-/// is, because gains have no scale.
+/// As `rotorscope-cli set` takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a
+/// number as it is, because gains have no scale.
 std::string typedText(const catalog::Value &value);
 
 /// What is to be said of those that were not given back, and how all of it comes back; without full stops.

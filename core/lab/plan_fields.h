@@ -1,5 +1,5 @@
-// The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it. A file of a plan is read
-// more strictly (lab/plan_file.h).
+// The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it. A file of a
+// plan is read more strictly (lab/plan_file.h).
 #pragma once
 
 #include "lab/happenings.h"
@@ -17,7 +17,7 @@ constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
 /// Puts fields into an entry.
 class PutFields {
 public:
-    explicit PutFields(record::Happening &into)
+    explicit PutFields(recorded::Happening &into)
         : m_into(into)
     {
     }
@@ -34,11 +34,11 @@ private:
     {
         m_into.fields.emplace_back(name, std::move(text));
     }
-    record::Happening &m_into;
+    recorded::Happening &m_into;
 };
 
 template <class Plan>
-void putFields(record::Happening &into, Plan plan)
+void putFields(recorded::Happening &into, Plan plan)
 {
     PutFields put(into);
     eachField(plan, put);
@@ -47,7 +47,7 @@ void putFields(record::Happening &into, Plan plan)
 /// Takes fields out of one; what it does not have stays as it is. Whole numbers beyond a million are a million.
 class TakeFields {
 public:
-    explicit TakeFields(const record::Happening &from)
+    explicit TakeFields(const recorded::Happening &from)
         : m_from(from)
     {
     }
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    const record::Happening &m_from;
+    const recorded::Happening &m_from;
 };
 
 } // namespace lab

@@ -36,7 +36,7 @@ void eachField(Motor &motor, Field &&field)
 
 } // namespace
 
-void putMotor(record::Happening &into, const Subject &subject)
+void putMotor(recorded::Happening &into, const Subject &subject)
 {
     RecordedMotor motor;
     motor.motor = subject.motor;
@@ -49,7 +49,7 @@ void putMotor(record::Happening &into, const Subject &subject)
         into.fields.emplace_back(signal.name, subject.nameOf(subject.registers.*signal.of));
 }
 
-RecordedMotor recordedMotor(const record::Happening &from)
+RecordedMotor recordedMotor(const recorded::Happening &from)
 {
     RecordedMotor motor;
     eachField(motor, TakeFields(from));

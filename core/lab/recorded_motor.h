@@ -1,9 +1,9 @@
-// The motor of an experiment as its recording has it: the names of its signals and what its board tells of it, so that the
-// file alone can be evaluated.
+// The motor of an experiment as its recording has it: the names of its signals and what its board tells of it, so that
+// the file alone can be evaluated.
 #pragma once
 
 #include "lab/subject.h"
-#include "record/entry.h"
+#include "recorded/entry.h"
 
 #include <string>
 
@@ -19,7 +19,7 @@ struct RecordedMotor {
     double speedStepRpm = 0.0;
 };
 
-void putMotor(record::Happening &into, const Subject &subject);
-RecordedMotor recordedMotor(const record::Happening &from);
+void putMotor(recorded::Happening &into, const Subject &subject);
+RecordedMotor recordedMotor(const recorded::Happening &from);
 
 } // namespace lab

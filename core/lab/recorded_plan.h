@@ -30,9 +30,9 @@ void eachGain(const Plan &, SpeedRegulator &, Field &&)
 }
 
 template <class Plan>
-record::Happening entryOf(const Plan &plan, const Subject &subject, SpeedRegulator regulator)
+recorded::Happening entryOf(const Plan &plan, const Subject &subject, SpeedRegulator regulator)
 {
-    record::Happening entry{Plan::kEntry, {}};
+    recorded::Happening entry{Plan::kEntry, {}};
     putMotor(entry, subject);
     putFields(entry, plan);
     eachGain(plan, regulator, PutFields(entry));
@@ -41,7 +41,7 @@ record::Happening entryOf(const Plan &plan, const Subject &subject, SpeedRegulat
 
 /// Empty for any other entry, or one that is no plan.
 template <class Plan>
-std::optional<Recorded<Plan>> recordedPlan(const record::Happening &entry)
+std::optional<Recorded<Plan>> recordedPlan(const recorded::Happening &entry)
 {
     if (entry.name != Plan::kEntry)
         return std::nullopt;

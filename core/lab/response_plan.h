@@ -1,6 +1,7 @@
 // The course by which frequency responses are measured: the set-point of the speed is above or below a speed at random,
-// each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's zeros. The
-// current loop is measured by the same: its reference jumps with each set-point, and moves with each turn of the speed loop.
+// each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's
+// zeros. The current loop is measured by the same: its reference jumps with each set-point, and moves with each turn of
+// the speed loop.
 #pragma once
 
 #include "lab/course.h"

@@ -15,10 +15,10 @@ using namespace std::chrono_literals;
 
 constexpr double kLowCurrent = 0.25, kHighCurrent = 0.5; ///< of the nominal current
 constexpr int kLevels = 4; ///< along the magnets
-constexpr milliseconds kSpare =
-    2s; ///< of the last stage: a host that stalls must not let a start-up fail
-constexpr double kTurns =
-    0.1; ///< of the allowed speed: driven by what should turn nothing, as one that was aligned aside is
+/// Of the last stage: a host that stalls must not let a start-up fail.
+constexpr milliseconds kSpare = 2s;
+/// Of the allowed speed: driven by what should turn nothing, as one that was aligned aside is.
+constexpr double kTurns = 0.1;
 constexpr double kDrawnMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
 
 /// No speed in any of them.
@@ -66,8 +66,8 @@ private:
     bool m_over = false;
 };
 
-/// One current after the other along the magnets: against them, because a board that can weaken them takes none that would
-/// strengthen them; but with them where Hall sensors leave the angle open, so that they draw the rotor to it.
+/// One current after the other along the magnets: against them, because a board that can weaken them takes none that
+/// would strengthen them; but with them where Hall sensors leave the angle open, so that they draw the rotor to it.
 class LevelCourse : public Course {
 public:
     LevelCourse(const RestPlan &plan, const Subject &subject)

@@ -1,9 +1,10 @@
-// The course by which the resistance of the windings is measured: currents of different strength through a motor that rests.
-// One current would not do: what a bridge loses by its dead time hardly depends on the current, and would count as
-// resistance.
+// The course by which the resistance of the windings is measured: currents of different strength through a motor that
+// rests. One current would not do: what a bridge loses by its dead time hardly depends on the current, and would count
+// as resistance.
 //
-// A board that sees its rotor holds them along the magnets, where they turn nothing. One that does not see it holds them in its
-// start-up, whose stages are borrowed for that: none of them turns, and the motor is stopped before the last one is over.
+// A board that sees its rotor holds them along the magnets, where they turn nothing. One that does not see it holds
+// them in its start-up, whose stages are borrowed for that: none of them turns, and the motor is stopped before the
+// last one is over.
 #pragma once
 
 #include "lab/course.h"

@@ -20,7 +20,8 @@ constexpr Duration kRunsWithin = 10s; ///< a start, with its alignment and its r
 constexpr Duration kReachesWithin = 5s; ///< after the ramp
 constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
 constexpr Duration kRestsWithin = 5s; ///< after its stop
-/// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take seconds.
+/// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take
+/// seconds.
 constexpr Duration kCoastsSeen = 10s, kCoastsUnseen = 4s;
 constexpr double kStands = 0.01; ///< of the allowed speed
 constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
@@ -139,11 +140,11 @@ std::optional<double> Runner::shown(drive::RegisterId id) const
     return *number * m_experiment.subject.catalog->readScale(id).factor;
 }
 
-void Runner::take(const drive::Event &event, TimePoint now)
+void Runner::accept(const drive::Event &event, TimePoint now)
 {
     if (over())
         return;
-    const auto broken = m_envelope.take(event, *m_experiment.subject.catalog, now);
+    const auto broken = m_envelope.accept(event, *m_experiment.subject.catalog, now);
     if (broken && moves())
         return abort(*broken + wrongWay());
     if (const auto *ended = std::get_if<drive::Ended>(&event)) {
@@ -195,8 +196,9 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
         return;
     std::string why = ended.outcome == drive::Outcome::Unknown ? "the board's answer was lost"
         : ended.outcome == drive::Outcome::NotSent
+        // By the drive, or by its board.
         ? "it was not sent"
-        : "it was refused"; // by the drive, or by its board
+        : "it was refused";
     if (!ended.reason.empty())
         why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
@@ -378,7 +380,7 @@ void Runner::onRead(TimePoint now)
         m_old.push_back({lent.id, old->second});
     }
     const drive::StartTarget target = startTarget();
-    if (target.control != drive::ControlMode::Speed || !target.rpm)
+    if (target.control != catalog::ControlMode::Speed || !target.rpm)
         return refuse("the motor is not in speed control: ask for a speed first");
     m_before_rpm = *target.rpm;
     m_beforeRamp = target.ramp.value_or(0ms);
@@ -589,8 +591,8 @@ bool Runner::isAsBefore(const drive::RegisterWrite &old) const
     return at != m_values.end() && drive::sameValue(old.value, at->second);
 }
 
-/// The set-point of before, asked for at rest, is kept for the next start, and no reference until then. Only a motion would
-/// bring that back.
+/// The set-point of before, asked for at rest, is kept for the next start, and no reference until then. Only a motion
+/// would bring that back.
 std::optional<ShownReference> Runner::shownReference() const
 {
     const drive::RegisterId id = m_experiment.subject.registers.speedReference;
@@ -603,7 +605,7 @@ std::optional<ShownReference> Runner::shownReference() const
 void Runner::onCompared()
 {
     const drive::StartTarget target = startTarget();
-    m_byTorque = target.control == drive::ControlMode::Torque;
+    m_byTorque = target.control == catalog::ControlMode::Torque;
     if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= tolerated())
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
@@ -661,8 +663,8 @@ void Runner::stopped()
     finish();
 }
 
-/// A torque accelerates the rotor until something takes it away; a start-up that was to turn nothing goes on by itself, to
-/// the set-point of before.
+/// A torque accelerates the rotor until something takes it away; a start-up that was to turn nothing goes on by itself,
+/// to the set-point of before.
 bool Runner::needsEnvelope() const
 {
     return moves() && (m_byTorque || m_conditions.beginning == Beginning::WhileStarting);

@@ -1,14 +1,14 @@
 // Carries out an experiment: a machine without I/O between a drive's events and its wishes, in the session's thread.
-// While it runs, every packet of samples and every reading is held against the envelope; what breaks it asks for a Stop of
-// every motor at once, and that is the last thing the runner asks for. So does whoever ends it while it drives the motor by a
-// torque, or by the currents of a start-up: nothing but the envelope bounds those.
+// While it runs, every packet of samples and every reading is held against the envelope; what breaks it asks for a Stop
+// of every motor at once, and that is the last thing the runner asks for. Ending it does the same while it drives the
+// motor by a torque, or by the currents of a start-up: nothing but the envelope bounds those.
 //
-// Every way out brings the motor back to what it was, as far as that is possible, and says in a sentence what is not as it
-// was: at the end and where a wish is refused, by the old set-point or by stopping the motor that it started; after a Stop
-// the motor rests, and the set-point is the one that stood when it was stopped.
+// Every way out brings the motor back to what it was, as far as that is possible, and says in a sentence what is not as
+// it was: at the end and where a wish is refused, by the old set-point or by stopping the motor that it started; after
+// a Stop the motor rests, and the set-point is the one that stood when it was stopped.
 //
-// Call order: begin(); then take() for every event of the drive and advance() when nextTimeout() is due, each followed by
-// takeStop() and takeWishes(); until over().
+// Call order: begin(); then take() for every event of the drive and advance() when nextTimeout() is due, each followed
+// by takeStop() and takeWishes(); until over().
 #pragma once
 
 #include "drive/start_target.h"
@@ -25,21 +25,21 @@ namespace lab {
 
 class Runner {
 public:
-    /// Wishes of a runner have ids from here on: nobody else's are as large.
+    /// Wishes of a runner have ids from here on: no others are as large.
     static constexpr drive::WishId kFirstWish = drive::WishId{1} << 62;
 
     explicit Runner(Experiment experiment);
 
     /// @param ranAt  when a motor of the board was last seen not to be idle: its rotor may turn on for a while
     void begin(TimePoint now, std::optional<TimePoint> ranAt = {});
-    void take(const drive::Event &event, TimePoint now);
+    void accept(const drive::Event &event, TimePoint now);
     void advance(TimePoint now); ///< early or repeated calls do nothing
-    /// Somebody else decided about the motor: nothing more is asked of it, but a Stop where nothing would bound it any more,
-    /// which goes ahead of what was decided. @param why  in words
+    /// Another act decided about the motor: nothing more is asked of it, but a Stop where nothing would bound it any
+    /// more, which goes ahead of what was decided. @param why  in words
     void interrupt(const std::string &why);
-    /// The same of who has stopped every motor: there is nothing left to be asked for.
+    /// The same when every motor was stopped: there is nothing left to be asked for.
     void stopped();
-    /// The same of a person who disarms, which by itself stops no motor.
+    /// The same when the user disarms, which by itself stops no motor.
     void disarm();
     /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
     void lose(const std::string &why);
@@ -141,8 +141,8 @@ private:
     milliseconds m_beforeRamp{}; ///< in which it was to be reached
     std::optional<double> m_beforeShown_rpm; ///< of the speed reference
     std::optional<double> m_before_v; ///< of the bus
-    double m_braked =
-        0.0; ///< most square of speed, rpm^2, that a step took away, and no bound was broken
+    /// Most square of speed, rpm^2, that a step took away, and no bound was broken.
+    double m_braked = 0.0;
     int m_target_rpm = 0; ///< the set-point that the board may have taken last
     Ask m_asked; ///< last
     int m_tries = 0; ///< of it, that were too late

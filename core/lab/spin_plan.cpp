@@ -15,22 +15,22 @@ using namespace std::chrono_literals;
 
 constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
 constexpr double kFluxLowShare = 0.45, kFluxHighShare = 0.65; ///< inductances take fast turns
-constexpr double kAboveObserved =
-    0.25; ///< of the way from what an observer needs to the higher speed
+/// Of the way from what an observer needs to the higher speed.
+constexpr double kAboveObserved = 0.25;
 constexpr double kFluxShare = 0.4; ///< of the nominal current
 /// Of the way between both speeds: for a host that stalls.
 constexpr double kSpinMargin = 0.6, kFluxMargin = 1.3;
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
-/// From one speed to the other. Slow ways, and more of them, tell frictions apart; but Hall sensors lag in them all the time, by
-/// more than is seen, and where currents flow along the magnets what matters is how they change.
+/// From one speed to the other. Slow ways, and more of them, tell frictions apart; but Hall sensors lag in them all the
+/// time, by more than is seen, and where currents flow along the magnets what matters is how they change.
 constexpr double kWay_s = 0.25, kSlowWay_s = 0.4;
 constexpr milliseconds kLength = 8s, kSlowLength = 16s;
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
-/// To either side, of what accelerates, or of what is left while it coasts. Far jumps tell Lq best, but Hall sensors lag behind
-/// them, and with them an observer's angle moves.
+/// To either side, of what accelerates, or of what is left while it coasts. Far jumps tell Lq best, but Hall sensors
+/// lag behind them, and with them an observer's angle moves.
 constexpr double kJump = 0.5, kEncoderJump = 0.9;
 /// What held the first speed may have been measured badly: if too much of it is left, the motor goes on to accelerate.
 constexpr Duration kLook = 20ms;

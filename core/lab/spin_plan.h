@@ -1,8 +1,9 @@
-// The course by which inertia and friction are measured: in torque control the motor is accelerated and left to coast between
-// two speeds, with torques that differ from time to time. It is never braked: what a motor returns lifts the bus of a supply
-// that takes nothing back. How hard it accelerates, and how much of the torque that held its speed is taken away, follow from how
-// it went before: a way from one speed to the other takes some tenths of a second, so that the link is fast enough
-// to end it. With currents along the magnets beside them, inductances follow from the same course.
+// The course by which inertia and friction are measured: in torque control the motor is accelerated and left to coast
+// between two speeds, with torques that differ from time to time. It is never braked: what a motor returns lifts the
+// bus of a supply that takes nothing back. How hard it accelerates, and how much of the torque that held its speed is
+// taken away, follow from how it went before: a way from one speed to the other takes some tenths of a second, so that
+// the link is fast enough to end it. With currents along the magnets beside them, inductances follow from the same
+// course.
 #pragma once
 
 #include "lab/course.h"
@@ -18,8 +19,8 @@ struct SpinPlan {
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000}; ///< spinPlanFor() says a longer one for most motors
     milliseconds approach{500};
-    double fluxAmps =
-        0.0; ///< most along the magnets, to either side; each way has another. 0: none
+    /// Most along the magnets, to either side; each way has another. 0: none.
+    double fluxAmps = 0.0;
     std::uint32_t seed = 1; ///< of the torques
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const SpinPlan &) const = default;

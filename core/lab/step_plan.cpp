@@ -11,8 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
-/// Of the step, and digits of a speed besides: the least undershoot of all simulated motors without a sensor with their boards'
-/// gains; others have twice as much. More would refuse steps that end well.
+/// Of the step, and digits of a speed besides: the least undershoot of all simulated motors without a sensor with their
+/// boards' gains; others have twice as much. More would refuse steps that end well.
 constexpr double kUndershoot = 0.1, kUndershootDigits = 2.0;
 
 class StepCourse : public Course {

@@ -1,5 +1,5 @@
-// A series of speed steps: the motor is brought to `from`, then `repeat` times stepped to `to` and back, each speed held for
-// `hold`. The plan is written into the recording of its series, so that the file alone says what was wanted.
+// A series of speed steps: the motor is brought to `from`, then `repeat` times stepped to `to` and back, each speed
+// held for `hold`. The plan is written into the recording of its series, so that the file alone says what was wanted.
 #pragma once
 
 #include "lab/course.h"

@@ -1,5 +1,5 @@
-// The motor that is measured, and what its board offers for that: registers to record, to poll, to compare afterwards. Plain
-// values, from the board's identification.
+// The motor that is measured, and what its board offers for that: registers to record, to poll, to compare afterwards.
+// Plain values, from the board's identification.
 #pragma once
 
 #include "base/result.h"
@@ -21,8 +21,8 @@ struct Registers {
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
-    drive::RegisterId startUp =
-        0; ///< the stages of a start without a sensor; written, not recorded
+    /// The stages of a start without a sensor; written, not recorded.
+    drive::RegisterId startUp = 0;
     drive::RegisterId speedReference = 0; ///< in force, rpm; read with the set-point
 };
 
@@ -42,8 +42,8 @@ struct Subject {
     /// One sample every so many control periods, so that this many signals leave room on the link for everything else.
     unsigned fastEvery(std::size_t signalCount) const;
     bool seesRotor() const; ///< by a sensor, also at rest
-    /// Below it a motor without a sensor is not measured: twice the least speed at which its observer is believed. 0: it has
-    /// a sensor, or nothing is known of its speeds.
+    /// Below it a motor without a sensor is not measured: twice the least speed at which its observer is believed. 0:
+    /// it has a sensor, or nothing is known of its speeds.
     double leastObservedRpm() const;
 };
 

@@ -1,13 +1,13 @@
-// Frames of the Motion Control Bus on SPI. Values in, values out: no buffers kept, no state. Bytes are in the order of the
-// line, so the upper byte of each 16-bit word comes first.
+// Frames of the Motion Control Bus on SPI. Values in, values out: no buffers kept, no state. Bytes are in the order of
+// the line, so the upper byte of each 16-bit word comes first.
 //
 //   word 0       header: 15..4 address (bit 15 is 0) | 3..1 command | 0 pending, more fragments follow
 //   words 1..4   config data, always four
 //   words 5..    0 to 32 cyclic words, in the cyclic state only
 //   last word    CRC-16/XMODEM of all words before it
 //
-// Source: "MCB protocol description"; codes 4 and the number of cyclic words: mcblib 0.4.9. Every example of the text is
-// a row of tests/data/vectors/mcb.jsonl, with the CRCs that are misprinted there put right.
+// Source: "MCB protocol description"; codes 4 and the number of cyclic words: mcblib 0.4.9. Every example of the text
+// is a row of tests/data/vectors/mcb.jsonl, with the CRCs that are misprinted there put right.
 #pragma once
 
 #include "base/bytes.h"

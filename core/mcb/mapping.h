@@ -1,5 +1,5 @@
-// Which registers travel in every cyclic frame, and how the drive is told. Source: "MCB protocol description", section on
-// mapping; the rounding to whole words and the common length are mcblib's.
+// Which registers travel in every cyclic frame, and how the drive is told. Source: "MCB protocol description", section
+// on mapping; the rounding to whole words and the common length are mcblib's.
 #pragma once
 
 #include "mcb/value.h"

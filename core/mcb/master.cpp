@@ -33,9 +33,9 @@ bool leaves(const Master::Request &request)
         && request.words.front() == kConfigState;
 }
 
-/// Frames of a slave in the config state in the place of a longer one: a slave that hears frames gives one, filled up with
-/// zeros, one that hears bytes gives idle ones behind it. The CRC of either is right. A cyclic frame that looks the same has
-/// that CRC as its first value and this behind it; it is lost.
+/// Frames of a slave in the config state in the place of a longer one: a slave that hears frames gives one, filled up
+/// with zeros, one that hears bytes gives idle ones behind it. The CRC of either is right. A cyclic frame that looks
+/// the same has that CRC as its first value and this behind it; it is lost.
 bool isOfConfigState(ByteView received)
 {
     if (received.size() <= kConfigFrameBytes || !decodeAnswer(received.first(kConfigFrameBytes)))
@@ -285,8 +285,8 @@ void Master::receive(ByteView bytes, TimePoint now)
     m_stats.unexpected += bytes.size() - taken;
     if (taken == room) {
         finish(now);
-        checkOperation(
-            now); // on a slow line the next frame is due already, and no timer comes between
+        // On a slow line the next frame is due already, and no timer comes between.
+        checkOperation(now);
     }
     work(now);
 }

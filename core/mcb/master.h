@@ -1,16 +1,16 @@
-// The master half of MCB, without I/O: exchanges of equal length go out as bytes, what came in at the same time is handed
-// to receive(). One request at a time; every request ends once, as a Done event.
+// The master half of MCB, without I/O: exchanges of equal length go out as bytes, what came in at the same time is
+// handed to receive(). One request at a time; every request ends once, as a Done event.
 //
 //   Closed -connect-> Meeting -a good frame-> Config <-on/off-> Cyclic
 //   any of these -several bad frames in a row-> Seeking -length found-> Config or Cyclic;  else Lost
 //
-// Call order: after any call send takeOutput(), act on takeEvents(), arm a timer at nextTimeout(). Code that knows the ready
-// line tells every edge of it by setReady(); without such a call the line counts as high, as behind a byte stream, where
-// the end of the answer says so.
+// Call order: after any call send takeOutput(), act on takeEvents(), arm a timer at nextTimeout(). Code that knows the
+// ready line tells every edge of it by setReady(); without such a call the line counts as high, as behind a byte
+// stream, where the end of the answer says so.
 //
 // Seeking: a probe of the greatest length that no slave accepts (its CRC is wrong, so nothing is written and no cyclic
-// word taken), in whose answer the shortest whole frame tells the slave's length. So a slave that was reset in the cyclic
-// state, one that is still cycling, and an ACK that was lost are all found out by one question.
+// word taken), in whose answer the shortest whole frame tells the slave's length. So a slave that was reset in the
+// cyclic state, one that is still cycling, and an ACK that was lost are all found out by one question.
 //
 // Source: "MCB protocol description"; mcblib 0.4.9 where it says so.
 #pragma once
@@ -48,8 +48,8 @@ public:
         std::uint16_t address = 0;
         Words words{}; ///< of a write
         bool repeatable = false; ///< a write that may be sent again if its answer is lost
-        std::optional<TimePoint>
-            leaveBy{}; ///< from then on it is not sent any more, nor sent again
+        /// From then on it is not sent any more, nor sent again.
+        std::optional<TimePoint> leaveBy{};
     };
 
     enum class End : std::uint8_t {
@@ -87,7 +87,7 @@ public:
     };
     struct Searching { }; ///< out of step; nothing else goes on
     struct Back {
-        /// The slave is in the config state, and nobody asked it to leave the cyclic one.
+        /// The slave is in the config state, and was not asked to leave the cyclic one.
         bool afterReset = false;
     };
     struct Lost {
@@ -119,8 +119,8 @@ public:
     bool canSend() const;
     bool ready() const { return !m_hasLine || m_ready; }
     void send(Request request, TimePoint now);
-    /// Ends the request in hand at once, so that another may go: NotSent if it was not clocked out. A switch of the state
-    /// that has left is not cut off.
+    /// Ends the request in hand at once, so that another may go: NotSent if it was not clocked out. A switch of the
+    /// state that has left is not cut off.
     void cancel(TimePoint now);
     /// What was not clocked out ends NotSent; what was is not sent again. @return  whether it ended
     bool recall(TimePoint now);
@@ -130,8 +130,8 @@ public:
     /// Frames that leave as they are, whether the drive is ready or not and whatever is under way, which takes care of
     /// itself afterwards. What comes back is thrown away.
     void sendBlind(std::vector<Output> frames, TimePoint now);
-    /// From now on no request waits for the next frame of a slow cycle: it has frames of its own between those. Nor does it
-    /// wait long for bytes that are missing from an exchange.
+    /// From now on no request waits for the next frame of a slow cycle: it has frames of its own between those. Nor
+    /// does it wait long for bytes that are missing from an exchange.
     void setHurried(bool hurried, TimePoint now);
     /// Back to the config state. Needs canSend().
     void switchOff(TimePoint now);

@@ -147,8 +147,8 @@ bool Master::isLate(TimePoint now) const
         && now >= *m_operation->request.leaveBy;
 }
 
-/// Behind a byte stream a slave can be out of step by a byte too many. Then it takes no request, a Stop neither, and yet what it
-/// answers are idle frames whose check is right. It drops what it holds where nothing comes for a while.
+/// Behind a byte stream a slave can be out of step by a byte too many. Then it takes no request, a Stop neither, and
+/// yet what it answers are idle frames whose check is right. It drops what it holds where nothing comes for a while.
 void Master::hush(TimePoint now)
 {
     if (!m_hasLine && m_operation->exchanges >= kNoAnswerYet)

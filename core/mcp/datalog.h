@@ -4,7 +4,8 @@
 // u8 MF count | u16 ids | u8 mark. The printed text forgets the buffer size. Buffer size 0 or mark 0 stops.
 // Packet (ASYNC payload): u32 timestamp in control periods | blocks | u8 mark | u8 async id, 0 for the datalog.
 // A block is one 16-bit value a HF signal; after every (MF rate + 1)th block of a packet follow the MF values at their
-// native widths. MF rate 254: once, at the end of the packet; 255: never. Block i is of tick timestamp + i * (HF rate + 1).
+// native widths. MF rate 254: once, at the end of the packet; 255: never. Block i is of the tick
+// timestamp + i * (HF rate + 1).
 // Source: firmware 6.0 to 6.4.2, recorded packets of 6.4.0 and 6.2.0.
 #pragma once
 
@@ -87,10 +88,10 @@ struct DatalogLink {
 };
 
 /// The buffer size for these signals: as large as the link takes, but at most 12 ms of samples, so that pictures stay
-/// fresh and the next packet comes before silence ends the search for it (aspep/hunt.h), and 20 ms of line time, so that
-/// an answer never waits long behind a packet. Whole groups where MF values are logged, because their counter restarts
-/// with each packet; at least one group even if that takes longer than 12 ms.
-/// Empty if not even one block (or one group) fits. `config.bufferSize` is not looked at.
+/// fresh and the next packet comes before silence ends the search for it (aspep/hunt.h), and 20 ms of line time, so
+/// that an answer never waits long behind a packet. Whole groups where MF values are logged, because their counter
+/// restarts with each packet; at least one group even if that takes longer than 12 ms. Empty if not even one block (or
+/// one group) fits. `config.bufferSize` is not looked at.
 std::optional<std::uint16_t> chooseBufferSize(const DatalogConfig &config, const DatalogLink &link);
 
 } // namespace mcp

@@ -75,14 +75,14 @@ struct Walk {
             at += run * layout.fastBytes();
             done += run;
             if (groups && run == period)
-                at += take(block, *group++, at, done);
+                at += accept(block, *group++, at, done);
         }
         if (endGroup)
-            take(block, *group, at, blocks);
+            accept(block, *group, at, blocks);
     }
 
     /// The MF group at `at`, which follows block `done` - 1.
-    std::size_t take(const capture::SampleBlock &block, capture::SlowGroup &group, std::size_t at,
+    std::size_t accept(const capture::SampleBlock &block, capture::SlowGroup &group, std::size_t at,
         std::size_t done) const
     {
         const auto after = static_cast<capture::Tick>(done > 0 ? done - 1 : 0);

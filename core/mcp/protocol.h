@@ -48,8 +48,8 @@ enum class Status : std::uint8_t {
     CallbackNotRegistered = 0x0D,
 };
 
-std::string_view commandName(
-    std::uint16_t commandId); ///< "GET_REGISTER", ...; empty if it has none
+/// "GET_REGISTER", ...; empty if it has none
+std::string_view commandName(std::uint16_t commandId);
 std::string_view statusName(std::uint8_t status); ///< "CMD_OK", ...; empty if it has none
 
 /// Type field of a register identifier.
@@ -103,8 +103,8 @@ constexpr RegisterId kTorqueRamp = registerId(7, RegisterType::Raw, 0);
 constexpr RegisterId kRevUpData = registerId(8, RegisterType::Raw, 0);
 constexpr RegisterId kCurrentRef = registerId(13, RegisterType::Raw, 0);
 constexpr RegisterId kPositionRamp = registerId(14, RegisterType::Raw, 0);
-constexpr RegisterId kAsyncUartA =
-    registerId(20, RegisterType::Raw, 0); ///< datalog; sent with motor 1: 0x0529
+/// Datalog; sent with motor 1: 0x0529.
+constexpr RegisterId kAsyncUartA = registerId(20, RegisterType::Raw, 0);
 constexpr RegisterId kAsyncUartB = registerId(21, RegisterType::Raw, 0);
 constexpr RegisterId kAsyncStLink = registerId(22, RegisterType::Raw, 0);
 constexpr RegisterId kHallHewPins = registerId(28, RegisterType::Raw, 0);

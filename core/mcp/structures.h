@@ -1,5 +1,5 @@
-// The raw structures of MCP: what stands behind the u16 size of a raw value. Decoded by the size that the board reports,
-// because layouts changed between firmware versions; every other size is an error. All packed, little-endian.
+// The raw structures of MCP: what stands behind the u16 size of a raw value. Decoded by the size that the board
+// reports, because layouts changed between firmware versions; every other size is an error. All packed, little-endian.
 #pragma once
 
 #include "mcp/value.h"

@@ -78,15 +78,15 @@ struct TraceAsync {
     std::uint32_t timestamp = 0;
     unsigned mark = 0;
     unsigned asyncId = 0;
-    bool decoded =
-        false; ///< false: no configuration of this mark, or the length does not fit: the rest is empty
+    /// false: no configuration of this mark, or the length does not fit: the rest is empty
+    bool decoded = false;
     std::vector<TraceRegister> fast;
     std::vector<std::vector<std::int32_t>> fastSamples; ///< signal after signal
     std::vector<TraceRegister> slow;
     std::vector<TraceSlowGroup> slowGroups;
     std::size_t fastBlocks = 0; ///< samples a fast signal; 0 without fast signals
-    std::optional<std::uint32_t>
-        lostTicks; ///< since the packet before it of the same configuration
+    /// Since the packet before it of the same configuration.
+    std::optional<std::uint32_t> lostTicks;
     bool partial = false; ///< shorter than a full packet
 };
 

@@ -36,7 +36,8 @@ Result<Value, CodecError> decodeValue(RegisterId id, ByteReader &reader);
 /// Appends `value` as register `id` wants it; writes nothing on error. A text loses what follows a zero in it.
 Result<void, CodecError> encodeValue(RegisterId id, const Value &value, ByteWriter &writer);
 
-/// The number behind the bits of a scalar: sign-extended or a float, as the format says. Texts and raw stay as they are.
+/// The number behind the bits of a scalar: sign-extended or a float, as the format says. Texts and raw stay as they
+/// are.
 catalog::Value interpret(const Value &value, catalog::ValueType type);
 
 /// The bits for a number. Integers must fit the format; a double must be finite, and for integer formats whole.

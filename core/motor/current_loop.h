@@ -54,7 +54,8 @@ double realBandwidth_radps(double kpDigits, const CurrentPlant &plant, const Pow
 /// Bandwidth beyond which the delay of 1.5 control periods takes too much phase: 0.6 of the control rate, in rad/s.
 double bandwidthLimit_radps(double controlRate_hz);
 
-/// Phase margin [degrees] of a loop of that real bandwidth, the motor's pole cancelled: 90 less what 1.5 control periods take.
+/// Phase margin [degrees] of a loop of that real bandwidth, the motor's pole cancelled: 90 less what 1.5 control
+/// periods take.
 double currentPhaseMargin_deg(double realBandwidth_radps, double controlPeriod_s);
 
 struct StepPrediction {
@@ -67,8 +68,8 @@ struct StepPrediction {
 /// Fills in rise and overshoot from the response.
 void measureStep(StepPrediction &step);
 
-/// When the voltage that was decided on acts. A board whose timer takes new duties over at once is Prompt (the simulated
-/// one is), one that takes them a period later is Late; shipped boards lie between the two.
+/// When the voltage that was decided on acts. A board whose timer takes new duties over at once is Prompt (the
+/// simulated one is), one that takes them a period later is Late; shipped boards lie between the two.
 enum class Acting : std::uint8_t { Prompt, Late };
 
 /// The step of the current as the samples will show it, with the motor at rest (no back-EMF). Voltage limits are not in
@@ -78,8 +79,8 @@ enum class Acting : std::uint8_t { Prompt, Late };
 StepPrediction predictCurrentStep(const PiGains &digits, const CurrentPlant &plant,
     const PowerStage &stage, int samples, Acting acting = Acting::Prompt);
 
-/// The measuring circuit of the currents, for boards that do not tell their scale. Source: the workbench of the motor control
-/// SDK: the converter sees the shunts' voltage amplified about its middle.
+/// The measuring circuit of the currents, for boards that do not tell their scale. Source: the workbench of the motor
+/// control SDK: the converter sees the shunts' voltage amplified about its middle.
 struct CurrentSensing {
     double shunt_ohm = 0.0;
     double gain = 0.0; ///< of the amplifier, with its divider if it has one

@@ -1,6 +1,6 @@
 // What a bandwidth of the current loops and a damping of the speed loop ask of a board's gains: the numbers for its
-// registers, what the loops will do with them, and what is wrong about it. The one place that the window and the command
-// line take such numbers from. Pure functions; nothing is sent.
+// registers, what the loops will do with them, and what is wrong about it. The one place that the window and the
+// command line take such numbers from. Pure functions; nothing is sent.
 #pragma once
 
 #include "motor/fixed_point.h"
@@ -29,8 +29,8 @@ struct GainPlant {
     PowerStage stage;
     double speedPeriod_s = 0.0; ///< of the speed loop
     double speedDelay_s = 0.0; ///< of the measured speed; 0: none
-    double bandwidthGuide_radps =
-        0.0; ///< beyond it the way of measuring currents is known to struggle
+    /// Beyond it the way of measuring currents is known to struggle.
+    double bandwidthGuide_radps = 0.0;
 
     CurrentPlant torque() const { return {motor.rs_ohm, motor.lq_h}; }
     CurrentPlant flux() const { return {motor.rs_ohm, motor.ld_h}; }

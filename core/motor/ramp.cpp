@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 
 namespace motor {
 
 double quantisedSpeed_rpm(double rpm)
 {
-    constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
     if (!std::isfinite(rpm))
         return 0.0;
-    const double whole = std::trunc(std::clamp(rpm, -kLargest, kLargest));
+    const double whole = std::trunc(std::clamp(rpm, -kMostSpeed_rpm, kMostSpeed_rpm));
     return std::trunc(whole / kSpeedStep_rpm) * kSpeedStep_rpm + 0.0;
 }
 

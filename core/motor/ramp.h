@@ -9,6 +9,8 @@
 namespace motor {
 
 constexpr double kSpeedStep_rpm = 6.0; ///< 0.1 Hz, mechanical
+/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
+constexpr double kMostSpeed_rpm = 32767.0;
 
 /// The speed that the firmware makes of it: 3001 -> 3000, -3005 -> -3000. Beyond 16 bits of rpm: clipped.
 double quantisedSpeed_rpm(double rpm);
@@ -25,8 +27,8 @@ struct RampPoint {
 std::vector<RampPoint> rampPreview(
     double from_rpm, double to_rpm, double duration_s, std::size_t mostPoints = 2000);
 
-/// How much of the way to an angle is made after a share of the time, 0 to 1: without jerk at either end. The firmware's own
-/// path is made of pieces; it is as long, and no faster.
+/// How much of the way to an angle is made after a share of the time, 0 to 1: without jerk at either end. The
+/// firmware's own path is made of pieces; it is as long, and no faster.
 double positionShare(double timeShare);
 
 /// The greatest speed on that way [rpm]; infinite without a time.

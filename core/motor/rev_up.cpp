@@ -127,8 +127,8 @@ RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, d
             kSpeedStep_rpm * fitted(speed_rpm / kSpeedStep_rpm, -steps, steps, 0.0));
     stage.current_digits = static_cast<std::int16_t>(
         fitted(digits, bounds.pulse ? 0.0 : -digitsMost, digitsMost, old.current_digits));
-    stage.duration_ms = static_cast<std::uint16_t>(
-        fitted(duration_ms, 0.0, std::numeric_limits<std::uint16_t>::max(), old.duration_ms));
+    stage.duration_ms =
+        static_cast<std::uint16_t>(fitted(duration_ms, 0.0, bounds.duration_ms, old.duration_ms));
     return stage;
 }
 

@@ -1,5 +1,5 @@
-// The start-up of a sensorless drive: up to five stages of speed and current, as the register holds them, as a curve over
-// time, and with what is usually wrong about them. Pure functions; nothing is sent.
+// The start-up of a sensorless drive: up to five stages of speed and current, as the register holds them, as a curve
+// over time, and with what is usually wrong about them. Pure functions; nothing is sent.
 //
 // Each stage goes in a straight line from where the one before ended (the first from standstill without current) to its
 // final speed and final Iq. A stage without time jumps there. The firmware runs through all five: those that are not
@@ -41,7 +41,8 @@ std::size_t usedStages(const RevUp &stages);
 
 /// Another stage in place of one; those after it that repeat the old one without time go on repeating it.
 RevUp withStage(const RevUp &stages, std::size_t index, const RevUpStage &stage);
-/// One more after `index`: it lasts as long and ends where that one ends, to be moved from there. Unchanged if all are used.
+/// One more after `index`: it lasts as long and ends where that one ends, to be moved from there. Unchanged if all are
+/// used.
 RevUp withStageAfter(const RevUp &stages, std::size_t index);
 /// The ones after it move up.
 RevUp withoutStage(const RevUp &stages, std::size_t index);
@@ -53,6 +54,7 @@ struct RevUpBounds {
     std::int32_t speed_rpm = 32766; ///< largest magnitude
     std::int16_t digits = 32767; ///< largest magnitude
     bool pulse = false; ///< six-step: no negative currents
+    std::uint16_t duration_ms = 65535; ///< longest
 };
 /// @param maxSpeed_rpm, maxCurrent_a  0: not known, only the register bounds
 RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit);

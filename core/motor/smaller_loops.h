@@ -1,8 +1,8 @@
-// Gains of the smaller loops: the sensorless observer's by pole placement, and what those of flux weakening, position and
-// the observer's PLL mean in SI units. Pure functions.
-// Source: MCSDK `parameters_conversion.h` (what the constants mean; the observer's back-EMF is scaled to 1.2 times the
-// highest speed); what the firmware's regulators take and give (digits of voltage, current and angle), as
-// simulation/firmware has it. The placement was derived and agrees with generated projects (tests).
+// Gains of the smaller loops: the sensorless observer's by pole placement, and what those of flux weakening, position
+// and the observer's PLL mean in SI units. Pure functions. Source: MCSDK `parameters_conversion.h` (what the constants
+// mean; the observer's back-EMF is scaled to 1.2 times the highest speed); what the firmware's regulators take and give
+// (digits of voltage, current and angle), as simulation/firmware has it. The placement was derived and agrees with
+// generated projects (tests).
 #pragma once
 
 #include "motor/current_loop.h"

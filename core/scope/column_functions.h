@@ -10,8 +10,8 @@
 //   unwrap(angle)        without the jumps of a turn; begins at the angle
 //   clarke_alpha(a, b), clarke_beta(a, b)
 //   park_d(alpha, beta, angle), park_q(alpha, beta, angle)
-//       beta = -(a + 2 b) / sqrt 3; d = alpha sin + beta cos, q = alpha cos - beta sin: as MCSDK's firmware, so that the
-//       results are those of the board's own registers
+//       beta = -(a + 2 b) / sqrt 3; d = alpha sin + beta cos, q = alpha cos - beta sin: as MCSDK's firmware, so that
+//       the results are those of the board's own registers
 //   power(vd, id, vq, iq)   1.5 (vd id + vq iq): electrical power of peak values
 #pragma once
 

@@ -22,8 +22,8 @@ struct Half {
     bool misses(T min, T max) const { return up ? max < bound : min > bound; }
 };
 
-/// The codes of which `holds(shown value)` is true; it must be monotone. The bound is a code of 16 bits, or the one above all of
-/// them where no code is in it.
+/// The codes of which `holds(shown value)` is true; it must be monotone. The bound is a code of 16 bits, or the one
+/// above all of them where no code is in it.
 template <class Holds>
 Half<std::int32_t> halfOfCodes(const capture::Channel &channel, Holds holds)
 {

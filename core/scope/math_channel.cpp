@@ -10,32 +10,14 @@
 namespace scope {
 
 using capture::Channel;
-using capture::ChannelInfo;
+using Kind = capture::ChannelInfo::Kind;
 
 namespace {
-ChannelInfo infoOf(ChannelInfo info, const Formula &formula)
-{
-    info.unit = formula.unit();
-    info.factor = 1.0;
-    info.offset = 0.0;
-    info.kind = ChannelInfo::Kind::Slow; // values that hold
-    return info;
-}
-
-/// Nothing is known right before this sample.
-bool beginsPiece(const Channel &channel, Index index)
-{
-    if (const capture::FastColumn *column = channel.fast())
-        return column->segments()[column->segmentOf(index)].first == index;
-    const capture::ValueColumn &column = *channel.values();
-    return column.runs()[column.runOf(index)].first == index;
-}
-
 /// Seconds since the sample before; of a fast channel not rounded to nanoseconds, which a derivative would show.
 double distance(const Channel &channel, Index index, Nanos otherwise)
 {
     if (const capture::FastColumn *column = channel.fast())
-        return column->segments()[column->segmentOf(index)].stepNanos() / capture::kNanosPerSecond;
+        return column->segments()[column->pieceOf(index)].stepNanos() / capture::kNanosPerSecond;
     return capture::toSeconds(otherwise);
 }
 
@@ -57,17 +39,15 @@ Nanos usualDistance(const Channel &channel)
 /// Fast is before Slow is before Polled; what was computed or came from a file is Slow at any rate.
 bool isFaster(const Channel &channel, const Channel &other)
 {
-    const ChannelInfo::Kind kind = channel.info().kind;
+    const Kind kind = channel.info().kind;
     if (kind != other.info().kind)
         return kind < other.info().kind;
-    return kind == ChannelInfo::Kind::Slow && usualDistance(channel) < usualDistance(other);
+    return kind == Kind::Slow && usualDistance(channel) < usualDistance(other);
 }
 } // namespace
 
-MathChannel::MathChannel(Formula formula, ChannelInfo info, std::uint64_t mostSamples)
+MathChannel::MathChannel(Formula formula)
     : m_formula(std::move(formula))
-    , m_channel(infoOf(std::move(info), m_formula))
-    , m_mostSamples(mostSamples)
     , m_inputs(m_formula.used().size())
     , m_values(m_formula.used().size())
 {
@@ -110,6 +90,9 @@ bool MathChannel::readInputs(std::span<const Channel *const> inputs, Nanos time)
 
 bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, std::size_t most)
 {
+    m_results.times.clear();
+    m_results.values.clear();
+    m_results.pieces.clear();
     if (inputs.empty() || inputs.size() != m_inputs.size())
         return false;
     if (!m_clock) {
@@ -129,7 +112,7 @@ bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, st
         std::size_t count = together(inputs, clock, left);
         if (count > 0) {
             const capture::FastColumn &column = *clock.fast();
-            computeTogether(inputs, column.segments()[column.segmentOf(m_next)], count);
+            computeTogether(inputs, column.segments()[column.pieceOf(m_next)], count);
         } else {
             constexpr std::size_t kSome = 256; // until they may come together
             count = std::min(left, kSome);
@@ -138,20 +121,18 @@ bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, st
         }
         left -= count;
     }
-    while (m_channel.size() > m_mostSamples && m_channel.canRelease())
-        m_channel.releaseOldest();
     return rest;
 }
 
-/// At so many instants from the next one on, `most` at most, all inputs have a sample of their own, side by side in a chunk:
-/// signals of one stream. Places them there.
+/// At so many instants from the next one on, `most` at most, all inputs have a sample of their own, side by side in a
+/// chunk: signals of one stream. Places them there.
 std::size_t MathChannel::together(
     std::span<const Channel *const> inputs, const Channel &clock, std::size_t most)
 {
     const capture::FastColumn *column = clock.fast();
     if (!column)
         return 0;
-    const capture::Segment &segment = column->segments()[column->segmentOf(m_next)];
+    const capture::Segment &segment = column->segments()[column->pieceOf(m_next)];
     const capture::Tick tick = segment.tickOf(m_next);
     std::size_t count = std::min(most, static_cast<std::size_t>(segment.end() - m_next));
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -159,7 +140,7 @@ std::size_t MathChannel::together(
         const Index at = other ? other->atOrAfter(segment.base.timeOf(tick)) : 0;
         if (!other || at >= other->end())
             return 0;
-        const capture::Segment &its = other->segments()[other->segmentOf(at)];
+        const capture::Segment &its = other->segments()[other->pieceOf(at)];
         if (its.base != segment.base || its.step != segment.step || its.tickOf(at) != tick)
             return 0;
         count = std::min(count, static_cast<std::size_t>(its.end() - at));
@@ -172,35 +153,19 @@ std::size_t MathChannel::together(
 void MathChannel::computeTogether(
     std::span<const Channel *const> inputs, const capture::Segment &clock, std::size_t count)
 {
-    capture::ValueColumn &result = *m_channel.values();
     std::vector<std::span<const std::int16_t>> codes;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         codes.push_back(inputs[i]->fast()->codes(m_inputs[i].next, count));
     const double step = clock.stepNanos() / capture::kNanosPerSecond;
-    const auto store = [&] {
-        if (!m_pieceTimes.empty())
-            result.append(m_pieceTimes, m_pieceValues,
-                std::max(m_pieceTimes.back() + 1, clock.timeOf(m_next)));
-        m_pieceTimes.clear();
-        m_pieceValues.clear();
-    };
-    for (std::size_t k = 0; k < count; ++k, ++m_next) {
+    Nanos time = clock.timeOf(m_next);
+    for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t i = 0; i < inputs.size(); ++i)
             m_values[i] = inputs[i]->toShown(codes[i][k]);
         const bool joined = m_joined && m_next != clock.first;
-        const double value = m_formula.step(m_values, step, joined);
-        m_joined = true;
-        m_before = clock.timeOf(m_next);
-        if (!joined || !std::isfinite(value)) {
-            store();
-            result.breakHere();
-        }
-        if (std::isfinite(value)) {
-            m_pieceTimes.push_back(m_before);
-            m_pieceValues.push_back(value);
-        }
+        const Nanos next = clock.timeOf(++m_next);
+        put(time, m_formula.step(m_values, step, joined), next, joined);
+        time = next;
     }
-    store();
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         Input &input = m_inputs[i];
         input.next += count;
@@ -210,24 +175,38 @@ void MathChannel::computeTogether(
     }
 }
 
-/// One instant: the value of the formula, or a gap.
+/// One instant.
 void MathChannel::compute(std::span<const Channel *const> inputs, const Channel &clock)
 {
-    capture::ValueColumn &result = *m_channel.values();
     const Nanos time = clock.timeOf(m_next);
     if (!readInputs(inputs, time)) {
         m_joined = false;
-        result.breakHere();
+        m_begins = true;
         return;
     }
-    const bool joined = m_joined && !beginsPiece(clock, m_next);
+    const bool joined = m_joined && clock.pieceOf(m_next) == clock.pieceOf(m_next - 1);
     const double value = m_formula.step(m_values, distance(clock, m_next, time - m_before), joined);
+    put(time, value, clock.holdUntil(m_next), joined);
+}
+
+/// The value of the formula, or a gap.
+/// @param joined  it follows the one before
+void MathChannel::put(Nanos time, double value, Nanos holdUntil, bool joined)
+{
     m_joined = true;
     m_before = time;
-    if (!joined || !std::isfinite(value))
-        result.breakHere();
-    if (std::isfinite(value))
-        result.append(time, value, std::max(time + 1, clock.holdUntil(m_next)));
+    const bool gap = !std::isfinite(value);
+    m_begins = m_begins || !joined || gap;
+    if (gap)
+        return;
+    if (m_begins || m_results.pieces.empty())
+        m_results.pieces.push_back({0, 0, m_begins});
+    m_begins = false;
+    m_results.times.push_back(time);
+    m_results.values.push_back(value);
+    MathResults::Piece &piece = m_results.pieces.back();
+    ++piece.count;
+    piece.holdUntil = std::max(time + 1, holdUntil);
 }
 
 std::optional<Nanos> settledUntil(std::span<const Channel *const> channels)

@@ -1,6 +1,6 @@
 // What an automatic measurement says: a number or the reason why there is none, its kind of unit, and the levels and
-// points to draw, so that the user sees what was measured. Definitions: measurer.h, step_response.h, phase.h. And what many of
-// them say together.
+// points to draw, so that the user sees what was measured. Definitions: measurer.h, step_response.h, phase.h. And what
+// many of them say together.
 #pragma once
 
 #include "base/result.h"

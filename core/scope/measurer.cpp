@@ -5,9 +5,9 @@
 namespace scope {
 
 namespace {
-constexpr double kHysteresis =
-    0.2; ///< of the height, on each side of the middle: noise of 10 % stays inside
-}
+/// Of the height, on each side of the middle: noise of 10 % stays inside.
+constexpr double kHysteresis = 0.2;
+} // namespace
 
 UnitKind unitOf(Quantity quantity)
 {

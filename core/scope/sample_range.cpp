@@ -6,7 +6,6 @@
 namespace scope {
 
 using capture::FastColumn;
-using capture::ValueColumn;
 
 namespace {
 /// The first sample in [from, to) that equals `wanted`; it is there.
@@ -43,17 +42,13 @@ SampleRange::SampleRange(const capture::Channel &channel, Nanos from, Nanos to)
 
 bool SampleRange::gapInside() const
 {
-    if (empty())
-        return false;
-    if (const FastColumn *column = m_channel.fast())
-        return column->segmentOf(m_begin) != column->segmentOf(m_end - 1);
-    const capture::ValueColumn &column = *m_channel.values();
-    return column.runOf(m_begin) != column.runOf(m_end - 1);
+    return !empty() && m_channel.pieceOf(m_begin) != m_channel.pieceOf(m_end - 1);
 }
 
 SampleRange::Extremes SampleRange::extremes() const
 {
-    const auto shown = [&](const auto &column, const auto &range) -> Extremes {
+    const auto shown = [&](const auto &column) -> Extremes {
+        const auto range = column.extremes(m_begin, m_end);
         const Index lowAt = findSample(column, m_begin, m_end, range.min);
         const Index highAt = findSample(column, m_begin, m_end, range.max);
         const double low = m_channel.toShown(range.min);
@@ -62,10 +57,7 @@ SampleRange::Extremes SampleRange::extremes() const
             return {low, high, lowAt, highAt};
         return {high, low, highAt, lowAt}; // a scale that turns the sign
     };
-    if (const FastColumn *column = m_channel.fast())
-        return shown(*column, column->extremes(m_begin, m_end));
-    const ValueColumn &column = *m_channel.values();
-    return shown(column, column.valueExtremes(m_begin, m_end));
+    return std::visit(shown, m_channel.column());
 }
 
 std::optional<SampleRange::Moments> SampleRange::moments() const

@@ -69,7 +69,7 @@ void SampleRange::visit(Visit visit) const
 {
     if (const capture::FastColumn *column = m_channel.fast()) {
         for (Index at = m_begin; at < m_end;) {
-            const capture::Segment &segment = column->segments()[column->segmentOf(at)];
+            const capture::Segment &segment = column->segments()[column->pieceOf(at)];
             const Index stop = std::min(m_end, segment.end());
             const double start = capture::toSeconds(segment.timeOf(at) - m_from);
             const double step = segment.stepNanos() / capture::kNanosPerSecond;
@@ -87,7 +87,7 @@ void SampleRange::visit(Visit visit) const
     }
     const capture::ValueColumn &column = *m_channel.values();
     for (Index at = m_begin; at < m_end;) {
-        const capture::Run &run = column.runs()[column.runOf(at)];
+        const capture::Run &run = column.runs()[column.pieceOf(at)];
         const Index stop = std::min(m_end, run.end());
         for (const Index first = at; at < stop; ++at)
             visit(secondsOf(at), m_channel.at(at), at != first);

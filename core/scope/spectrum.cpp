@@ -109,8 +109,8 @@ void transform(const double *values, bool subtractMean, const std::vector<double
     fft.transform_real(windowed.data(), bins.data());
     const double scale = 1.0 / (static_cast<double>(window.size()) * squares);
     sums[0] += bins[0].real() * bins[0].real() * scale;
-    sums[half] +=
-        bins[0].imag() * bins[0].imag() * scale; // that is where kissfft puts the last bin
+    // That is where kissfft puts the last bin.
+    sums[half] += bins[0].imag() * bins[0].imag() * scale;
     for (std::size_t k = 1; k < half; ++k)
         sums[k] += 2.0 * std::norm(bins[k]) * scale;
 }

@@ -99,8 +99,8 @@ std::vector<SpectrumPeak> findPeaks(
     const Spectrum &spectrum, std::size_t most, double floor, std::size_t *refined)
 {
     const std::vector<double> &squares = spectrum.meanSquares;
-    // Noise has a maximum every third bin. Where a tone lies between the bins is worth finding only for those that can be
-    // among the largest: a bin reads at most so much less than the tone does.
+    // Noise has a maximum every third bin. Where a tone lies between the bins is worth finding only for those that can
+    // be among the largest: a bin reads at most so much less than the tone does.
     const double mostGain = greatestGain(spectrum.window);
     std::vector<Maximum> maxima;
     for (std::size_t k = 1; k + 1 < squares.size(); ++k)
@@ -108,8 +108,8 @@ std::vector<SpectrumPeak> findPeaks(
             maxima.push_back({squares[k], k});
     std::make_heap(maxima.begin(), maxima.end());
     std::vector<SpectrumPeak> result;
-    std::vector<SpectrumPeak>
-        known; // of the maxima that were taken off the heap; a heap by amplitude
+    // Of the maxima that were taken off the heap; a heap by amplitude.
+    std::vector<SpectrumPeak> known;
     std::size_t count = 0;
     while (result.size() < most && !(maxima.empty() && known.empty())) {
         const double bound =

@@ -20,8 +20,8 @@ struct StepSettings {
     std::optional<double> initial; ///< else the mean before the step, or the first sample
     std::optional<double> final; ///< else the mean of the tail
     std::optional<double> setPoint; ///< what the value should become; errors need it
-    double tail =
-        0.2; ///< share of the time after the step at its end; the value must be settled before it
+    /// Share of the time after the step at its end; the value must be settled before it.
+    double tail = 0.2;
     double band = 0.02; ///< half the width of the settling band, share of the step size
 };
 

@@ -5,7 +5,8 @@
 //   begin(time)         nothing is known before the next sample, which is at `time`
 //   wrapped()           the next sample is the same angle, counted from the other end
 //   step(at, value)     the hit that this sample makes, if any
-//   moves(in)           which samples would change it or make a hit. in(half) says which of them lie in a half-line, a bit each
+//   moves(in)           which samples would change it or make a hit. in(half) says which of them lie in a half-line, a
+//                       bit each
 //   due()               when it fires by itself if nothing comes before
 #pragma once
 

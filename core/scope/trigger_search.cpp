@@ -101,13 +101,21 @@ struct Shown {
     Value operator[](Index index) const { return channel.at(index); }
 };
 
-/// Steps `machine` through [from, to) until it hits.
+constexpr double kNoTurn = std::numeric_limits<double>::infinity();
+
+/// Steps `machine` through [from, to) until it hits. A step of more than half a turn is the angle's
+/// end and no edge.
 template <class Values, class AnyMachine>
-MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &from, Index to)
+MaybeHit scanEach(const Values &values, AnyMachine &machine, Reader &reader, Index &from, Index to,
+    double halfTurn, double &before)
 {
     while (from < to) {
+        const auto value = values[from];
+        if (std::abs(static_cast<double>(value) - before) > halfTurn)
+            machine.wrapped();
+        before = static_cast<double>(value);
         const At<Reader> at{reader, from};
-        const MaybeHit hit = machine.step(at, values[from]);
+        const MaybeHit hit = machine.step(at, value);
         ++from;
         if (hit)
             return hit;
@@ -115,7 +123,8 @@ MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &
     return std::nullopt;
 }
 
-/// The same for codes: of sixteen at a time those alone are stepped through that would move the machine as it is.
+/// The same for codes of no angle: of sixteen at a time those alone are stepped through that would
+/// move the machine as it is.
 template <class AnyMachine>
 MaybeHit scan(const Codes &values, AnyMachine &machine, Reader &reader, Index &from, Index to)
 {
@@ -136,7 +145,8 @@ MaybeHit scan(const Codes &values, AnyMachine &machine, Reader &reader, Index &f
             }
         }
     }
-    return scan<Codes, AnyMachine>(values, machine, reader, from, to);
+    double before = 0.0;
+    return scanEach(values, machine, reader, from, to, kNoTurn, before);
 }
 
 /// The same for a single edge of codes, which is what most searches are: sixteen codes at a time.
@@ -170,35 +180,17 @@ MaybeHit scan(
             }
         }
     }
-    return scan<Codes, EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
-}
-
-/// The same where a step of more than half a turn is the angle's end and no edge.
-template <class Values, class AnyMachine>
-MaybeHit scanAngle(const Values &values, AnyMachine &machine, Reader &reader, Index &from, Index to,
-    double halfTurn, double &before)
-{
-    while (from < to) {
-        const auto value = values[from];
-        if (std::abs(static_cast<double>(value) - before) > halfTurn)
-            machine.wrapped();
-        before = static_cast<double>(value);
-        const At<Reader> at{reader, from};
-        const MaybeHit hit = machine.step(at, value);
-        ++from;
-        if (hit)
-            return hit;
-    }
-    return std::nullopt;
+    return scan<EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
 }
 
 /// Where a search is in a channel, with its machine.
 struct Work {
     const TriggerCondition condition;
+    const double halfTurn = condition.turn > 0 ? condition.turn / 2 : kNoTurn;
     Index next;
-    Index known =
-        std::numeric_limits<Index>::max(); ///< the machine saw the samples before this one
-    double before = 0.0; ///< value of the last sample, kept for angles only
+    /// The machine saw the samples before this one.
+    Index known = std::numeric_limits<Index>::max();
+    double before = 0.0; ///< value of the last sample; for angles only
 
     Work(const TriggerCondition &what, Index from)
         : condition(what)
@@ -216,11 +208,9 @@ template <class AnyMachine>
 struct CodeWork final : Work {
     AnyMachine machine;
 
-    template <class Trigger>
-    CodeWork(
-        const TriggerCondition &what, Index from, const Channel &channel, const Trigger &trigger)
+    CodeWork(const TriggerCondition &what, Index from, const AnyMachine &made)
         : Work(what, from)
-        , machine(Halves<std::int32_t>{channel}, trigger)
+        , machine(made)
     {
     }
 
@@ -230,7 +220,7 @@ struct CodeWork final : Work {
         Reader reader(channel, condition.between);
         next = std::max(next, column.begin());
         while (next < std::min(column.end(), until)) {
-            const capture::Segment &segment = column.segments()[column.segmentOf(next)];
+            const capture::Segment &segment = column.segments()[column.pieceOf(next)];
             reader.enter(segment, notBefore);
             if (next != known || next == segment.first) {
                 machine.begin(reader.timeOf(next));
@@ -249,7 +239,7 @@ struct CodeWork final : Work {
         constexpr Index kBlock = FastColumn::kBlockSamples;
         constexpr Index kMostBlocks = 16;
         const FastColumn &column = *channel.fast();
-        const double halfTurn = condition.turn / 2 / std::abs(channel.info().factor);
+        const double halfCodes = halfTurn / std::abs(channel.info().factor);
         Index atOnce = 1; ///< blocks
         while (next < end) {
             if constexpr (AnyMachine::kForgetful) {
@@ -259,7 +249,7 @@ struct CodeWork final : Work {
             }
             const Index blockEnd = (next / kBlock + 1) * kBlock;
             if (next % kBlock == 0 && blockEnd <= end
-                && passesOver(column, reader, blockEnd, halfTurn)) {
+                && passesOver(column, reader, blockEnd, halfCodes)) {
                 next = known = blockEnd;
                 atOnce = 1;
                 if (condition.turn > 0)
@@ -272,7 +262,7 @@ struct CodeWork final : Work {
             const Codes codes{column.codes(next, static_cast<std::size_t>(wanted)), next};
             const Index stop = next + codes.codes.size();
             const MaybeHit hit = condition.turn > 0
-                ? scanAngle(codes, machine, reader, next, stop, halfTurn, before)
+                ? scanEach(codes, machine, reader, next, stop, halfCodes, before)
                 : scan(codes, machine, reader, next, stop);
             known = next;
             if (hit && hit->time >= notBefore)
@@ -282,7 +272,7 @@ struct CodeWork final : Work {
     }
 
     /// Nothing can happen in the block from `next` to `stop`.
-    bool passesOver(const FastColumn &column, Reader &reader, Index stop, double halfTurn) const
+    bool passesOver(const FastColumn &column, Reader &reader, Index stop, double halfCodes) const
     {
         const capture::CodeRange range = column.blockExtremes(next);
         const auto touches = [range](const Half<std::int32_t> &half) {
@@ -290,8 +280,7 @@ struct CodeWork final : Work {
         };
         if (machine.moves(touches) != 0)
             return false;
-        if (condition.turn > 0
-            && std::max<double>(range.max, before) - std::min<double>(range.min, before) > halfTurn)
+        if (std::max<double>(range.max, before) - std::min<double>(range.min, before) > halfCodes)
             return false;
         const auto due = machine.due();
         return !due || !reader.reached(stop - 1, *due);
@@ -303,11 +292,9 @@ template <class AnyMachine>
 struct ValueWork final : Work {
     AnyMachine machine;
 
-    template <class Trigger>
-    ValueWork(
-        const TriggerCondition &what, Index from, const Channel &channel, const Trigger &trigger)
+    ValueWork(const TriggerCondition &what, Index from, const AnyMachine &made)
         : Work(what, from)
-        , machine(Halves<double>{channel}, trigger)
+        , machine(made)
     {
     }
 
@@ -318,15 +305,13 @@ struct ValueWork final : Work {
         const Shown shown{channel};
         next = std::max(next, column.begin());
         while (next < std::min(column.end(), until)) {
-            const capture::Run &run = column.runs()[column.runOf(next)];
+            const capture::Run &run = column.runs()[column.pieceOf(next)];
             const Index end = std::min(run.end(), until);
             if (next != known || next == run.first) {
                 machine.begin(reader.timeOf(next));
                 before = channel.at(next);
             }
-            const MaybeHit hit = condition.turn > 0
-                ? scanAngle(shown, machine, reader, next, end, condition.turn / 2, before)
-                : scan(shown, machine, reader, next, end);
+            const MaybeHit hit = scanEach(shown, machine, reader, next, end, halfTurn, before);
             known = next;
             if (hit && hit->time >= notBefore)
                 return hit;
@@ -344,10 +329,12 @@ struct MakeWork {
     template <template <class> class AnyMachine, class Trigger>
     std::unique_ptr<Work> make(const Trigger &trigger) const
     {
+        using OfCodes = AnyMachine<std::int32_t>;
+        using OfValues = AnyMachine<double>;
         if (channel.fast())
-            return std::make_unique<CodeWork<AnyMachine<std::int32_t>>>(
-                condition, from, channel, trigger);
-        return std::make_unique<ValueWork<AnyMachine<double>>>(condition, from, channel, trigger);
+            return std::make_unique<CodeWork<OfCodes>>(
+                condition, from, OfCodes({channel}, trigger));
+        return std::make_unique<ValueWork<OfValues>>(condition, from, OfValues({channel}, trigger));
     }
     using Made = std::unique_ptr<Work>;
     Made operator()(const EdgeTrigger &t) const { return make<EdgeMachine>(t); }

@@ -30,10 +30,10 @@ public:
     TriggerSearch &operator=(TriggerSearch &&) noexcept;
     ~TriggerSearch();
 
-    /// The next hit at or after `notBefore`; nullopt if there is none among the samples so far. Earlier ones are
-    /// passed over and do not come again. Samples released before they were searched are a gap.
-    /// Cost: one read for 256 samples where the value stays clear of the levels, else masks of sixteen samples, and a step for each
-    /// sample that changes what is waited for.
+    /// The next hit at or after `notBefore`; nullopt if there is none among the samples so far. Earlier ones are passed
+    /// over and do not come again. Samples released before they were searched are a gap. Cost: one read for 256 samples
+    /// where the value stays clear of the levels, else masks of sixteen samples, and a step for each sample that
+    /// changes what is waited for.
     /// @param until  looks at no sample from there on
     std::optional<TriggerHit> next(const capture::Channel &channel, Nanos notBefore,
         Index until = std::numeric_limits<Index>::max());

@@ -24,7 +24,7 @@ enum class MotorState : std::uint8_t {
     SwitchOver = 19,
 };
 
-/// Written by the firmware, read by everybody. 16-bit variables: currents (s16A) and voltages (s16V) in digits, angles in
+/// Written by the firmware, read by others. 16-bit variables: currents (s16A) and voltages (s16V) in digits, angles in
 /// 1/65536 electrical turn, speeds in 0.1 Hz mechanical.
 struct Signals {
     std::int16_t iA = 0, iB = 0, iAlpha = 0, iBeta = 0, iQ = 0, iD = 0, iQRef = 0, iDRef = 0;

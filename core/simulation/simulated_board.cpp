@@ -1,6 +1,10 @@
-// What the options of a board come to: its build and its machine.
+// What the options of a board come to: its build and its machine, and the board of the protocol that its profile
+// speaks.
 #include "simulation/simulated_board.h"
 
+#include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcp/mcp_board.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
@@ -37,6 +41,19 @@ std::optional<PlantParameters> plantOf(const BoardOptions &options)
     if (!impossibleParameter(plant).empty())
         return std::nullopt;
     return plant;
+}
+
+std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
+{
+    if (isFcpProfile(options.profile))
+        return makeFcpBoard(options);
+    if (options.profile == kServoProfile) {
+        McbBoardOptions servo;
+        servo.board = options;
+        servo.board.profile = BoardOptions().profile;
+        return makeMcbBoard(std::move(servo));
+    }
+    return makeMcpBoard(options);
 }
 
 } // namespace simulation

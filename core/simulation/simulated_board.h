@@ -26,8 +26,8 @@ namespace simulation {
 struct BoardOptions {
     std::string profile = "mcsdk-6.4"; ///< one of profileNames() or fcpProfiles()
     std::string motor; ///< a preset of plant/presets.h; empty: the first of them
-    std::optional<PlantParameters>
-        plant; ///< instead of a preset; makeBoard() refuses impossible ones
+    /// Instead of a preset; makeBoard() refuses impossible ones.
+    std::optional<PlantParameters> plant;
     std::optional<LoadParameters> load; ///< instead of what the motor comes with
     int motors = 1; ///< 1 or 2
     std::vector<const BuildOption *> with; ///< options beside what profile and motor ask for
@@ -41,10 +41,10 @@ struct BoardOptions {
     double hfHz = 16000.0; ///< control rate; FOCFW_CONFIG agrees with it
     std::uint32_t firstTimestamp = 0; ///< HF counter at power-on
     bool nullCheck = false; ///< a build that repeats the last response on an empty request
-    bool wide =
-        false; ///< an application with datalog sources for STATUS, SPEED_MEAS, SPEED_REF, FAULTS_FLAGS
-    int userCallbacks =
-        0; ///< 0..2: the first echoes its payload reversed, the second answers status 0x42
+    /// An application with datalog sources for STATUS, SPEED_MEAS, SPEED_REF, FAULTS_FLAGS.
+    bool wide = false;
+    /// 0..2: the first echoes its payload reversed, the second answers status 0x42
+    int userCallbacks = 0;
     int watchdogMs = 0; ///< 0: none; else user command 1 is the heartbeat and FW_NAME says so
     std::vector<LieChoice> lies; ///< what it does wrong on purpose
     std::uint64_t seed = 1;
@@ -70,11 +70,11 @@ class SimulatedBoard : public ByteDevice {
 public:
     // Control words; each as the user at the board would do it.
     virtual void reset() = 0; ///< power cycle
-    virtual void setFaults(
-        std::uint16_t present) = 0; ///< fault bits that are present from now on; 0: none
+    /// Fault bits that are present from now on; 0: none.
+    virtual void setFaults(std::uint16_t present) = 0;
     virtual void mute(Duration time) = 0; ///< what it sends meanwhile is lost on the line
-    virtual void corruptAfter(
-        std::uint64_t bytes) = 0; ///< bit 0 of the byte after so many more sent bytes
+    /// Bit 0 of the byte after so many more sent bytes.
+    virtual void corruptAfter(std::uint64_t bytes) = 0;
     virtual void inject(ByteView bytes) = 0; ///< these bytes appear in its output at once
     /// Constant torque against motor 1 or 2 from now on; the fan's and the friction stay.
     virtual void setLoadTorque(int motor, double nm) = 0;

@@ -24,10 +24,10 @@ struct RestorePlan {
     std::vector<Left> left;
 };
 
-/// Only tunable registers, and of those only what differs: what has its value already is not touched. What is tunable the
-/// catalogue decides, not the file: a file of another time may call a set-point so, and it is left and named.
-/// Gains come first, then structures, and last what is dangerous to write: on a board each of these changes what the
-/// ones before it mean. The writes are to be sent with drive::Reach::Parameters.
+/// Only tunable registers, and of those only what differs: what has its value already is not touched. What is tunable
+/// the catalogue decides, not the file: a file of another time may call a set-point so, and it is left and named. Gains
+/// come first, then structures, and last what is dangerous to write: on a board each of these changes what the ones
+/// before it mean. The writes are to be sent with drive::Reach::Parameters.
 /// @param now  what the board holds; registers that are not in there count as not on the board
 /// @param moving  motors that are not idle: what is dangerous to write is left alone there
 RestorePlan planRestore(const Snapshot &wanted, const Snapshot &now,

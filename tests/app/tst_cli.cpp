@@ -321,8 +321,8 @@ void TestCli::decodePrintsOneObjectALine()
     QVERIFY(result.lines()[2].contains(QLatin1String("\"type\":\"invalid\"")));
 }
 
-/// An empty request has no CRC, also where payloads have one; a packet that a stop sends off may hold no block; a list of
-/// no registers is a list.
+/// An empty request has no CRC, also where payloads have one; a packet that a stop sends off may hold no block; a list
+/// of no registers is a list.
 void TestCli::decodeShowsWhatIsEmpty()
 {
     using Lines = std::vector<std::pair<const char *, const char *>>;

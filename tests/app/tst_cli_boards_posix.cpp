@@ -47,8 +47,8 @@ public:
             .section(QLatin1Char(' '), 0, 0)
             .toDouble();
     }
-    /// Polls until `name` stays near `target`; the deadline is that of a start. A start overshoots its speed, so that one
-    /// reading proves nothing.
+    /// Polls until `name` stays near `target`; the deadline is that of a start. A start overshoots its speed, so that
+    /// one reading proves nothing.
     bool reaches(const char *name, double target, double tolerance = 60.0) const
     {
         QElapsedTimer time;

@@ -1,6 +1,6 @@
 // Words of boards, files and other programs as the programs print them: a terminal is given no control character of
 // them, JSON stays JSON, and what a file makes of memory is bounded and told.
-#include "record/entry.h"
+#include "recorded/entry.h"
 #include "session/recording/recording_file.h"
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
@@ -24,14 +24,14 @@ bool isHarmless(const QString &printed)
     });
 }
 
-QString recordingOf(const QTemporaryDir &folder, const std::vector<record::Entry> &entries)
+QString recordingOf(const QTemporaryDir &folder, const std::vector<recorded::Entry> &entries)
 {
     const QString path = folder.filePath(QStringLiteral("r.pcapng"));
     QString text;
     session::RecordingFile file(session::makeDiskSink(path, text), {0, kNasty, kNasty});
     bool written = file.open();
     for (std::size_t i = 0; i < entries.size() && written; ++i)
-        written = file.add(static_cast<record::Nanos>(i), entries[i]);
+        written = file.add(static_cast<recorded::Nanos>(i), entries[i]);
     return written && file.end() ? path : QString();
 }
 
@@ -45,8 +45,9 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString path = recordingOf(folder,
-            {record::Happening{kNasty, {{kNasty, kNasty}}}, record::Note{0, 1, kNasty},
-                record::PolledRegister{1, kNasty, kNasty}, record::PolledValues{{{1, 5, 1.5}}}});
+            {recorded::Happening{kNasty, {{kNasty, kNasty}}}, recorded::Note{0, 1, kNasty},
+                recorded::PolledRegister{1, kNasty, kNasty},
+                recorded::PolledValues{{{1, 5, 1.5}}}});
         QVERIFY(!path.isEmpty());
         const CliRun shown =
             support::runCli({QStringLiteral("show"), path, QStringLiteral("--events")});
@@ -111,11 +112,11 @@ private Q_SLOTS:
     void entriesThatTakeTooMuchMemoryAreLeftOutAndToldSo()
     {
         const QTemporaryDir folder;
-        record::Happening many{"many", {}};
+        recorded::Happening many{"many", {}};
         for (int i = 0; i < 1000; ++i)
             many.fields.emplace_back("k", "v");
-        std::vector<record::Entry> entries(1500, many);
-        entries.insert(entries.begin(), record::RegisterSnapshot{"s", std::string(600'000, 'x')});
+        std::vector<recorded::Entry> entries(1500, many);
+        entries.insert(entries.begin(), recorded::RegisterSnapshot{"s", std::string(600'000, 'x')});
         const QString path = recordingOf(folder, entries);
         QVERIFY(!path.isEmpty());
         const CliRun shown = support::runCli({QStringLiteral("show"), path});

@@ -1,4 +1,4 @@
-// rotorscope-cli when somebody presses Ctrl-C or ends it: the motor that it started does not go on.
+// rotorscope-cli when the user presses Ctrl-C or ends it: the motor that it started does not go on.
 #include "support/programs/programs_posix.h"
 
 #include <QFileInfo>

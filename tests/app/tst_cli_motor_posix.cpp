@@ -66,8 +66,8 @@ private Q_SLOTS:
         for (const QString &line : text.out.split(QLatin1Char('\n'))) {
             if (!line.startsWith(QLatin1String("rs ")) && !line.startsWith(QLatin1String("ld ")))
                 continue;
-            const QStringList columns =
-                line.split(QStringLiteral("  "), Qt::SkipEmptyParts); // name, board, file
+            // Name, board, file.
+            const QStringList columns = line.split(QStringLiteral("  "), Qt::SkipEmptyParts);
             QVERIFY2(columns.size() == 3, qPrintable(line));
             QVERIFY2(columns[1].trimmed() == columns[2].trimmed() && columns[1].size() < 14,
                 qPrintable(line));

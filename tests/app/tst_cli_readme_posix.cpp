@@ -1,5 +1,5 @@
-// README's session of the command line, line for line and in its order, on one simulated board. What measures a motor for long
-// is played with ROTORSCOPE_LONG=1 alone, on each firmware profile that streams.
+// README's session of the command line, line for line and in its order, on one simulated board. What measures a motor
+// for long is played with ROTORSCOPE_LONG=1 alone, on each firmware profile that streams.
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
 
@@ -77,8 +77,8 @@ void TestCliReadme::itsSessionWorks()
         if (command.endsWith(QLatin1String("info")) && !command.contains(board.port()))
             continue; // of a board that is no longer this one
         const QStringList words = command.split(QLatin1Char(' '), Qt::SkipEmptyParts).mid(1);
-        // A machine that stands still in the middle of an experiment ends it, as is documented: then nothing comes, or what holds
-        // the speed comes late (tst_current_steps has how late it may be).
+        // A machine that stands still in the middle of an experiment ends it, as is documented: then nothing comes, or
+        // what holds the speed comes late (tst_current_steps has how late it may be).
         const auto spoilt = [](const support::CliRun &run) {
             return run.stalled()
                 || (run.endedEarly()

@@ -1,4 +1,5 @@
-// Recordings as scripts see them: capture --record, show, export and evaluate. The real program, against its own simulated board.
+// Recordings as scripts see them: capture --record, show, export and evaluate. The real program, against its own
+// simulated board.
 #include "session/files/finding_json.h"
 #include "session/files/snapshot_json.h"
 #include "session/recording/recording_file.h"
@@ -249,7 +250,7 @@ void TestCliRecording::eachOfSeveralExperimentsIsTold()
     session::RecordingFile file(
         session::makeDiskSink(path("day.pcapng"), why), {1'700'000'000, "test", "sim"});
     QVERIFY(file.open());
-    bench.eachEntry = [&file](record::Nanos at, const record::Entry &entry) {
+    bench.eachEntry = [&file](recorded::Nanos at, const recorded::Entry &entry) {
         QVERIFY(file.add(at, entry));
     };
     QStringList said;

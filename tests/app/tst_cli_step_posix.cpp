@@ -1,5 +1,5 @@
-// Experiments as programs: the run and its file say the same, what is left of it, and how it ends. How good the numbers are
-// is for the tests of their evaluations, on virtual time: here the machine may stand still.
+// Experiments as programs: the run and its file say the same, what is left of it, and how it ends. How good the numbers
+// are is for the tests of their evaluations, on virtual time: here the machine may stand still.
 #include "session/recording/lent_note.h"
 #include "support/programs/experiment_program_posix.h"
 
@@ -19,7 +19,8 @@ using support::CliRun;
 using support::ExperimentProgram;
 using support::Simulator;
 
-/// It ended so; or otherwise, and as it should where the machine did not let it run: then there is nothing more to be seen.
+/// It ended so; or otherwise, and as it should where the machine did not let it run: then there is nothing more to be
+/// seen.
 #define COMPARE_OUTCOME(program, expected, text, ...)                                              \
     do {                                                                                           \
         const auto asExpected = [](const CliRun &it) {                                             \
@@ -41,8 +42,8 @@ namespace {
 const QStringList kServo{QStringLiteral("--motor"), QStringLiteral("servo24")};
 const QStringList kWithoutSensor{QStringLiteral("--motor"), QStringLiteral("pm24")};
 constexpr int kPatience_ms = 60'000; ///< a program takes long to start on a machine that is busy
-constexpr qint64 kSomeSamples =
-    300'000; ///< bytes of a recording with seven times as many: the motor turns
+/// Bytes of a recording with seven times as many: the motor turns.
+constexpr qint64 kSomeSamples = 300'000;
 
 QJsonObject jsonOf(const CliRun &run) { return QJsonDocument::fromJson(run.out.toUtf8()).object(); }
 
@@ -240,7 +241,7 @@ private Q_SLOTS:
         QVERIFY2(program.run().err.contains(reason), qPrintable(program.run().err));
     }
 
-    /// Nobody restores its set-point: whoever starts the motor again is told where it goes.
+    /// Its set-point is not restored: at the next start the user is told where it goes.
     void whatAKilledRunLeavesIsNamedAtTheNextStart()
     {
         ExperimentProgram program(kServo, "step speed --from 1200 --to 1206 -o");

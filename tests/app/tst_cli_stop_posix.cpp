@@ -1,5 +1,5 @@
-// rotorscope-cli stop, as the wire sees it: the STOPs leave before anything else is asked, and whether or not anybody
-// answers.
+// rotorscope-cli stop, as the wire sees it: the STOPs leave before anything else is asked, and whether or not answers
+// come.
 #include "support/board_on_terminal.h"
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
@@ -88,8 +88,8 @@ private Q_SLOTS:
         QTest::newRow("MCP") << "mcsdk-6.4"
                              << "mcp" << kMcpStop << QByteArray::fromHex("0800");
         QTest::newRow("older") << "legacy"
-                               << "legacy" << kOlderStop
-                               << QByteArray::fromHex("2201"); // GET_REGISTER of motor 1
+                               // GET_REGISTER of motor 1.
+                               << "legacy" << kOlderStop << QByteArray::fromHex("2201");
     }
 
     void theStopGoesBeforeTheIdentification()

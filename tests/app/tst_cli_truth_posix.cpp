@@ -1,5 +1,5 @@
-// What rotorscope-cli prints is what the board gave and sent: the real program on a simulated board behind a pseudo-terminal,
-// whose line is taken apart by the protocol's text beside it.
+// What rotorscope-cli prints is what the board gave and sent: the real program on a simulated board behind a
+// pseudo-terminal, whose line is taken apart by the protocol's text beside it.
 #include "support/board_on_terminal.h"
 #include "support/programs/programs_posix.h"
 #include "support/wire/mcp_board.h"
@@ -137,8 +137,8 @@ void TestCliTruth::getPrintsWhatTheBoardGave()
 
 void TestCliTruth::captureHoldsEachSampleThatArrived_data()
 {
-    QTest::addColumn<int>(
-        "lostAfter"); // samples, after which a twentieth of a second is lost; 0: never
+    // Samples, after which a twentieth of a second is lost; 0: never.
+    QTest::addColumn<int>("lostAfter");
     QTest::newRow("whole") << 0;
     QTest::newRow("with a gap") << 1000;
 }

@@ -66,8 +66,8 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
     const auto match = summary.match(said);
     QVERIFY2(match.hasMatch(), qPrintable(said));
     constexpr int kInASecond = 16'000;
-    QVERIFY2(
-        match.captured(2).toInt() > kInASecond / 4, qPrintable(said)); // a busy machine loses some
+    // A busy machine loses some.
+    QVERIFY2(match.captured(2).toInt() > kInASecond / 4, qPrintable(said));
 
     simulator.closeWriteChannel();
     QVERIFY(simulator.waitForFinished(kPatience_ms));

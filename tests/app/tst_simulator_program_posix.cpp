@@ -312,7 +312,8 @@ void TestSimulatorProgram::browsersAreTurnedAway_data()
     QTest::newRow("TLS") << QByteArray("\x16\x03\x01\x02");
 }
 
-/// A page in a browser can make it connect to any port of this machine and send what the page says, after a line of HTTP.
+/// A page in a browser can make it connect to any port of this machine and send what the page says, after a line of
+/// HTTP.
 void TestSimulatorProgram::browsersAreTurnedAway()
 {
     QFETCH(QByteArray, first);

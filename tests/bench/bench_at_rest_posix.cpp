@@ -1,5 +1,6 @@
-// N9: what the program computes, and how often it is woken, beside a board whose motor stands: seen, hidden, and without a
-// board. From the scheduler's statistics of its threads. Left out, with the reason, where these or an X server are missing.
+// N9: what the program computes, and how often it is woken, beside a board whose motor stands: seen, hidden, and
+// without a board. From the scheduler's statistics of its threads. Left out, with the reason, where these or an X
+// server are missing.
 #include "bench/paired.h"
 
 #if ROTORSCOPE_HAS_X11

@@ -1,5 +1,5 @@
-// P10, N14: a CSV file of 8 signals x 1,000,000 rows, against what other programs do for each number; reading one back; and
-// the same samples as a MATLAB file.
+// P10, N14: a CSV file of 8 signals x 1,000,000 rows, against what other programs do for each number; reading one back;
+// and the same samples as a MATLAB file.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "capture/csv_export.h"
@@ -79,8 +79,8 @@ struct Export {
             file.write(piece.data(), std::min(left, qint64(piece.size())));
     }
 
-    /// Before each of the two: files, pages of which the next file gets. A virtual machine hands memory that lies free to
-    /// its host after two seconds, and getting it back costs more than everything that is compared here.
+    /// Before each of the two: files, pages of which the next file gets. A virtual machine hands memory that lies free
+    /// to its host after two seconds, and getting it back costs more than everything that is compared here.
     void warmPages() const
     {
         static const std::string piece(kPiece, '1');
@@ -121,8 +121,8 @@ struct Export {
         file.write(text.data(), qint64(text.size()));
     }
 
-    /// What PlotJuggler 3.17 does first in an export (its ToolboxCSV): a row is the smallest of the series' next times, with
-    /// the values that lie within half a period of it.
+    /// What PlotJuggler 3.17 does first in an export (its ToolboxCSV): a row is the smallest of the series' next times,
+    /// with the values that lie within half a period of it.
     Table linedUp() const
     {
         Table table;
@@ -252,7 +252,7 @@ void csvReadsBack(benchmark::State &state)
     require(wrong == 0, "a CSV number does not read back");
 }
 
-/// A file of ours read back as one of somebody else.
+/// A file of ours read back as one of another program.
 void csvIn(benchmark::State &state)
 {
     const Export &e = data();

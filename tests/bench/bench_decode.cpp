@@ -69,7 +69,7 @@ struct Line {
     }
 };
 
-/// Arenas that nobody holds any more are handed out again: pages that are there, as those of the copy are.
+/// Arenas that are not held any more are given out again: pages that are there, as those of the copy are.
 class WarmMemory : public capture::SampleMemory {
 protected:
     std::shared_ptr<std::byte> makeArena() override
@@ -116,9 +116,9 @@ std::uint64_t decode(
     return samples;
 }
 
-/// How vesc_tool takes a stream apart (what its Packet and VByteArray do), on our packets: byte by byte into a buffer, with
-/// a count of what is still missing; a whole packet is copied; each value is taken off the front of the copy and divided
-/// by its scale. The sum that vesc_tool's packets carry is left out, as ours carry none.
+/// How vesc_tool takes a stream apart (what its Packet and VByteArray do), on our packets: byte by byte into a buffer,
+/// with a count of what is still missing; a whole packet is copied; each value is taken off the front of the copy and
+/// divided by its scale. The sum that vesc_tool's packets carry is left out, as ours carry none.
 class ByteWiseDecoder {
 public:
     explicit ByteWiseDecoder(const mcp::DatalogLayout &layout)
@@ -127,7 +127,7 @@ public:
     {
     }
 
-    void take(ByteView bytes)
+    void accept(ByteView bytes)
     {
         QList<QByteArray> packets;
         for (const std::uint8_t byte : bytes) {
@@ -212,7 +212,7 @@ std::size_t decodeByteWise(const Line &line, const mcp::DatalogLayout &layout)
 {
     const auto decoder = std::make_unique<ByteWiseDecoder>(layout);
     for (std::size_t at = 0; at < line.bytes.size(); at += kRead)
-        decoder->take(ByteView(line.bytes).subspan(at, std::min(kRead, line.bytes.size() - at)));
+        decoder->accept(ByteView(line.bytes).subspan(at, std::min(kRead, line.bytes.size() - at)));
     return decoder->samples();
 }
 

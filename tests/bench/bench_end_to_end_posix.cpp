@@ -19,8 +19,8 @@ namespace {
 
 using namespace bench;
 
-constexpr std::uint32_t kBaud =
-    14'000'000; ///< room for more than the stream, which is never planned to fill its line
+/// Room for more than the stream, which is never planned to fill its line.
+constexpr std::uint32_t kBaud = 14'000'000;
 constexpr int kControlHz = 75'000; ///< eight signals of two bytes: 1.2 MB/s
 constexpr int kPatience_ms = 20'000;
 constexpr double kHour = 3600.0;

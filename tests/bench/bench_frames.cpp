@@ -1,5 +1,5 @@
-// N3 to N8: whole frames of the window's scope, from the wish to the painted widget, on ragged data. 1920 x 1080, the time axis
-// moves every time.
+// N3 to N8: whole frames of the window's scope, from the wish to the painted widget, on ragged data. 1920 x 1080, the
+// time axis moves every time.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "widgets/measuring/math_channels.h"
@@ -44,7 +44,8 @@ private:
     int m_count = 0;
 };
 
-/// What the picture that the window is painted into has of its own for one pixel of the window: a screen may promise more.
+/// What the picture that the window is painted into has of its own for one pixel of the window: a screen may promise
+/// more.
 double pixelsOf(const QWidget &window)
 {
     return window.backingStore()->paintDevice()->devicePixelRatioF();

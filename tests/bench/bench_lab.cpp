@@ -1,5 +1,5 @@
-// What an evaluation of the lab costs: spectra for a frequency response, against a plain transform of the same samples, and
-// the inertia and friction of a recording, against a plain pass over it.
+// What an evaluation of the lab costs: spectra for a frequency response, against a plain transform of the same samples,
+// and the inertia and friction of a recording, against a plain pass over it.
 #include "bench/paired.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "lab/maths/cross_spectra.h"

@@ -1,5 +1,6 @@
-// N13: bytes of the line, read once a millisecond, to samples in the capture, with what the session does for them: drive,
-// batcher, capture. A board on virtual time has made the bytes; the clock runs while a drive is told the same again.
+// N13: bytes of the line, read once a millisecond, to samples in the capture, with what the session does for them:
+// drive, batcher, capture. A board on virtual time has made the bytes; the clock runs while a drive is told the same
+// again.
 #include "bench/paired.h"
 #include "capture/capture.h"
 #include "session/link/batcher.h"

@@ -1,5 +1,5 @@
-// N15: from the wish to open a long recording, of which nothing is in memory, to the painted window with all of it in the
-// picture. The real window. A file of 1e9 samples; ROTORSCOPE_BENCH_SAMPLES=1e10 for a larger one, by hand.
+// N15: from the wish to open a long recording, of which nothing is in memory, to the painted window with all of it in
+// the picture. The real window. A file of 1e9 samples; ROTORSCOPE_BENCH_SAMPLES=1e10 for a larger one, by hand.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "session/recording/recording_file.h"
@@ -20,8 +20,8 @@ namespace {
 using namespace bench;
 
 constexpr double kUsual = 1e9; ///< samples
-constexpr std::size_t kBatch =
-    5000; ///< samples of a signal: a quarter of a second, as the recorder gathers them
+/// Samples of a signal: a quarter of a second, as the recorder gathers them.
+constexpr std::size_t kBatch = 5000;
 
 /// A recording of so many samples of all signals together, which is on the disk and nowhere else.
 class LongRecording {
@@ -39,7 +39,7 @@ public:
         file.add(0, stream.layout);
         const double end = double(stream.ticks()) + seconds * kTickHz;
         while (double(stream.ticks()) < end) {
-            const auto now = record::Nanos(double(stream.ticks()) / kTickHz * 1e9);
+            const auto now = recorded::Nanos(double(stream.ticks()) / kTickHz * 1e9);
             file.add(now, stream.next(kBatch));
             file.flush(now);
         }

@@ -1,5 +1,5 @@
-// N10: what the recorder's thread computes while four signals at 20 kHz, 160 kB/s, come to it as a session tells them, in
-// real time. Linux only, by the scheduler's count; elsewhere the figure is left out.
+// N10: what the recorder's thread computes while four signals at 20 kHz, 160 kB/s, come to it as a session tells them,
+// in real time. Linux only, by the scheduler's count; elsewhere the figure is left out.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "session/recording/recording.h"

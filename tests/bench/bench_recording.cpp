@@ -1,8 +1,8 @@
 // P12: what a recording costs, in time and bytes, and how fast it is read, with eight signals at 20 kHz.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
-#include "record/decoder.h"
-#include "record/restore.h"
+#include "recorded/decoder.h"
+#include "recorded/restore.h"
 #include "session/recording/recording_file.h"
 #include "session/recording/recording_reader.h"
 
@@ -50,13 +50,14 @@ struct Minute {
         session::RecordingFile file(session::makeDiskSink(path, text), {0, "bench", ""});
         require(file.open(), "the recording was not opened");
         file.add(0, motorLayout());
-        record::Nanos now = 0;
+        recorded::Nanos now = 0;
         for (std::size_t i = 0; i < blocks.size(); ++i) {
-            now = static_cast<record::Nanos>(double(i * kBatch) / kTickHz * 1e9);
+            now = static_cast<recorded::Nanos>(double(i * kBatch) / kTickHz * 1e9);
             if (samples)
                 file.add(now, blocks[i]);
             else
-                file.add(now, record::LinkBytes{record::LinkBytes::Direction::Received, link[i]});
+                file.add(
+                    now, recorded::LinkBytes{recorded::LinkBytes::Direction::Received, link[i]});
             file.flush(now);
         }
         require(file.end(), "the recording was not ended");

@@ -1,6 +1,6 @@
-// P1, P2, P3: a replot of the scope, fully out, against QCPGraph on the same data and against the least that a replot in
-// QCustomPlot can cost; and whether every peak is on the screen. 1920 x 1080, the key range moves every time. Whole frames are
-// in bench_frames.cpp.
+// P1, P2, P3: a replot of the scope, fully out, against QCPGraph on the same data and against the least that a replot
+// in QCustomPlot can cost; and whether every peak is on the screen. 1920 x 1080, the key range moves every time. Whole
+// frames are in bench_frames.cpp.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "widgets/scope/scope_view.h"

@@ -1,6 +1,7 @@
-// P11, first half: four bytes to a device and eight bytes back over a pseudo-terminal, through the program's own port in
-// a worker thread, from there and from the GUI thread; against a thread that polls and reads. Real time, for waiting is
-// what counts: the three take turns, and the median round trip of each turn is compared. POSIX only: pseudo-terminals.
+// P11, first half: four bytes to a device and eight bytes back over a pseudo-terminal, through the program's own port
+// in a worker thread, from there and from the GUI thread; against a thread that polls and reads. Real time, for waiting
+// is what counts: the three take turns, and the median round trip of each turn is compared. POSIX only:
+// pseudo-terminals.
 #include "bench/paired.h"
 #include "session/transports/serial_transport.h"
 #include "support/pseudo_terminal.h"

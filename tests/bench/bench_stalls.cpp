@@ -1,5 +1,5 @@
-// N1, N2: how long the window's thread computes at a stretch while a picture of 70 s of 8 x 20 kHz runs, with each tool open;
-// and events by the thousand. The real window; samples come from a timer in the place of a port.
+// N1, N2: how long the window's thread computes at a stretch while a picture of 70 s of 8 x 20 kHz runs, with each tool
+// open; and events by the thousand. The real window; samples come from a timer in the place of a port.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "support/watchdog/beats.h"

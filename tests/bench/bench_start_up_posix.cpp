@@ -1,5 +1,6 @@
-// N12: what a start computes until the program rests, four seconds after its first picture on an X server, against PulseView
-// in turn with it on the same server. A picture is there once half of the places looked at in a window are painted. Left out, with the reason, where there is no PulseView or no server of our own to start.
+// N12: what a start computes until the program rests, four seconds after its first picture on an X server, against
+// PulseView in turn with it on the same server. A picture is there once half of the places looked at in a window are
+// painted. Left out, with the reason, where there is no PulseView or no server of our own to start.
 #include "bench/paired.h"
 
 #if ROTORSCOPE_HAS_X11
@@ -25,7 +26,7 @@ struct StartUp {
     double wall = 0.0;
 };
 
-/// A person's home as it is before the first start, the server, and a program to its first picture.
+/// A user's home as it is before the first start, the server, and a program to its first picture.
 StartUp startOnce(
     const Server &server, const QByteArray &program, const std::vector<QByteArray> &moreEnvironment)
 {
@@ -81,7 +82,8 @@ void startUp(benchmark::State &state, const std::vector<QByteArray> &variables, 
     report({"N12", "start to first picture, real time", Measured(wall), against});
 }
 
-/// PulseView's decoders as Debian's package brings them: without byte code, whatever a start by root has left beside them.
+/// PulseView's decoders as Debian's package brings them: without byte code, whatever a start by root has left beside
+/// them.
 class Decoders {
 public:
     Decoders()
@@ -105,7 +107,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// As a person's account starts it, which may not write byte code beside the package's decoders.
+/// As a user's account starts it, which may not write byte code beside the package's decoders.
 void startAgainstPulseView(benchmark::State &state)
 {
     const Decoders decoders;

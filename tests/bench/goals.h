@@ -1,5 +1,5 @@
-// The goals of docs/performance.md as numbers, in one table. A figure that is more than half as much behind its goal again
-// ends the run with 1: machines differ by less.
+// The goals of docs/performance.md as numbers, in one table. A figure that is more than half as much behind its goal
+// again ends the run with 1: machines differ by less.
 #pragma once
 
 #include <span>

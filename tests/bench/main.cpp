@@ -1,5 +1,6 @@
-// Runs all benchmarks, prints the table of figures and leaves them in a JSON file. A run in which a figure is far behind its
-// goal, or a goal of a run of everything has no figure, has failed; it leaves no file of an earlier run behind.
+// Runs all benchmarks, prints the table of figures and leaves them in a JSON file. A run in which a figure is far
+// behind its goal, or a goal of a run of everything has no figure, has failed; it leaves no file of an earlier run
+// behind.
 #include "bench/paired.h"
 #include "support/watchdog/beats.h"
 #include "widgets/window/application.h"
@@ -12,8 +13,8 @@ int main(int argc, char **argv)
     bool filtered = false;
     for (int i = 1; i < argc; ++i)
         filtered = filtered || std::string(argv[i]).starts_with("--benchmark_filter");
-    support::Watched<widgets::Application> app(
-        argc, argv); // before the benchmarks: some of them draw
+    // Before the benchmarks: some of them draw.
+    support::Watched<widgets::Application> app(argc, argv);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

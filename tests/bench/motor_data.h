@@ -35,16 +35,16 @@ public:
     void append(capture::Capture &capture, std::size_t count) { capture.append(next(count)); }
     capture::Tick ticks() const { return m_ticks; } ///< so far
 
-    capture::StreamLayout layout =
-        motorLayout(); ///< its first fast signals may be all; set before record()
+    /// Its first fast signals may be all; set before record().
+    capture::StreamLayout layout = motorLayout();
 
 private:
     std::vector<std::vector<std::int16_t>> m_signals;
     capture::Tick m_ticks = 0;
 };
 
-/// Amplitudes that change from column to column of a picture of everything, as under a changing load: a random walk, two
-/// steps a column of 1,920. Not to be changed: figures from before would mean something else.
+/// Amplitudes that change from column to column of a picture of everything, as under a changing load: a random walk,
+/// two steps a column of 1,920. Not to be changed: figures from before would mean something else.
 class Ragged {
 public:
     enum class Wave {

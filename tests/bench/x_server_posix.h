@@ -25,7 +25,7 @@ inline constexpr int kPatience_ms = 20'000;
 inline constexpr int kLeastSize = 300; ///< pixels: smaller windows are none to work in
 inline constexpr int kPlaces = 8; ///< looked at in a window, across and down
 
-/// In a child between fork and exec: it ends with this process, whatever ends that, and complains to nobody.
+/// In a child between fork and exec: it ends with this process, whatever ends that, and prints nothing.
 inline void prepareServer()
 {
 #ifdef __linux__
@@ -34,8 +34,8 @@ inline void prepareServer()
     ::dup2(::open("/dev/null", O_RDWR), STDERR_FILENO);
 }
 
-/// A program that says nothing; it ends with its X server. Not by fork(), whose copy of this process's pages, hundreds of
-/// megabytes after other benchmarks, would be part of what the program computed.
+/// A program that says nothing; it ends with its X server. Not by fork(), whose copy of this process's pages, hundreds
+/// of megabytes after other benchmarks, would be part of what the program computed.
 inline pid_t spawn(char *const *words, char *const *environment)
 {
     posix_spawn_file_actions_t actions{};
@@ -129,7 +129,7 @@ inline std::optional<Window> paintedWindow(Display *display)
     return found;
 }
 
-/// Starts it with a person's home as it is before the first start.
+/// Starts it with a user's home as it is before the first start.
 /// @param words  the program and its arguments
 inline pid_t spawnOn(const Server &server, const QByteArray &home, std::vector<QByteArray> words,
     const std::vector<QByteArray> &moreEnvironment = {})

@@ -140,7 +140,7 @@ def run_fuzzer(target, seconds, folder, how="ASan, UBSan", nice=0, runs=None):
     before = set(found.iterdir())
     seeds = ROOT / "tests" / "data" / "corpus" / name
     late = 1200 if nice else 30  # in seconds; where others go first the machine may stand still for long
-    # Weighing the inputs by what is rare in them takes longer than running them; nobody else adds any, so none are read again.
+    # Weighing the inputs by what is rare in them takes longer than running them; only this one adds any: none are read again.
     command = ["nice", "-n", str(nice), str(target), f"-max_total_time={max(1, round(seconds))}",
                "-entropic=0", "-reload=0", "-print_final_stats=1", f"-timeout={late}", f"-report_slow_units={late}", "-rss_limit_mb=3000", f"-artifact_prefix={found}/", str(corpus)]
     # Scripts of a drive: longer ones hit the bound of acts and take long. Files and streams: as the fuzzer likes.
@@ -179,7 +179,7 @@ def fuzz(budget):
 
 
 def environment(preset, **more):
-    # Settings of whoever runs it must not decide.
+    # Settings of the user who runs it must not decide.
     home = ROOT / "build" / preset / "campaign"
     home.mkdir(parents=True, exist_ok=True)
     home.chmod(0o700)

@@ -1,6 +1,7 @@
-// How right the lab is: experiments on virtual time with motors whose truth is known, as a table. The presets, and the motors
-// of tests/data/invented, which nothing was tuned with; with several seeds, without a load and with two brakes. What did not
-// come to a result is told with its reason. `rotorscope-lab-accuracy 20 pm24` takes twenty seeds of one motor.
+// How right the lab is: experiments on virtual time with motors whose truth is known, as a table. The presets, and the
+// motors of tests/data/invented, which nothing was tuned with; with several seeds, without a load and with two brakes.
+// What did not come to a result is told with its reason. `rotorscope-lab-accuracy 20 pm24` takes twenty seeds of one
+// motor.
 #include "campaign/lab_gains.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
@@ -36,7 +37,7 @@ struct Column {
     int found = 0, held = 0;
     double worst = 0.0; ///< percent, signed
 
-    void take(const std::optional<Estimate> &estimate, double truth)
+    void accept(const std::optional<Estimate> &estimate, double truth)
     {
         if (!estimate || !(truth > 0.0))
             return;
@@ -127,10 +128,10 @@ void mechanics(const Motor &motor, double brake, std::uint64_t seeds)
             reasons.push_back(found.error());
             continue;
         }
-        columns[0].take(found->inertia_kgm2, plant.motor.inertia_kgm2);
-        columns[1].take(found->viscous_nms, plant.motor.viscous_nms);
-        columns[2].take(found->dry_nm, plant.motor.coulomb_nm + plant.load.constant_nm);
-        columns[3].take(found->fan_nms2, plant.load.fan_nms2);
+        columns[0].accept(found->inertia_kgm2, plant.motor.inertia_kgm2);
+        columns[1].accept(found->viscous_nms, plant.motor.viscous_nms);
+        columns[2].accept(found->dry_nm, plant.motor.coulomb_nm + plant.load.constant_nm);
+        columns[3].accept(found->fan_nms2, plant.load.fan_nms2);
     }
     std::printf("| %s | %.0f %% | %zu of %llu |", motor.name.c_str(), brake * kPercent,
         static_cast<std::size_t>(seeds) - reasons.size(), static_cast<unsigned long long>(seeds));
@@ -155,11 +156,11 @@ void electrics(const Motor &motor, std::uint64_t seeds)
             continue;
         }
         const double warm = 1.0 + kCopper * (plant.inverter.ambient_c - kColdest_c);
-        columns[0].take(
+        columns[0].accept(
             found->rs_ohm, plant.motor.rs_ohm * warm + plant.inverter.switchResistance_ohm);
-        columns[1].take(found->ld_h, plant.motor.ld_h);
-        columns[2].take(found->lq_h, plant.motor.lq_h);
-        columns[3].take(found->flux_wb, plant.motor.flux_wb);
+        columns[1].accept(found->ld_h, plant.motor.ld_h);
+        columns[2].accept(found->lq_h, plant.motor.lq_h);
+        columns[3].accept(found->flux_wb, plant.motor.flux_wb);
     }
     std::printf("| %s | %zu of %llu |", motor.name.c_str(),
         static_cast<std::size_t>(seeds) - reasons.size(), static_cast<unsigned long long>(seeds));

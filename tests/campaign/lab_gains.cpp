@@ -72,7 +72,8 @@ Proof prove(const PlantParameters &plant, const SpeedResponse &measured, GainDig
     return {{{}, proof->ms->value, medium->overshoot_pct, series->overshoot_pct->value}, *proof};
 }
 
-/// Measures the response and takes the medium gains; where they do not keep their promise, those of the response with them.
+/// Measures the response and takes the medium gains; where they do not keep their promise, those of the response with
+/// them.
 Case tune(const PlantParameters &plant, double factor, std::uint64_t seed)
 {
     support::LabBench before(boardOf(plant, seed), seed);

@@ -1,12 +1,12 @@
-// Reads a fuzzer's bytes as what a person, a line and a board do to a drive: wishes, stops, arming, line cuts, faults,
-// resets and time, on a virtual clock. Whatever they do, the judge of the wire finds nothing, each wish ends once and within
-// 30 s after the faults (a servo that does not answer is asked three times for half a second, register by register),
-// output is bounded and time never stands still; anything else is a finding.
+// Reads a fuzzer's bytes as what the user, a line and a board do to a drive: wishes, stops, arming, line cuts, faults,
+// resets and time, on a virtual clock. Whatever they do, the judge of the wire finds nothing, each wish ends once and
+// within 30 s after the faults (a servo that does not answer is asked three times for half a second, register by
+// register), output is bounded and time never stands still; anything else is a finding.
 //
-// First byte: bits 0 and 1 what is there at first (see Peer), bit 2 a second motor, bit 3 nobody waits for the
-// identification, bit 4 nobody arms, bit 5 the line is silent at first, bit 6 the whole run is made twice.
+// First byte: bits 0 and 1 what is there at first (see Peer), bit 2 a second motor, bit 3 no wait for the
+// identification, bit 4 never armed, bit 5 the line is silent at first, bit 6 the whole run is made twice.
 // Then acts: a byte modulo kActs and the bytes that it takes. What is missing at the end is zero.
-// ROTORSCOPE_TELL=1 prints what happens, for whoever looks into a finding.
+// ROTORSCOPE_TELL=1 prints what happens, to look into a finding.
 // The board is a simulation::ByteDevice without a motor model, so that a run of seconds costs less than a millisecond.
 #pragma once
 
@@ -31,7 +31,7 @@ namespace fuzz {
 
 using namespace std::chrono_literals;
 
-/// A board for fuzzing: what a person at the board could do to it, and when it has something to say.
+/// A board for fuzzing: what the user at the board could do to it, and when it has something to say.
 class Peer : public simulation::ByteDevice {
 public:
     virtual void reset() = 0;
@@ -58,7 +58,7 @@ public:
     bool over() const { return m_at >= m_bytes.size(); }
     std::uint8_t byte() { return over() ? std::uint8_t{0} : m_bytes[m_at++]; }
     int below(int bound) { return byte() % bound; }
-    ByteView take(std::size_t count)
+    ByteView accept(std::size_t count)
     {
         const auto part = m_bytes.subspan(std::min(m_at, m_bytes.size()),
             std::min(count, m_bytes.size() - std::min(m_at, m_bytes.size())));
@@ -294,7 +294,7 @@ private:
             add(static_cast<std::uint8_t>(ended->outcome));
             tell("  ended ", ended->id, " outcome ", int(ended->outcome), ' ', ended->reason);
             const auto wish = m_open.find(ended->id);
-            require(wish != m_open.end()); // none ends twice, none that nobody asked for
+            require(wish != m_open.end()); // none ends twice, none that was not asked for
             m_open.erase(wish);
         } else if (const auto *change = std::get_if<drive::LinkChanged>(&event)) {
             m_link = change->state;
@@ -322,7 +322,7 @@ private:
     }
     void add(std::uint8_t byte) { m_sum = (m_sum ^ byte) * 0x100000001B3ULL; }
 
-    // ---- what a person does
+    // ---- what the user does
 
     template <class What>
     void ask(What what)
@@ -344,8 +344,8 @@ private:
     void stop()
     {
         m_drive->stop(m_now);
-        m_closed = m_closed
-            && m_link == drive::LinkState::Closed; // a Stop goes on with what was to be closed
+        // A Stop goes on with what was to be closed.
+        m_closed = m_closed && m_link == drive::LinkState::Closed;
         require(!m_drive->armed());
         drain();
     }
@@ -383,7 +383,7 @@ private:
         case 5:
             return std::string(what / 8, 'x');
         case 6: {
-            const ByteView raw = m_script.take(what / 8);
+            const ByteView raw = m_script.accept(what / 8);
             return Bytes(raw.begin(), raw.end());
         }
         default:
@@ -573,7 +573,7 @@ inline void DriveRun::actOnLine(int which)
     case 5:
         return m_peer->setFaults(static_cast<std::uint16_t>(m_script.byte()));
     case 6: { // any bytes, as if from the board
-        const ByteView bytes = m_script.take(m_script.byte() % 32U);
+        const ByteView bytes = m_script.accept(m_script.byte() % 32U);
         if (!m_sending.empty())
             return; // the drive may take them for the answer to what the judge has not seen leave
         tell("  hears what nobody sent ", hexOf(bytes));
@@ -581,10 +581,10 @@ inline void DriveRun::actOnLine(int which)
             m_drive->receive(bytes, m_now);
         return drain();
     }
-    case 7: { // nobody calls for a while, as in a process that was stopped
+    case 7: { // no calls for a while, as in a process that was stopped
         const Duration gap = milliseconds() * 2;
         if (m_drive->stopOpen() || !m_sending.empty())
-            return; // nobody can judge what could not be sent meanwhile
+            return; // what could not be sent meanwhile is not judged
         m_now += gap;
         m_drive->doubt(m_now);
         return drain();
@@ -605,7 +605,7 @@ inline void DriveRun::actOnLine(int which)
     }
 }
 
-/// A line with nobody on it.
+/// A line without a board.
 class NobodyThere final : public Peer {
 public:
     void receive(ByteView, TimePoint) override { }

@@ -1,5 +1,5 @@
-// A board of the older serial protocol without a motor model: the rig and the server of the simulated boards, and motors
-// that do at once what they are told.
+// A board of the older serial protocol without a motor model: the rig and the server of the simulated boards, and
+// motors that do at once what they are told.
 #pragma once
 
 #include "fcp/request.h"
@@ -90,7 +90,7 @@ private:
     void setControlMode(std::size_t, bool) override { }
     void rampTorque(std::size_t, std::int16_t, std::uint16_t) override { }
     void setCurrents(std::size_t, std::int16_t, std::int16_t) override { }
-    void setRevUp(std::size_t, std::size_t, const fcp::RevUpStage &) override { }
+    void setRevUp(std::size_t, std::size_t, const fcp::StageFields &) override { }
 
     std::vector<Motor> m_motors;
     simulation::FcpBoard m_board;

@@ -1,6 +1,6 @@
-// Makes the tables that an identification reads small and ready-made: a drive reads them at each connection, which would
-// be most of what a run of the drive targets costs. Linked to these targets alone, with --wrap. What is left out is only
-// more of the same: everything that can move or harm something stays, and of the rest every sixth register.
+// Makes the tables that an identification reads small and ready-made: a drive reads them at each connection, which
+// would be most of what a run of the drive targets costs. Linked to these targets alone, with --wrap. What is left out
+// is only more of the same: everything that can move or harm something stays, and of the rest every sixth register.
 #include "catalog/catalog.h"
 #include "mcb/dictionary.h"
 

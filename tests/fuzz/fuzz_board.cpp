@@ -12,7 +12,8 @@ struct Board {
     std::unique_ptr<simulation::SimulatedBoard> board;
     TimePoint now{};
 
-    /// A piece that begins with an even byte goes to the board as it is, any other as a packet with the rest as payload.
+    /// A piece that begins with an even byte goes to the board as it is, any other as a packet with the rest as
+    /// payload.
     void receive(ByteView piece, TimePoint at)
     {
         if (piece.empty() || piece[0] % 2 == 0) {

@@ -1,5 +1,5 @@
-// Any text as a CSV file into a capture: cut anywhere it reads the same, and what was read can be written and read again.
-// The first byte says how it is cut.
+// Any text as a CSV file into a capture: cut anywhere it reads the same, and what was read can be written and read
+// again. The first byte says how it is cut.
 #include "capture/csv_export.h"
 #include "capture/csv_import.h"
 #include "fuzz/script.h"

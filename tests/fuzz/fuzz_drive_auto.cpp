@@ -1,4 +1,5 @@
-// AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
+// AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the
+// rules.
 #include "drive/protocol_table.h"
 #include "fuzz/fcp_peer.h"
 #include "fuzz/mcp_peer.h"

@@ -1,11 +1,11 @@
-// Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded signals
-// look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
+// Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded
+// signals look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
 #include "fuzz/script.h"
 #include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/current_step_evaluation.h"
 #include "lab/evaluation/finding.h"
 #include "lab/evaluation/tuning.h"
-#include "record/restore.h"
+#include "recorded/restore.h"
 
 #include <array>
 #include <charconv>
@@ -78,8 +78,8 @@ lab::Happenings happeningsOf(std::string_view text)
         const std::string_view time = cut(line, ' ');
         std::int64_t ms = 0;
         std::from_chars(time.data(), time.data() + time.size(), ms);
-        constexpr Nanos kNanos = 1'000'000, kMost = record::kFarthest / kNanos;
-        record::Happening what{std::string(cut(line, ';')), {}};
+        constexpr Nanos kNanos = 1'000'000, kMost = recorded::kFarthest / kNanos;
+        recorded::Happening what{std::string(cut(line, ';')), {}};
         while (!line.empty()) {
             std::string_view field = cut(line, ';');
             const std::string_view key = cut(field, '=');

@@ -1,5 +1,5 @@
-// Any text as each of the JSON files that Rotorscope reads: it is taken whole or refused, and what was taken is the same
-// after writing and reading it again. The first byte chooses the reader.
+// Any text as each of the JSON files that Rotorscope reads: it is taken whole or refused, and what was taken is the
+// same after writing and reading it again. The first byte chooses the reader.
 #include "fuzz/script.h"
 #include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"

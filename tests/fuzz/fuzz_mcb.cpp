@@ -1,5 +1,5 @@
-// Any bytes as frames and values of MCB, and as the stream into a slave: values or one error, what was read can be written
-// again, and as many bytes come back as went in.
+// Any bytes as frames and values of MCB, and as the stream into a slave: values or one error, what was read can be
+// written again, and as many bytes come back as went in.
 #include "fuzz/script.h"
 #include "mcb/error_code.h"
 #include "mcb/fragments.h"

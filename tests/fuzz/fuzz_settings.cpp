@@ -1,5 +1,5 @@
-// Any text as the settings of the window: what does not make sense keeps its default, and what was read is the same after
-// writing and reading it again.
+// Any text as the settings of the window: what does not make sense keeps its default, and what was read is the same
+// after writing and reading it again.
 #include "fuzz/script.h"
 #include "widgets/window/settings.h"
 

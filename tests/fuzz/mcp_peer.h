@@ -1,5 +1,5 @@
-// A board of MCP over ASPEP without a motor model: every state but the motors' own is what the simulated board says. Its
-// answers are asked for once a process and kept, so that a connection costs microseconds.
+// A board of MCP over ASPEP without a motor model: every state but the motors' own is what the simulated board says.
+// Its answers are asked for once a process and kept, so that a connection costs microseconds.
 #pragma once
 
 #include "fuzz/drive_script.h"

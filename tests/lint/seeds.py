@@ -25,12 +25,12 @@ def function(name, lines):
 SEEDS = [
     # Layers.
     ('core/base/seed_up.h', '#include "drive/drive.h"\n', 'core/base/seed_up.h: goes up, or aside, to core/drive'),
-    ('core/scope/seed_aside.h', '#include "record/entry.h"\n', 'core/scope/seed_aside.h: goes up, or aside, to core/record'),
+    ('core/scope/seed_aside.h', '#include "recorded/entry.h"\n', 'core/scope/seed_aside.h: goes up, or aside, to core/recorded'),
     ('core/lab/seed_truth.h', '#include "simulation/device.h"\n', 'core/lab/seed_truth.h: must not use core/simulation'),
     ('core/drive/seed_widgets.h', '#include "widgets/base/look/theme.h"\n', 'core/drive/seed_widgets.h: goes up to widgets'),
     ('widgets/base/seed_up.h', '#include "widgets/window/settings.h"\n',
      'widgets/base/seed_up.h: goes up, or aside, to widgets/window'),
-    ('widgets/control/seed_aside.h', '#include "widgets/files/record_control.h"\n',
+    ('widgets/control/seed_aside.h', '#include "widgets/files/recording_control.h"\n',
      'widgets/control/seed_aside.h: goes up, or aside, to widgets/files'),
     ('core/drive/seed_qt.h', '#include <QString>\n', 'core/drive/seed_qt.h: Qt is for core/session alone: QString'),
     ('core/attic/seed.h', '#include "base/result.h"\n', '.ci/layers.py has no row for core/attic'),
@@ -46,21 +46,24 @@ SEEDS = [
     # Classes.
     ('widgets/window/seed_long.cpp', function('Long::run', 360), 'widgets/window Long: 710 lines of functions'),
     ('widgets/window/seed_long_too.cpp', function('Long::runToo', 350), None),
-    *[(f'core/record/seed_sliced_{number}.cpp', function(f'Sliced::run{number}', 5),
-       'core/record Sliced: in seed_sliced_0.cpp, seed_sliced_1.cpp, seed_sliced_2.cpp') for number in range(3)],
+    *[(f'core/recorded/seed_sliced_{number}.cpp', function(f'Sliced::run{number}', 5),
+       'core/recorded Sliced: in seed_sliced_0.cpp, seed_sliced_1.cpp, seed_sliced_2.cpp') for number in range(3)],
     # Names in unnamed namespaces.
-    ('core/record/seed_one.cpp', 'namespace {\nconstexpr int kSeeded = 1;\nint seededSum(int a) { return a; }\n} // namespace\n',
-     'core/record: kSeeded is in seed_one.cpp:2, seed_two.cpp:2'),
-    ('core/record/seed_two.cpp', 'namespace {\nconstexpr int kOther = 1, kSeeded = 2;\nint seededSum(\n    int b)\n{\n    return b;\n}\n'
-     '} // namespace\n', 'core/record: seededSum(int) is in seed_one.cpp:3, seed_two.cpp:3'),
-    ('tests/core/record/tst_seed_one.cpp', 'namespace {\nint seededHelp(int a) { return a; }\n} // namespace\n',
-     'tests/core/record: seededHelp is in tst_seed_one.cpp:2, tst_seed_two.cpp:2'),
-    ('tests/core/record/tst_seed_two.cpp', 'namespace {\nint seededHelp(double a) { return int(a); }\n} // namespace\n', None),
+    ('core/recorded/seed_one.cpp', 'namespace {\nconstexpr int kSeeded = 1;\nint seededSum(int a) { return a; }\n} // namespace\n',
+     'core/recorded: kSeeded is in seed_one.cpp:2, seed_two.cpp:2'),
+    ('core/recorded/seed_two.cpp', 'namespace {\nconstexpr int kOther = 1, kSeeded = 2;\nint seededSum(\n    int b)\n{\n    return b;\n}\n'
+     '} // namespace\n', 'core/recorded: seededSum(int) is in seed_one.cpp:3, seed_two.cpp:3'),
+    ('tests/core/recorded/tst_seed_one.cpp', 'namespace {\nint seededHelp(int a) { return a; }\n} // namespace\n',
+     'tests/core/recorded: seededHelp is in tst_seed_one.cpp:2, tst_seed_two.cpp:2'),
+    ('tests/core/recorded/tst_seed_two.cpp', 'namespace {\nint seededHelp(double a) { return int(a); }\n} // namespace\n', None),
     # Functions that only tests call.
-    ('core/record/seed_lonely.h', 'int seededProbe();\n', 'core/record/seed_lonely.h: only tests call seededProbe'),
-    ('tests/core/record/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),
-    ('core/record/seed_dead.h', 'int seededDead();\n', 'core/record/seed_dead.h: nothing calls seededDead'),
+    ('core/recorded/seed_lonely.h', 'int seededProbe();\n', 'core/recorded/seed_lonely.h: only tests call seededProbe'),
+    ('tests/core/recorded/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),
+    ('core/recorded/seed_dead.h', 'int seededDead();\n', 'core/recorded/seed_dead.h: nothing calls seededDead'),
     # Lines.
+    ('core/base/seed_wide.h', '// ' + 'so wide ' * 15 + '\n', 'core/base/seed_wide.h:1: wider than 120 columns'),
+    ('core/base/seed_broken.h', 'int seededFacts(\n    int a); ///< whatever it is, and some more\n',
+     'core/base/seed_broken.h:2: the comment breaks'),
     ('widgets/base/seed_word.h', '// as MCB has it\n', 'widgets/base/seed_word.h'),
     ('tests/core/base/tst_seed_sleep.cpp', 'QTest::qW' 'ait(5);\n', 'tests/core/base/tst_seed_sleep.cpp:1:'),
     ('tests/core/base/tst_seed_skip.cpp', 'QSK' 'IP("later");\n', 'tests/core/base/tst_seed_skip.cpp:1:'),

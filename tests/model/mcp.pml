@@ -1,5 +1,5 @@
 /* MCP over ASPEP: a board that is not connected swallows requests, so a link has to be joined (BEACON, PING); the PING's
- * answer tells of a reset. Without a link STOPs are sent behind a BEACON and a PING whose answers nobody waits for. */
+ * answer tells of a reset. Without a link STOPs are sent behind a BEACON and a PING without waiting for answers. */
 #define MOTORS 2
 #define NEEDS_JOIN true
 #define KNOWS_RESET true

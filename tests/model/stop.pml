@@ -8,7 +8,7 @@
  * tst_stop_model plays the same to the real machines.
  *
  * Held for in the whole state space (spin -a; cc -DSAFETY pan.c; ./pan, and cc -DNP pan.c; ./pan -l):
- *   a START leaves only if a person has armed after the last Stop, and none while a stop is not confirmed;
+ *   a START leaves only if the user has armed after the last Stop, and none while a stop is not confirmed;
  *   no second packet before the answer to the first, but a stop without a link;
  *   "drive idle" is told of no motor that is driven;
  *   a stop ends in that word or in the alarm, for every motor, also those that become known only later;
@@ -186,7 +186,7 @@ inline blindStops() {
 /* The most urgent thing that the drive can do on a free line. */
 inline work() {
     if
-    :: link != UP && open && EXCLUSIVE && BLIND && rounds < ROUNDS + 1 ->  /* without waiting for anybody */
+    :: link != UP && open && EXCLUSIVE && BLIND && rounds < ROUNDS + 1 ->  /* without waiting for any */
         blindStops()
     :: link != UP && !(open && EXCLUSIVE && BLIND && rounds < ROUNDS + 1) -> ask(JOIN, 0)
     :: link == UP && open && turn < MOTORS && MOVING(turn) ->
@@ -199,7 +199,7 @@ inline work() {
     :: link == UP && !identified && !(open && (turn < MOTORS || (EXCLUSIVE && !(ANYALARM && reads >= READINGS)))) ->
         ask(WHO, 0)
     :: link == UP && identified && !EXCLUSIVE && !(open && turn < MOTORS) && startWanted ->
-        assert(armed && latch); startWanted = false;   /* nobody else may start a motor */
+        assert(armed && latch); startWanted = false;   /* no other way may start a motor */
         if :: LOOKS_FIRST && drives[subject] -> skip :: else -> starts = starts | (1 << subject); ask(START, subject) fi
     :: else -> wantsStop = false; beginStop()          /* nothing but that is left */
     fi
@@ -228,13 +228,13 @@ inline finish() {
     told[0] = 0; told[LAST] = 0; starts = 0; stops = 0; calm = true; act = NOTHING; line = CLEAN
 }
 
-/* Nothing is left to do. A line on which nobody answers is given up once; a stop that is not obeyed goes on for ever. */
+/* Nothing is left to do. A line without answers is given up once; a stop that is not obeyed goes on for ever. */
 #define SETTLED (waiting == 0 && QUIET && !wantsStop && !(startWanted && link == UP) && \
     ((link == UP && identified && (!EXCLUSIVE || (STUCK && !obeys)) && !needsLook) || \
      (link == LOST && (line == DEAD || line == MUTE) && (!EXCLUSIVE || !BLIND || rounds > ROUNDS) && (!EXCLUSIVE || ALLALARM) \
         && gaveUp && !needsLook)))
 
-/* A person who means to press Stop does so in the end. */
+/* A user who means to press Stop does so in the end. */
 #define GOESON (!(SETTLED) && !needsLook && !(wantsStop && (gaveUp || ALLALARM)))
 
 #define RUNS (!calm && !(wantsStop && act == DOSTOP))  /* a lone Stop is the first thing that happens */
@@ -248,7 +248,7 @@ active proctype Drive() {
         :: k == waiting && m == asked -> waiting = 0; answered(k, value)
         :: else -> skip                                /* twice, or too late */
         fi }
-    :: atomic { RUNS && waiting != 0 && (QUIET || expires) -> /* nobody answered in time */
+    :: atomic { RUNS && waiting != 0 && (QUIET || expires) -> /* no answer came in time */
         waiting = 0; expires = false; startWanted = false; attempts++;
         if
         :: link == UP -> link = MENDING

@@ -25,10 +25,10 @@ namespace {
 
 constexpr unsigned kRequested = 1, kAccepted = 2, kIdle = 4, kAlarm = 8;
 constexpr Duration kAnswerAfter = 2ms, kTwiceAfter = 200us;
-constexpr Duration kSettlesWithin =
-    12s; ///< a phase on a good line; the older protocol waits a second for each answer
-constexpr Duration kDeadFor =
-    8s; ///< a phase on a dead line: long enough to give the link up, twice
+/// A phase on a good line; the older protocol waits a second for each answer.
+constexpr Duration kSettlesWithin = 12s;
+/// A phase on a dead line: long enough to give the link up, twice.
+constexpr Duration kDeadFor = 8s;
 
 /// Of the words that the models have, too.
 unsigned bitOf(StopWord word)
@@ -288,7 +288,7 @@ private:
             m_sending.pop_front();
             m_sentAt = m_now;
             left = true;
-            if (m_board->take(bytes))
+            if (m_board->accept(bytes))
                 carry(m_board->asked());
         }
         if (left && m_sending.empty())

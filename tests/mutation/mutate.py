@@ -41,7 +41,7 @@ PATH = {
     "core/drive/stop_sequence.h": ["tst_stop_sequence"],
     "core/drive/motion_caution.cpp": ["tst_motion_caution"],
     "core/drive/motion_limits.cpp": ["tst_set_points"],
-    "core/drive/motion_record.cpp": ["tst_motion_texts"],
+    "core/drive/motion_entry.cpp": ["tst_motion_texts"],
     "core/drive/set_point_check.cpp": ["tst_set_points"],
     "core/drive/wish_queue.h": ["tst_wish_queue"],
     "core/session/link/dead_man.cpp": ["tst_dead_man_rules"],
@@ -52,7 +52,7 @@ PATH = {
     "widgets/window/shutdown.cpp": ["tst_shutdown"],
 }
 NEIGHBOURS = {
-    "core/drive/wish_drive.cpp": ["tst_late_wishes", "tst_mcp_drive_stop", "tst_motion_limits", "tst_motion_record"],
+    "core/drive/wish_drive.cpp": ["tst_late_wishes", "tst_mcp_drive_stop", "tst_motion_limits", "tst_motion_entry"],
     "core/drive/task_drive.h": ["tst_late_wishes", "tst_mcp_drive_stop"],
     "core/drive/start_target.cpp": ["tst_start_target"],
     "core/drive/write_check.cpp": ["tst_what_may_be_written", "tst_mcp_drive_writes"],

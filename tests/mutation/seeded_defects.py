@@ -69,7 +69,7 @@ DEFECTS = [
     ("a lost link leaves it armed", CAMPAIGN, "armed", [
         ("core/drive/task_drive.h", "    setArmed(false);\n    forgetLink(\"link lost\");", "    forgetLink(\"link lost\");")]),
     ("no pause before a payload", CAMPAIGN, "payload pause", [
-        ("core/aspep/controller.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
+        ("core/aspep/controller.h", "payloadPause = std::chrono::microseconds(1500);", "payloadPause = std::chrono::microseconds(100);")]),
     ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [
         ("core/drive/wish_drive.h", "return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));", "return now == TimePoint{};")]),
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
@@ -151,11 +151,11 @@ DEFECTS = [
     ("a CSV holds other samples", "tst_monkey@7-15", "untrue", [
         ("core/capture/csv_export.cpp", "static_cast<float>(m_channel.toShown(code));", "static_cast<float>(m_channel.toShown(code / 2 * 2));")]),
     ("a recording holds other values", "tst_monkey@7-15", "untrue", [
-        ("core/record/entry_codec.cpp", "out.u32(value.id).s64(value.at).f64(value.value);", "out.u32(value.id).s64(value.at).f64(value.value + 1.0);")]),
+        ("core/recorded/entry_codec.cpp", "out.u32(value.id).s64(value.at).f64(value.value);", "out.u32(value.id).s64(value.at).f64(value.value + 1.0);")]),
     ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
         ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),
     ("a recording's size is told wrong", "tst_monkey@7-31", "untrue", [
-        ("widgets/files/record_control.cpp", "constexpr double kMega = 1e6;", "constexpr double kMega = 5e5;")]),
+        ("widgets/files/recording_control.cpp", "constexpr double kMega = 1e6;", "constexpr double kMega = 5e5;")]),
     ("a file is not named in the title", "tst_monkey@14-31", "untrue", [
         ("widgets/window/main_window.cpp", "    else if (m_workbench.signalPlan().showsFile())\n", "    else if (m_workbench.signalPlan().showsFile() && m_device.portOpen())\n")]),
     ("an experiment holds no bound of speed", "tst_experiment_faults@1-600", "MS28", [

@@ -1,4 +1,4 @@
-// Where the acts of a person and the words of a product go that a judge has to know of.
+// Where the acts of the user and the words of a product go that a judge has to know of.
 #pragma once
 
 #include "support/ms_rules.h"
@@ -10,7 +10,7 @@ class ActSink {
 public:
     virtual void act(judge::Act::Kind kind) = 0;
     virtual void said(judge::Word word, int motor) = 0;
-    virtual void said(judge::Link link) = 0;
+    virtual void said(judge::LinkState link) = 0;
     virtual void saidIdentified(int motors) = 0;
 
 protected:

@@ -1,4 +1,4 @@
-// File names for whoever asks for one: those of the test.
+// File names for code that asks for one: those of the test.
 #pragma once
 
 #include "widgets/base/file_prompt.h"

@@ -17,7 +17,7 @@ public:
 
     /// All of one motor in a span of time.
     struct Span {
-        bool known = false; ///< the motor is there, and somebody looked
+        bool known = false; ///< the motor is there, and its state was read
         std::set<simulation::MotorState> states;
         double leastRpm = 0.0, greatestRpm = 0.0; ///< as the firmware measures it
         double leastReference = 0.0, greatestReference = 0.0;

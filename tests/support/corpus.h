@@ -1,5 +1,5 @@
-// The files of a fuzz target's corpus through it, in the ordinary build: what a fuzzer once found stays found. A target is
-// one function; a finding aborts.
+// The files of a fuzz target's corpus through it, in the ordinary build: what a fuzzer once found stays found. A target
+// is one function; a finding aborts.
 #pragma once
 
 #include "support/places.h"

@@ -1,5 +1,6 @@
-// What the current loop of a simulated board does, by its exact linear model: windings in the rotor's coordinates over a period
-// with its voltage held, the firmware's PIs, and the back-EMF that follows the torque. No dead time, noise or digit is in it.
+// What the current loop of a simulated board does, by its exact linear model: windings in the rotor's coordinates over
+// a period with its voltage held, the firmware's PIs, and the back-EMF that follows the torque. No dead time, noise or
+// digit is in it.
 #pragma once
 
 #include "simulation/firmware/design.h"

@@ -44,7 +44,7 @@ struct EditBench {
             model.setCatalog(device.catalog(), device.motor());
         });
         QObject::connect(&device, &widgets::Device::readingsArrived, &panel,
-            [this](const std::vector<drive::Reading> &readings) { model.take(readings, ms()); });
+            [this](const std::vector<drive::Reading> &readings) { model.accept(readings, ms()); });
         QObject::connect(&edits, &widgets::RegisterEdits::told, &panel,
             [this](const QString &sentence, bool) { told.append(sentence); });
         QObject::connect(

@@ -1,5 +1,5 @@
-// The vectors of the older serial protocol, read from tests/data/vectors/legacy.jsonl: conversations of requests, answers
-// and events, and what they mean.
+// The vectors of the older serial protocol, read from tests/data/vectors/legacy.jsonl: conversations of requests,
+// answers and events, and what they mean.
 #pragma once
 
 #include "base/bytes.h"
@@ -25,7 +25,7 @@ inline Bytes bytesOfHex(const QString &hex)
 struct FcpVector {
     QString name;
     fcp::Dialect dialect = fcp::Dialect::Stm32;
-    bool exchange = true; ///< false: a frame of the board that nobody asked for
+    bool exchange = true; ///< false: a frame that the board sends unasked
     QString rig; ///< "A", "B", "P"
     QString event; ///< what happens to the board before it
     Bytes request, reply;

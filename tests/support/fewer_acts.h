@@ -1,5 +1,5 @@
-// The steps that a failure needs: leaves out some of a list as long as the failure stays, larger parts first, until no step can
-// be missed or there is no time left.
+// The steps that a failure needs: leaves out some of a list as long as the failure stays, larger parts first, until no
+// step can be missed or there is no time left.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Every simulated board that a session opens in this process, with the judge of the wire between it and its line. Bytes and
-// truth come from the session's thread, acts from the window's; time is the real clock, so bounds are wide. What is wrong
-// fails the test that is running when this ends.
+// Every simulated board that a session opens in this process, with the judge of the wire between it and its line. Bytes
+// and truth come from the session's thread, acts from the window's; time is the real clock, so bounds are wide. What is
+// wrong fails the test that is running when this ends.
 #pragma once
 
 #include "drive/protocol_table.h"
@@ -57,7 +57,7 @@ public:
     /// What a board sends in so long after its line was opened is lost: it boots, or a debugger holds it.
     std::chrono::milliseconds silentAtFirst{};
 
-    /// What the first motor's firmware wants, each time somebody looks; in the session's thread, and set before it runs.
+    /// What the first motor's firmware wants, at each look; in the session's thread, and set before it runs.
     std::function<void(TimePoint, const simulation::MotorTruth &)> truthOfFirst;
 
     void act(judge::Act::Kind kind) override
@@ -72,7 +72,7 @@ public:
         if (m_judge)
             m_judge->said(word, motor, m_clock());
     }
-    void said(judge::Link link) override
+    void said(judge::LinkState link) override
     {
         const std::lock_guard lock(m_mutex);
         if (m_judge)

@@ -1,5 +1,5 @@
-// A drive with the judge of the wire beside it: hands everything on and tells the judge what a person asked for through
-// the drive's verbs, what arrived, and what the drive says. What leaves is told by the bench, which knows when.
+// A drive with the judge of the wire beside it: hands everything on and tells the judge what the user asked for through
+// the drive's verbs, what arrived, and what the drive says. What leaves is told by the bench, with its time.
 #pragma once
 
 #include "drive/drive.h"
@@ -120,7 +120,7 @@ private:
         return act;
     }
 
-    // What a wish means as an act of a person.
+    // What a wish means as an act of the user.
     template <class Other>
     void ask(drive::WishId, const Other &)
     {
@@ -197,23 +197,23 @@ private:
             m_judge.said(wordOf(stop->word), stop->motor, m_now);
         }
     }
-    static judge::Link linkOf(drive::LinkState state)
+    static judge::LinkState linkOf(drive::LinkState state)
     {
         switch (state) {
         case drive::LinkState::Closed:
-            return judge::Link::Closed;
+            return judge::LinkState::Closed;
         case drive::LinkState::Connecting:
-            return judge::Link::Connecting;
+            return judge::LinkState::Connecting;
         case drive::LinkState::Connected:
-            return judge::Link::Connected;
+            return judge::LinkState::Connected;
         case drive::LinkState::Suspect:
-            return judge::Link::Suspect;
+            return judge::LinkState::Suspect;
         case drive::LinkState::Recovering:
-            return judge::Link::Recovering;
+            return judge::LinkState::Recovering;
         case drive::LinkState::Lost:
             break;
         }
-        return judge::Link::Lost;
+        return judge::LinkState::Lost;
     }
     static judge::Word wordOf(drive::StopWord word)
     {

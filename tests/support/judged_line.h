@@ -1,7 +1,7 @@
-// A line to a simulated board that the judge of the wire watches, for sessions. In a thread of their own: the window puts
-// acts in from its thread, the line puts bytes and the board's truth in from the session's; time is the session's clock,
-// which may be pushed ahead, and bounds are wide. On a test's own clock: what is asked of the drive are the acts, and
-// bounds are those of a drive. The board lives on while its cable is out.
+// A line to a simulated board that the judge of the wire watches, for sessions. In a thread of their own: the window
+// puts acts in from its thread, the line puts bytes and the board's truth in from the session's; time is the session's
+// clock, which may be pushed ahead, and bounds are wide. On a test's own clock: what is asked of the drive are the
+// acts, and bounds are those of a drive. The board lives on while its cable is out.
 #pragma once
 
 #include "drive/protocol_table.h"
@@ -73,7 +73,7 @@ public:
     }
     /// The session's thread, once, as soon as it serves the line again.
     void freeze(int ms) { m_freeze_ms = ms; }
-    /// The session's thread has not served the line for a while, because somebody froze it or no core was there for it.
+    /// The session's thread has not served the line for a while, because a test froze it or no core was free for it.
     bool frozen()
     {
         const std::lock_guard lock(m_mutex);
@@ -99,7 +99,7 @@ public:
         const std::lock_guard lock(m_mutex);
         m_judge.said(word, motor, now());
     }
-    void said(judge::Link link) override
+    void said(judge::LinkState link) override
     {
         const std::lock_guard lock(m_mutex);
         m_linkChanged = now();
@@ -192,7 +192,8 @@ public:
                 all.push_back(one);
         return all;
     }
-    /// What was kept already may be there again unseen; a servo tells the first fault that stopped it, until it is acknowledged.
+    /// What was kept already may be there again unseen; a servo tells the first fault that stopped it, until it is
+    /// acknowledged.
     bool isTold(const BoardHistory::Fault &one) const
     {
         return one.kept && (one.alone || mcp() || older());
@@ -255,13 +256,13 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_heardAt != TimePoint{};
     }
-    /// Since the port was closed because somebody wanted it, not because the cable was gone.
+    /// Since the port was closed on purpose, not because the cable was gone.
     Duration sinceClosed()
     {
         const std::lock_guard lock(m_mutex);
         return now() - m_closedAt;
     }
-    /// Since a thread stood still or the clock jumped: before that nobody could have known anything.
+    /// Since a thread stood still or the clock jumped: before that all is unknown.
     Duration sinceTrouble()
     {
         const std::lock_guard lock(m_mutex);

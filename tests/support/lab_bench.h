@@ -6,8 +6,8 @@
 #include "drive/values.h"
 #include "lab/evaluation/step_series.h"
 #include "lab/runner.h"
-#include "record/drive_entries.h"
-#include "record/restore.h"
+#include "recorded/drive_entries.h"
+#include "recorded/restore.h"
 #include "support/link_pair.h"
 
 // Runs `ended` once. A macro, so that the test ends where it stands, as with QVERIFY.
@@ -48,7 +48,7 @@ struct LabBench {
     std::optional<TimePoint> ranAt; ///< as a session knows it
     Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
     std::function<void()> eachTurn; ///< as the world goes on
-    std::function<void(record::Nanos, const record::Entry &)> eachEntry; ///< for a file of it
+    std::function<void(recorded::Nanos, const recorded::Entry &)> eachEntry; ///< for a file of it
 
     explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
         : pair(true, options, seed)
@@ -59,15 +59,15 @@ struct LabBench {
         if (subject)
             experiment.subject = *subject;
         if (pair.ready)
-            (void)entries.take(drive::Event(*pair.identified)); // so that registers have names
+            (void)entries.accept(drive::Event(*pair.identified)); // so that registers have names
         pair.onEvent = [this](const drive::Event &event) {
             if (const auto *status = std::get_if<drive::MotorStatus>(&event);
                 status != nullptr && !drive::isDriveIdle(*status))
                 ranAt = pair.now;
-            for (record::Entry &entry : entries.take(event))
+            for (recorded::Entry &entry : entries.accept(event))
                 keep(entry);
             if (runner)
-                runner->take(event, pair.now);
+                runner->accept(event, pair.now);
         };
     }
 
@@ -122,7 +122,7 @@ struct LabBench {
             drive::Wish wish = std::move(waiting.front().second);
             waiting.pop_front();
             wishes.push_back(wish);
-            for (record::Entry &entry : entries.take(wish))
+            for (recorded::Entry &entry : entries.accept(wish))
                 keep(entry);
             wish.madeAt = pair.now;
             pair.drive->submit(std::move(wish), pair.now);
@@ -167,19 +167,19 @@ struct LabBench {
     }
 
 private:
-    void keep(const record::Entry &entry)
+    void keep(const recorded::Entry &entry)
     {
-        const record::Nanos at = pair.now.time_since_epoch().count();
+        const recorded::Nanos at = pair.now.time_since_epoch().count();
         if (eachEntry)
             eachEntry(at, entry);
-        if (const auto *happening = std::get_if<record::Happening>(&entry))
+        if (const auto *happening = std::get_if<recorded::Happening>(&entry))
             happenings.emplace_back(at, *happening);
         else
-            restorer.take(entry);
+            restorer.accept(entry);
     }
 
-    record::DriveEntries entries;
-    record::Restorer restorer;
+    recorded::DriveEntries entries;
+    recorded::Restorer restorer;
     std::deque<std::pair<TimePoint, drive::Wish>> waiting;
 };
 

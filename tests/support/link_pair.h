@@ -35,8 +35,8 @@ struct LineFaults {
     double flip = 0.0, drop = 0.0, duplicate = 0.0, insert = 0.0;
     double stall = 0.0;
     Duration stallTime = 20ms;
-    double burst =
-        0.0; ///< that bytes are lost from here on, for at most burstMost of them: a reader that came late
+    /// That bytes are lost from here on, for at most burstMost of them: a reader that came late.
+    double burst = 0.0;
     std::uint64_t burstMost = 6000, burstLeft = 0;
     bool cut = false; ///< nothing gets through
     /// One fault at the byte with this number, counted from the beginning of the run.
@@ -149,8 +149,8 @@ public:
         return identified->catalog->resolve(name).value_or(0);
     }
 
-    /// The program has no core for a while: nothing leaves, and what comes waits for it. The board lives on. A packet whose
-    /// header has left is completed before: one that ends late is not what is looked for.
+    /// The program has no core for a while: nothing leaves, and what comes waits for it. The board lives on. A packet
+    /// whose header has left is completed before: one that ends late is not what is looked for.
     void stall(Duration time)
     {
         runUntil([this] { return m_sending.empty(); }, 20ms);
@@ -182,7 +182,7 @@ public:
         gone.kind = judge::Act::Kind::Unplugged;
         gone.at = now;
         judge.act(gone);
-        judge.said(judge::Link::Closed, now);
+        judge.said(judge::LinkState::Closed, now);
         m_sending.clear();
         m_payloadNext = false;
         drive = std::make_unique<JudgedDrive>(std::move(other), judge);

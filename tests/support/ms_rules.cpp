@@ -10,8 +10,8 @@ namespace judge {
 namespace {
 
 constexpr std::size_t kMostViolations = 20; ///< the first is what counts
-constexpr std::uint64_t kKeptMoments =
-    1000; ///< for which what waits to leave remembers that it was asked for
+/// For which what waits to leave remembers that it was asked for.
+constexpr std::uint64_t kKeptMoments = 1000;
 
 std::string hexOf(ByteView bytes)
 {
@@ -144,8 +144,8 @@ void MsRules::judge(const Sent &sent, const std::string &)
     }
 }
 
-/// A set-point goes to rest by itself with a Stop, where nothing turns by it, and when nobody knows the drive any more;
-/// under a motor that somebody drives that is a step that nobody asked for.
+/// A set-point goes to rest by itself with a Stop, where nothing turns by it, and when the drive is not known any more;
+/// under a motor that is driven that is a step that was not asked for.
 bool MsRules::mayRest(const Sent &sent) const
 {
     const auto truth = m_truth.find(sent.motor);
@@ -256,7 +256,7 @@ void MsRules::onStop(const Act &act)
         m_agreedBefore = m_agreed;
     m_agreed = {};
     forgetActs();
-    m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting
+    m_open = m_open || m_link != LinkState::Closed; // a Stop interrupts the disconnecting
     if (!m_open)
         return;
     if (!stopGoesOn()) {
@@ -267,7 +267,7 @@ void MsRules::onStop(const Act &act)
     m_stop->latest = act.at;
 }
 
-/// Nobody is armed any more, and nothing is asked for.
+/// It is not armed any more, and nothing is asked for.
 void MsRules::forgetActs()
 {
     m_armedEarly.reset();
@@ -319,16 +319,16 @@ void MsRules::settle(TimePoint now)
             violate("ends once", "wish " + std::to_string(wish) + " never ended");
 }
 
-void MsRules::said(Link link, TimePoint at)
+void MsRules::said(LinkState link, TimePoint at)
 {
     m_now = std::max(m_now, at);
-    if (link == Link::Lost || link == Link::Closed) {
+    if (link == LinkState::Lost || link == LinkState::Closed) {
         m_identified = m_requested = false;
         m_over = true;
         ++m_moment;
         forgetActs();
     }
-    if (link == Link::Connected && m_link != Link::Connected)
+    if (link == LinkState::Connected && m_link != LinkState::Connected)
         m_heardAt = at;
     m_link = link;
 }

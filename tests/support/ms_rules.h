@@ -1,10 +1,10 @@
-// The judge of the wire: whether what a drive puts on its line, and what it says of its motors, is what a person asked for
-// and what is true. It sees bytes with their times, the acts of a person, and the truth of the simulated board; it is told
-// what the product said, and never looks into it: its decoders (wire/) are its own, small ones.
+// The judge of the wire: whether what a drive puts on its line, and what it says of its motors, is what the user asked
+// for and what is true. It sees bytes with their times, the acts of the user, and the truth of the simulated board; it
+// is told what the product said, and never looks into it: its decoders (wire/) are its own, small ones.
 //
-// Protocol-neutral. Time moves where the bench moves it. Each rule is a function of ms_rules_*.cpp with its name and its
-// sentence in kRules; a violation tells the rule, the time, the packet and the act that it is about.
-// Source of the rules: the motor safety requirements (docs/safety.md names them).
+// Protocol-neutral. Time moves where the bench moves it. Each rule is a function of ms_rules_*.cpp with its name and
+// its sentence in kRules; a violation tells the rule, the time, the packet and the act that it is about. Source of the
+// rules: the motor safety requirements (docs/safety.md names them).
 #pragma once
 
 #include "base/bytes.h"
@@ -35,7 +35,7 @@ enum class Kind : std::uint8_t {
     Mode, ///< what is controlled
     Write, ///< any other register
     Acknowledge, ///< of faults
-    Never, ///< what nobody may send
+    Never, ///< what may not be sent
 };
 const char *nameOf(Kind kind);
 
@@ -52,12 +52,12 @@ struct Sent {
     bool goesOn = false; ///< one that is what it was: no act, but none for the time of a Stop
 };
 
-/// A person's act as the test made it.
+/// The user's act as the test made it.
 struct Act {
     enum class Kind : std::uint8_t {
         Open, ///< connect
         Close, ///< disconnect
-        Unplugged, ///< nobody's act: the line is gone
+        Unplugged, ///< no act: the line is gone
         Arm,
         Disarm,
         Stop, ///< of all motors
@@ -67,8 +67,8 @@ struct Act {
         SetPoint,
         Write,
         Acknowledge,
-        Limits, ///< a person's own
-        Scale, ///< of currents, as a person knows it
+        Limits, ///< the user's own
+        Scale, ///< of currents, as the user knows it
         Input, ///< any input event of a window: allows one thing that acts of each kind, and writes
         Confirm, ///< yes to a question
         AgreeToHold, ///< yes to what moves while it is held; moves nothing by itself, and lasts until a Stop
@@ -93,9 +93,9 @@ struct Motor {
     double rpm = 0.0; ///< of the rotor
 };
 
-/// What the product said that a person reads.
+/// What the product said that the user reads.
 enum class Word : std::uint8_t { Requested, Accepted, DriveIdle, Standstill, NotConfirmed };
-enum class Link : std::uint8_t { Closed, Connecting, Connected, Suspect, Recovering, Lost };
+enum class LinkState : std::uint8_t { Closed, Connecting, Connected, Suspect, Recovering, Lost };
 
 /// What the judge has to know of a line and its board beforehand.
 struct Line {
@@ -104,12 +104,12 @@ struct Line {
     std::uint32_t baud = 1843200;
     double maxRpm = 0.0, maxAmps = 0.0, ampsPerDigit = 0.0; ///< of the board; 0: not told
     bool stopsBlind = true; ///< without a link, too
-    bool speedIsMeasured = true; ///< false: without a drive nobody sees the rotor turn
+    bool speedIsMeasured = true; ///< false: the rotor is seen to turn only while driven
     Duration firstStop = std::chrono::milliseconds(100); ///< from the act to the first byte
     Duration repeat = std::chrono::milliseconds(200); ///< between STOPs of one motor
     Duration alarm = std::chrono::milliseconds(600); ///< half a second and a poll
     Duration suspect = std::chrono::milliseconds(600), lost = std::chrono::milliseconds(2500);
-    /// How long an act of a person counts, from the act or from what the board last answered on the way to it: a start
+    /// How long an act of the user counts, from the act or from what the board last answered on the way to it: a start
     /// looks first at what it would start to.
     Duration fresh = std::chrono::milliseconds(550);
     /// The first start after a connection or a Stop is asked about.
@@ -139,9 +139,9 @@ public:
 class MsRules {
 public:
     static constexpr Duration kOldest = std::chrono::seconds(10); ///< that an act counts at most
-    static constexpr Duration kSeries =
-        std::chrono::seconds(75); ///< one that moves by itself, with its start
-    static constexpr Duration kGap = std::chrono::milliseconds(250); ///< longer: nobody ran
+    /// One that moves by itself, with its start.
+    static constexpr Duration kSeries = std::chrono::seconds(75);
+    static constexpr Duration kGap = std::chrono::milliseconds(250); ///< longer: it did not run
     static constexpr Duration kBlind = std::chrono::seconds(2); ///< STOPs without a link
     static constexpr Duration kEvidence = std::chrono::milliseconds(500);
 
@@ -153,7 +153,7 @@ public:
     void watch(std::unique_ptr<Decoder> decoder, const Line &line);
     bool watching() const { return m_decoder != nullptr; }
     Line &line() { return m_line; }
-    /// This rule is not judged here; the reason is for whoever reads the test.
+    /// This rule is not judged here; the reason is for readers of the test.
     void excuse(const std::string &rule, const std::string &reason);
 
     /// What has been asked and told so far: to be taken when a drive hands bytes over, and given when they leave.
@@ -166,13 +166,13 @@ public:
     void act(const Act &act);
     void look(TimePoint now, const std::vector<Motor> &truth);
     void said(Word word, int motor, TimePoint at);
-    void said(Link link, TimePoint at);
+    void said(LinkState link, TimePoint at);
     void saidIdentified(int motors, TimePoint at);
     void saidEnded(std::uint64_t wish, TimePoint at);
     void asked(std::uint64_t wish, TimePoint at);
     void saidStatus(TimePoint evidence, TimePoint at);
 
-    /// The line is closed on purpose: nobody goes from a motor that turns without stopping it or being told to.
+    /// The line is closed on purpose: a motor that turns is stopped before, unless the user chose to leave it.
     void closes(TimePoint now);
     /// Each wish that was asked for has ended; to be called when the faults are over.
     void settle(TimePoint now);
@@ -244,10 +244,10 @@ private:
     bool m_open = false, m_identified = false;
     std::uint64_t m_moment = 1; ///< counts acts and ends of wishes
     std::uint64_t m_packetBegan = 1, m_disarmed = 0; ///< moments
-    bool m_armed = false; ///< a person armed since the connection, and no Stop came since
-    bool m_over = false; ///< by a Stop, with the link or by a reset, and nobody has armed since
+    bool m_armed = false; ///< the user armed since the connection, and no Stop came since
+    bool m_over = false; ///< by a Stop, with the link or by a reset, and not armed since
     bool m_requested = false; ///< a request has left since the link came about
-    Link m_link = Link::Closed;
+    LinkState m_link = LinkState::Closed;
     std::optional<TimePoint> m_heardAt;
     TimePoint m_answeredAt{};
     std::optional<TimePoint> m_unanswered; ///< when the request left whose answer is due
@@ -256,8 +256,8 @@ private:
         Act act;
         int uses = 0;
         std::set<Kind> used = {}; ///< of an input event
-        std::optional<std::uint64_t> voided =
-            std::nullopt; ///< since when it asks for nothing any more
+        /// Since when it asks for nothing any more.
+        std::optional<std::uint64_t> voided = std::nullopt;
         TimePoint voidedAt{};
     };
     std::vector<Pending>::iterator pendingFor(const Sent &sent);
@@ -265,12 +265,12 @@ private:
 
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
-    std::set<int>
-        m_alarming; ///< motors whose Stop was said to be unconfirmed, and nothing else since
+    /// Motors whose Stop was said to be unconfirmed, and nothing else since.
+    std::set<int> m_alarming;
     std::optional<TimePoint> m_leave, m_held;
-    std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
+    std::optional<TimePoint> m_armedEarly; ///< when the user armed before the Stop was over
     bool m_seriesAgreed = false; ///< since it was armed
-    /// What a person has agreed to and seen, so that a START may leave.
+    /// What the user has agreed to and seen, so that a START may leave.
     struct Agreed {
         std::optional<TimePoint> confirmed;
         bool hold = false, startedOnce = false;
@@ -280,7 +280,7 @@ private:
     struct Bounds {
         double rpm = 0.0, amps = 0.0;
     };
-    std::map<std::uint64_t, Bounds> m_user{{0, {}}}; ///< of the person, since which moment
+    std::map<std::uint64_t, Bounds> m_user{{0, {}}}; ///< of the user, since which moment
     std::set<std::uint64_t> m_wishes, m_ended;
     std::map<int, Motor> m_truth;
     struct Seen {

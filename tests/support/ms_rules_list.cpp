@@ -49,7 +49,7 @@ void MsRules::onlyMotorsThatAreThere(const Sent &sent)
                 + std::to_string(m_line.motors));
 }
 
-/// Arming is an act of a person, in this connection, with no Stop since.
+/// Arming is an act of the user, in this connection, with no Stop since.
 void MsRules::nothingActsUnarmed(const Sent &sent)
 {
     // The window's word may still be on its way to the thread that serves the line: what was asked for before leaves.
@@ -101,8 +101,9 @@ std::vector<MsRules::Pending>::iterator MsRules::pendingFor(const Sent &sent)
                 && one.uses
                 < (!sent.value ? 12
                         : plain
+                        // Stages go one by one, a scalar that was not taken may be written again.
                         ? 3
-                        : 2); // stages go one by one, a scalar that was not taken may be written again
+                        : 2);
         }
         if (act.motor != sent.motor)
             return false;
@@ -157,23 +158,24 @@ void MsRules::onlyStopAndStatesDuringAStop(const Sent &sent)
         return;
     const bool open = std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
         [](const auto &of) { return !of.second.rested; });
-    const bool may = sent.kind == Kind::Stop || sent.kind == Kind::LinkControl
-        || sent.kind == Kind::StatusRead
-        || (sent.kind == Kind::Read && !m_identified); // who is there, to stop it
+    const bool may = sent.kind == Kind::Stop
+        || sent.kind == Kind::LinkControl
+        // Who is there, to stop it.
+        || sent.kind == Kind::StatusRead || (sent.kind == Kind::Read && !m_identified);
     if (open && !may && m_packetBegan >= m_stop->moment && m_now >= m_stop->first + m_line.grace)
         violate("stop first",
             std::string(nameOf(sent.kind)) + " left " + milliseconds(m_now - m_stop->first)
                 + " after the Stop, before every motor was at rest");
 }
 
-/// What keeps a motor alive needs somebody who moves it.
+/// What keeps a motor alive needs arming.
 void MsRules::heartbeatsOnlyWhileArmed(const Sent &sent)
 {
     if (sent.kind == Kind::Heartbeat && !m_armed && !wasUnderWay())
         violate("heartbeats", "a heartbeat left although nobody is armed");
 }
 
-/// Nobody starts a motor by one slip of a finger, nor to where it was going before it was stopped.
+/// A motor is not started by one slip of a finger, nor to where it was going before it was stopped.
 void MsRules::firstStartsAreAsked(const Sent &sent)
 {
     const Agreed &agreed = wasUnderWay() ? m_agreedBefore : m_agreed;
@@ -188,13 +190,13 @@ void MsRules::firstStartsAreAsked(const Sent &sent)
             "it");
 }
 
-/// By the board's limits and by the person's own.
+/// By the board's limits and by the user's own.
 void MsRules::setPointsAreBounded(const Sent &sent)
 {
     const auto most = [](double board, double user) {
         return board > 0.0 && user > 0.0 ? std::min(board, user) : std::max(board, user);
     };
-    // What had begun to leave when a person changed them is finished.
+    // What had begun to leave when the user changed them is finished.
     const Bounds &user = std::prev(m_user.upper_bound(m_packetBegan))->second;
     const double rpm = most(m_line.maxRpm, user.rpm), amps = most(m_line.maxAmps, user.amps);
     if (sent.rpm && !(std::isfinite(*sent.rpm) && (rpm <= 0.0 || std::abs(*sent.rpm) <= rpm + 1.0)))
@@ -249,13 +251,13 @@ void MsRules::stopsLeaveInTime(TimePoint now)
 /// The first STOP at once, the next ones while the motor is driven: with a link, or blind for two seconds.
 void MsRules::stopsAreRepeated(int motor, OpenStop::Of &of, TimePoint now)
 {
-    const bool linked = m_link == Link::Connected || m_link == Link::Suspect;
+    const bool linked = m_link == LinkState::Connected || m_link == LinkState::Suspect;
     if (!linked && (!m_line.stopsBlind || now - m_stop->latest >= kBlind)) {
         of.allowed.reset();
         return;
     }
     if (!linked && motor > 1 && !m_identified)
-        return; // nobody can know that it is there
+        return; // it is not known to be there
     if (!of.allowed)
         of.allowed = of.sent ? now : std::max(m_stop->first, m_opened);
     if (linked && motor > 1 && !m_identified) {
@@ -337,12 +339,12 @@ void MsRules::silenceIsTold(TimePoint now)
     if (!m_open || !m_heardAt)
         return;
     const Duration silence = now - *m_heardAt;
-    if (m_line.suspect > Duration{} && silence > m_line.suspect && m_link == Link::Connected) {
+    if (m_line.suspect > Duration{} && silence > m_line.suspect && m_link == LinkState::Connected) {
         violate(
             "silence is told", milliseconds(silence) + " without a byte, and still \"connected\"");
         m_heardAt.reset();
     } else if (m_line.lost > Duration{} && silence > m_line.lost
-        && (m_link == Link::Suspect || m_link == Link::Recovering)) {
+        && (m_link == LinkState::Suspect || m_link == LinkState::Recovering)) {
         violate("silence is told", milliseconds(silence) + " without a byte, and not yet \"lost\"");
         m_heardAt.reset();
     }

@@ -8,7 +8,7 @@
 
 namespace support {
 
-constexpr record::Nanos kSecond = 1'000'000'000;
+constexpr recorded::Nanos kSecond = 1'000'000'000;
 
 inline QByteArray contentOf(const QString &path)
 {
@@ -27,8 +27,8 @@ inline void writeRecording(const QString &path, bool ended)
             capture::SampleBlock{1, tick, 1000, std::vector<std::int16_t>(1000, 7), {}, 0});
         file.flushAll();
     }
-    file.add(kSecond, record::Note{kSecond, kSecond, "first"});
-    file.add(2 * kSecond, record::Note{2 * kSecond, 2 * kSecond, "second"});
+    file.add(kSecond, recorded::Note{kSecond, kSecond, "first"});
+    file.add(2 * kSecond, recorded::Note{2 * kSecond, 2 * kSecond, "second"});
     if (ended)
         QVERIFY(file.end());
 }

@@ -1,24 +1,24 @@
 // What a reader makes of a recording on the disk.
 #pragma once
 
-#include "record/decoder.h"
-#include "record/restore.h"
+#include "recorded/decoder.h"
+#include "recorded/restore.h"
 
 #include <QFile>
 
 namespace support {
 
 struct RecordingFacts {
-    std::vector<record::Item> items;
-    std::vector<record::Damage> damage;
-    std::optional<record::End> ending;
+    std::vector<recorded::Item> items;
+    std::vector<recorded::Damage> damage;
+    std::optional<recorded::End> ending;
     capture::Capture capture;
 
     template <class T>
     std::vector<T> all() const
     {
         std::vector<T> found;
-        for (const record::Item &item : items) {
+        for (const recorded::Item &item : items) {
             if (const auto *what = std::get_if<T>(&item.entry))
                 found.push_back(*what);
         }
@@ -27,7 +27,7 @@ struct RecordingFacts {
     std::vector<std::string> happenings() const
     {
         std::vector<std::string> names;
-        for (const auto &happening : all<record::Happening>())
+        for (const auto &happening : all<recorded::Happening>())
             names.push_back(happening.name);
         return names;
     }
@@ -46,15 +46,15 @@ inline RecordingFacts readRecording(const QString &path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return facts;
-    record::Decoder decoder;
-    record::Restorer restorer(facts.capture);
+    recorded::Decoder decoder;
+    recorded::Restorer restorer(facts.capture);
     const auto drain = [&] {
         while (auto step = decoder.next()) {
-            if (auto *item = std::get_if<record::Item>(&*step)) {
-                restorer.take(item->entry);
+            if (auto *item = std::get_if<recorded::Item>(&*step)) {
+                restorer.accept(item->entry);
                 facts.items.push_back(std::move(*item));
             } else {
-                facts.damage.push_back(std::get<record::Damage>(*step));
+                facts.damage.push_back(std::get<recorded::Damage>(*step));
             }
         }
     };

@@ -68,7 +68,7 @@ struct ScopeWindow : WindowRig {
         return QPoint(qRound(scope().time().xOf(seconds)), area.top() + int(share * area.height()))
             - QPoint(0, shift.y());
     }
-    /// Moves the mouse with nothing or the left button pressed; events, so that nobody has to wait.
+    /// Moves the mouse with nothing or the left button pressed; events, so that no test waits.
     void moveMouse(const QPoint &to, Qt::MouseButtons held = Qt::NoButton)
     {
         QMouseEvent move(QEvent::MouseMove, to, plot().mapToGlobal(to), Qt::NoButton, held, {});

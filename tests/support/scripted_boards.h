@@ -1,5 +1,6 @@
-// Boards of MCP and the older protocol reduced to what a stop needs: answers at once, motors that only drive or do not. What fares
-// badly on the line is chosen by whoever asks them. No motor model runs behind them, so that thousands of runs are cheap.
+// Boards of MCP and the older protocol reduced to what a stop needs: answers at once, motors that only drive or do not.
+// What fares badly on the line is chosen by the caller. No motor model runs behind them, so that thousands of runs are
+// cheap.
 #pragma once
 
 #include "aspep/packet.h"
@@ -47,7 +48,7 @@ public:
 
     virtual std::unique_ptr<drive::Drive> makeDrive() const = 0;
     /// Takes an output of the drive; true once a request is whole.
-    virtual bool take(const Bytes &output) = 0;
+    virtual bool accept(const Bytes &output) = 0;
     virtual Asked asked() const = 0; ///< the request that is whole
     virtual Bytes answer() = 0; ///< carries it out; empty: the board is silent
     virtual int motors() const { return 2; }
@@ -55,7 +56,7 @@ public:
     /// @return what becomes of the bytes that come back at once
     virtual char fares(char fate) { return fate; }
     virtual bool beginsStartsWithStop() const { return false; }
-    /// A motor of it is moved only with a person's word that its limits are not told.
+    /// A motor of it is moved only with the user's word that its limits are not told.
     virtual bool needsExpert() const = 0;
     /// Later than the drive waits for an answer.
     virtual Duration late() const = 0;
@@ -78,7 +79,7 @@ public:
     std::unique_ptr<drive::Drive> makeDrive() const override { return drive::makeMcpDrive({}); }
     bool needsExpert() const override { return false; }
     Duration late() const override { return std::chrono::milliseconds(60); }
-    bool take(const Bytes &output) override
+    bool accept(const Bytes &output) override
     {
         if (m_payloadNext) {
             m_payloadNext = false;
@@ -226,7 +227,7 @@ public:
     }
     bool needsExpert() const override { return true; }
     Duration late() const override { return std::chrono::milliseconds(1030); }
-    bool take(const Bytes &output) override
+    bool accept(const Bytes &output) override
     {
         fcp::Framer framer(fcp::Framer::Side::Board);
         ByteView bytes(output);
@@ -293,7 +294,7 @@ private:
     void rampSpeed(std::size_t, std::int32_t, std::uint16_t) override { }
     void rampTorque(std::size_t, std::int16_t, std::uint16_t) override { }
     void setCurrents(std::size_t, std::int16_t, std::int16_t) override { }
-    void setRevUp(std::size_t, std::size_t, const fcp::RevUpStage &) override { }
+    void setRevUp(std::size_t, std::size_t, const fcp::StageFields &) override { }
 
     std::optional<simulation::FcpServer> m_server;
     fcp::Frame m_frame;

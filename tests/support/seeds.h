@@ -1,6 +1,6 @@
-// Which seeds a campaign plays: few of them, many with ROTORSCOPE_LONG=1. ROTORSCOPE_SEED=n plays that one alone, n-m those from n to m;
-// ROTORSCOPE_FIRST_SEED=n begins there, so that a campaign that runs again tries what has not been tried, and
-// ROTORSCOPE_SEEDS=n plays so many.
+// Which seeds a campaign plays: few of them, many with ROTORSCOPE_LONG=1. ROTORSCOPE_SEED=n plays that one alone, n-m
+// those from n to m; ROTORSCOPE_FIRST_SEED=n begins there, so that a campaign that runs again tries what has not been
+// tried, and ROTORSCOPE_SEEDS=n plays so many.
 #pragma once
 
 #include <QStringList>

@@ -1,5 +1,6 @@
-// Where everything is in a window that has a name and is seen, so that a test can tell what moved. What lies over the window
-// without a place of its own in it (a message, a mark across the picture) is none of it, nor what comes and goes itself.
+// Where everything is in a window that has a name and is seen, so that a test can tell what moved. What lies over the
+// window without a place of its own in it (a message, a mark across the picture) is none of it, nor what comes and goes
+// itself.
 #pragma once
 
 #include <QAbstractButton>

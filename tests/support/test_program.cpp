@@ -1,5 +1,5 @@
-// The main function of a program of tests. It runs the test that it is called as (a link to it bears the test's name), or
-// that its first argument names; all further arguments are the test's own.
+// The main function of a program of tests. It runs the test that it is called as (a link to it bears the test's name),
+// or that its first argument names; all further arguments are the test's own.
 #include "test_program.h"
 
 #include <cstdio>

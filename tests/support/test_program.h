@@ -1,5 +1,5 @@
-// What makes the tests of a folder one program: each is linked and compiled with the others, and still runs alone, by its name.
-// Included before everything else in each test, by tests/CMakeLists.txt.
+// What makes the tests of a folder one program: each is linked and compiled with the others, and still runs alone, by
+// its name. Included before everything else in each test, by tests/CMakeLists.txt.
 #pragma once
 
 #include "support/watchdog/beats.h"
@@ -24,7 +24,8 @@ public:
     support::Watched<Application> app(argc, argv);                                                 \
     app.setAttribute(Qt::AA_Use96Dpi, true);
 
-// Qt's QTEST_MAIN and its kin are made of this one; several tests may be compiled at once. `...` are the lines that make an application object.
+// Qt's QTEST_MAIN and its kin are made of this one; several tests may be compiled at once. `...` are the lines that
+// make an application object.
 #undef QTEST_MAIN_WRAPPER
 #define QTEST_MAIN_WRAPPER(TestObject, ...)                                                        \
     static int run##TestObject(int argc, char *argv[])                                             \

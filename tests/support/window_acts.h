@@ -1,6 +1,6 @@
-// What a person's input at the real window means to the judge of the wire: every key, press, turn of the wheel and drop is
-// an act before anything of the window sees it, and what the window says is told on. It reads widgets by their names and
-// their words, never the models behind.
+// What the user's input at the real window means to the judge of the wire: every key, press, turn of the wheel and drop
+// is an act before anything of the window sees it, and what the window says is told on. It reads widgets by their names
+// and their words, never the models behind.
 #pragma once
 
 #include "support/act_sink.h"
@@ -82,7 +82,7 @@ private:
         return false;
     }
 
-    /// What nobody takes is shown to the parents of its widget, too.
+    /// What no widget takes is shown to the parents of its widget, too.
     bool isNew(const QMouseEvent &event)
     {
         const quint64 before = std::exchange(m_pressedAt, event.timestamp());
@@ -171,23 +171,23 @@ private:
             if (button->text().contains(QLatin1String(words)))
                 m_sink.act(Kind::Leave);
     }
-    static judge::Link linkOf(drive::LinkState state)
+    static judge::LinkState linkOf(drive::LinkState state)
     {
         switch (state) {
         case drive::LinkState::Closed:
-            return judge::Link::Closed;
+            return judge::LinkState::Closed;
         case drive::LinkState::Connecting:
-            return judge::Link::Connecting;
+            return judge::LinkState::Connecting;
         case drive::LinkState::Connected:
-            return judge::Link::Connected;
+            return judge::LinkState::Connected;
         case drive::LinkState::Suspect:
-            return judge::Link::Suspect;
+            return judge::LinkState::Suspect;
         case drive::LinkState::Recovering:
-            return judge::Link::Recovering;
+            return judge::LinkState::Recovering;
         case drive::LinkState::Lost:
-            return judge::Link::Lost;
+            return judge::LinkState::Lost;
         }
-        return judge::Link::Closed;
+        return judge::LinkState::Closed;
     }
 
     ActSink &m_sink;

@@ -1,4 +1,5 @@
-// The real window with its workbench, on ports and file answers of the test's own. What leaves to a simulated board is judged.
+// The real window with its workbench, on ports and file answers of the test's own. What leaves to a simulated board is
+// judged.
 #pragma once
 
 #include "support/answered_files.h"
@@ -43,7 +44,7 @@ struct WindowRig {
 
     ~WindowRig() { boards.act(judge::Act::Kind::Leave); } // the test ends, whatever turns
 
-    /// From now on a person who says yes to every question about motion; `questions` counts them.
+    /// From now on a user who says yes to every question about motion; `questions` counts them.
     void sayYesToMotion()
     {
         QObject::connect(

@@ -1,4 +1,4 @@
-// Ticks in steps of 1, 2 and 5, never more than asked for however far the picture is zoomed, with labels in the person's
+// Ticks in steps of 1, 2 and 5, never more than asked for however far the picture is zoomed, with labels in the user's
 // language. The numbers are here and can be tested alone; axis_ticker.h hands them to the plot.
 #pragma once
 
@@ -15,8 +15,8 @@ double leastSpan(const QString &unit, double digit);
 /// The smallest step of the form 1, 2 or 5 times a power of ten that cuts `span` into at most `most` pieces.
 double tickStep(double span, int most);
 
-/// That step for an axis of values from `from` to `to`: a finer one where fewer than three of its multiples would be seen
-/// and there is room for those of the next.
+/// That step for an axis of values from `from` to `to`: a finer one where fewer than three of its multiples would be
+/// seen and there is room for those of the next.
 /// @param room  for so many labels, close together
 double valueStep(double from, double to, int most, int room);
 

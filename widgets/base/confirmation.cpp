@@ -32,8 +32,8 @@ QString withKey(const QString &text, const QPushButton &cancel)
 }
 
 /// A key that was held before the question came must not answer it; Enter behind the word that had to be typed does. A
-/// letter alone answers nothing: a box of messages would take it for Alt and the letter, and single letters are keys of the
-/// scope.
+/// letter alone answers nothing: a box of messages would take it for Alt and the letter, and single letters are keys of
+/// the scope.
 class HeldKeys : public QObject {
 public:
     HeldKeys(QPushButton *yes, QObject *parent)

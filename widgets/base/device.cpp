@@ -156,7 +156,7 @@ void Device::apply(const session::BatchPtr &batch)
     if (!batch)
         return;
     for (const drive::Event &event : batch->events)
-        take(event);
+        accept(event);
     m_dropped = batch->droppedForDisplay;
     Q_EMIT batchApplied();
 }
@@ -190,7 +190,7 @@ void Device::disarm()
     armedChanged(false); // shown at once; the session's own word follows
 }
 
-void Device::take(const drive::Event &event)
+void Device::accept(const drive::Event &event)
 {
     std::visit(
         Overloaded{
@@ -225,7 +225,7 @@ void Device::take(const drive::Event &event)
             },
             [this](const capture::SampleBlock &block) { Q_EMIT samplesArrived(block); },
             [this](const drive::StopProgress &progress) { Q_EMIT stopAdvanced(progress); },
-            [this](const drive::MotionRecord &record) { Q_EMIT motionLogged(record); },
+            [this](const drive::MotionEntry &record) { Q_EMIT motionLogged(record); },
             [this](const drive::LinkCounters &counters) {
                 m_counters = counters;
                 Q_EMIT countersChanged();

@@ -101,7 +101,7 @@ Q_SIGNALS:
     void identityChanged();
     void statusChanged(int motor);
     void motorChanged();
-    void boundsChanged(); ///< the person's limits, or expert mode
+    void boundsChanged(); ///< the user's limits, or expert mode
     void armedStateChanged(bool armed);
     void readingsArrived(const std::vector<drive::Reading> &readings);
     void wishEnded(const drive::Ended &ended);
@@ -112,12 +112,12 @@ Q_SIGNALS:
     /// Ports at which a stop is wanted, and that are not open.
     void stopsWanted(const QStringList &ports);
     void interrupted(const session::Interruption &what); ///< what went on without the window
-    void motionLogged(const drive::MotionRecord &record);
+    void motionLogged(const drive::MotionEntry &record);
     void countersChanged();
     void batchApplied();
 
 private:
-    void take(const drive::Event &event);
+    void accept(const drive::Event &event);
     void onEnd(const drive::Ended &ended);
     void forgetBoard();
     void disarm();

@@ -16,8 +16,8 @@ namespace widgets {
 /// Shows at most so many characters of a device's text.
 inline constexpr int kDeviceTextLength = 64;
 
-/// `text` as one line: invalid UTF-8 replaced, control and direction-changing characters written as \uXXXX (a tab as a space), cut with
-/// an ellipsis after kDeviceTextLength characters.
+/// `text` as one line: invalid UTF-8 replaced, control and direction-changing characters written as \uXXXX (a tab as a
+/// space), cut with an ellipsis after kDeviceTextLength characters.
 QString deviceText(std::string_view text);
 QString deviceText(const QString &text);
 

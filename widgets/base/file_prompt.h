@@ -15,7 +15,7 @@ struct SaveQuestion {
     QString folder;
     QString suggestedName;
     QString filter; ///< e.g. "CSV files (*.csv)"
-    QString suffix; ///< added if the person typed none
+    QString suffix; ///< added if the user typed none
 };
 
 struct OpenQuestion {
@@ -29,20 +29,20 @@ struct FolderQuestion {
     QString folder; ///< in which it is looked for
 };
 
-/// That folder; the person's own where there is none yet.
+/// That folder; the user's own where there is none yet.
 QString orHome(const QString &folder);
 
-/// Calls back with the path chosen; not at all if the person gave up. Existing files are asked about.
+/// Calls back with the path chosen; not at all if the user gave up. Existing files are asked about.
 class FilePrompt {
 public:
     using Answer = std::function<void(const QString &path)>;
 
     virtual ~FilePrompt() = default;
     virtual void askSave(QWidget *parent, const SaveQuestion &question, Answer answer);
-    virtual void askOpen(
-        QWidget *parent, const OpenQuestion &question, Answer answer); ///< a file that exists
-    virtual void askFolder(
-        QWidget *parent, const FolderQuestion &question, Answer answer); ///< one that exists
+    /// A file that exists.
+    virtual void askOpen(QWidget *parent, const OpenQuestion &question, Answer answer);
+    /// One that exists.
+    virtual void askFolder(QWidget *parent, const FolderQuestion &question, Answer answer);
 };
 
 } // namespace widgets

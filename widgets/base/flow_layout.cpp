@@ -26,8 +26,8 @@ QSize FlowLayout::minimumSize() const
     QSize size;
     for (const QLayoutItem *item : m_items)
         size = size.expandedTo(item->minimumSize());
-    // The least height of a window is asked for without a width: that of all lines at the width there is, lest what stands
-    // beside be covered.
+    // The least height of a window is asked for without a width: that of all lines at the width there is, else what
+    // stands beside would be covered.
     return m_width > 0 ? size.expandedTo({0, heightForWidth(m_width)}) : size;
 }
 
@@ -36,7 +36,7 @@ void FlowLayout::setGeometry(const QRect &rect)
     QLayout::setGeometry(rect);
     arrange(rect, true);
     if (parentWidget() != nullptr && !parentWidget()->isVisible())
-        return; // as wide as it was made, which is no width that anybody sees
+        return; // as wide as it was made, a width that is never shown
     if (rect.width() != std::exchange(m_width, rect.width()))
         update(); // the least height may be another now
 }

@@ -1,5 +1,5 @@
-// FlowLayout: places widgets in lines, as words in a text. Before it begins a second line it makes those narrower that may
-// be, if that saves the line.
+// FlowLayout: places widgets in lines, as words in a text. Before it begins a second line it makes those narrower that
+// may be, if that saves the line.
 #pragma once
 
 #include <QLayout>

@@ -1,4 +1,4 @@
-// Lamp: one state as shape, colour and words, so that no one has to tell colours apart.
+// Lamp: one state as shape, colour and words, so that colours need not be told apart.
 #pragma once
 
 #include "drive/event.h"

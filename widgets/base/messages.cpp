@@ -13,7 +13,8 @@ struct Messages {
     Q_DECLARE_TR_FUNCTIONS(Messages)
 };
 
-/// The drive's own words (core/drive), English there as in recordings and on the command line. No place holder takes a space.
+/// The drive's own words (core/drive), English there as in recordings and on the command line. No place holder takes a
+/// space.
 constexpr const char *kReasons[] = {
     // NOLINTBEGIN(bugprone-suspicious-missing-comma): long ones stand in several pieces
     QT_TRANSLATE_NOOP("Messages", "beyond your own limit of %1 rpm"),
@@ -195,7 +196,7 @@ QString portProblemText(const session::PortError &error, const QString &port)
     case PortProblem::TakenOver:
         return Messages::tr(
             "Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, "
-            "without evidence that they did. It connects anew; arm again to move.")
+            "without evidence that they did. It reconnects; arm again to move.")
             .arg(name);
     case PortProblem::BadFile:
         return Messages::tr("The recording %1 cannot be read. Choose another file.").arg(name);
@@ -410,6 +411,11 @@ QString failureText(const QString &action, const drive::Ended &ended)
               .arg(action, how, reason);
 }
 
+QString translatedFileProblem(const char *english)
+{
+    return QCoreApplication::translate("FileProblem", english);
+}
+
 QString exportFileErrorText(const session::FileResult &result, const QString &path)
 {
     using session::FileError;
@@ -425,7 +431,7 @@ QString exportFileErrorText(const session::FileResult &result, const QString &pa
     case FileError::CannotOpen:
         return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(name, detail);
     case FileError::CannotWrite:
-        return Messages::tr("Not written (%1). Make room or choose another "
+        return Messages::tr("Not written: %1. Make room or choose another "
                             "folder; nothing was replaced.")
             .arg(detail);
     case FileError::CannotReplace:

@@ -1,4 +1,4 @@
-// What core reports as enums, said in the person's language: one sentence each, with what to do where something can be
+// What core reports as enums, said in the user's language: one sentence each, with what to do where something can be
 // done. The only place that does so.
 #pragma once
 
@@ -50,5 +50,8 @@ QString failureText(const QString &action, const drive::Ended &ended);
 
 /// Why a file was not written, and what to do; empty for None.
 QString exportFileErrorText(const session::FileResult &result, const QString &path);
+
+/// A piece of what session/files/file_problems.h says.
+QString translatedFileProblem(const char *english);
 
 } // namespace widgets

@@ -1,6 +1,6 @@
-// MotorDescription: the description of a motor that stands beside the board's own: a file's, and what was measured. What is
-// measured comes into it as one step, which can be taken back. It writes nothing, neither to a board nor to a file.
-// Inertias are what was typed of motors whose boards do not know it, for every form that needs it.
+// MotorDescription: the description of a motor that stands beside the board's own: a file's, and what was measured.
+// What is measured comes into it as one step, which can be taken back. It writes nothing, neither to a board nor to a
+// file. Inertias are what was typed of motors whose boards do not know it, for every form that needs it.
 #pragma once
 
 #include "motor/motor_sheet.h"

@@ -1,5 +1,5 @@
-// Asking what is to be done, so that tests can give the answer: a question as a value, with what each answer does. Esc is
-// the answer that stays.
+// Asking what is to be done, so that tests can give the answer: a question as a value, with what each answer does. Esc
+// is the answer that stays.
 #pragma once
 
 #include <QList>

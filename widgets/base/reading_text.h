@@ -8,8 +8,8 @@
 
 namespace widgets {
 
-/// A time or a difference of times to a tenth of a microsecond, to a microsecond from one second on, or to eight digits if that is coarser, e.g. "18.7500 ms",
-/// "12.345679 s".
+/// A time or a difference of times to a tenth of a microsecond, to a microsecond from one second on, or to eight digits
+/// if that is coarser, e.g. "18.7500 ms", "12.345679 s".
 QString exactTime(double seconds, const QLocale &locale);
 
 /// How long something took, as far as a program that was told of it knows: three or four digits, nothing below 0.1 ms.

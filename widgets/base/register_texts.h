@@ -1,4 +1,4 @@
-// What a register is, the group it stands in and the names of its values, in the person's language. The catalogue's own
+// What a register is, the group it stands in and the names of its values, in the user's language. The catalogue's own
 // texts are English and serve as keys; names of registers, states and faults stay as the documents print them.
 #pragma once
 

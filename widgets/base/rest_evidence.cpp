@@ -34,7 +34,7 @@ void RestEvidence::ended(const drive::Ended &ended)
         m_atRest.clear();
 }
 
-void RestEvidence::take(const drive::MotorStatus &status)
+void RestEvidence::accept(const drive::MotorStatus &status)
 {
     m_heard.insert(status.motor);
     if (drive::rests(status.state)) {

@@ -1,6 +1,7 @@
-// RestEvidence: whether a connection may be left without a word. It may if nothing in it can have set a motor in motion, or
-// if every motor was seen at rest a moment ago, after whatever was asked for last had ended. Silence is no evidence, and
-// neither is a state that was read before. Values go in, nothing is asked for; times are those of the session.
+// RestEvidence: whether a connection may be left without a word. It may if nothing in it can have set a motor in
+// motion, or if every motor was seen at rest a moment ago, after whatever was asked for last had ended. Silence is no
+// evidence, and neither is a state that was read before. Values go in, nothing is asked for; times are those of the
+// session.
 #pragma once
 
 #include "drive/event.h"
@@ -18,7 +19,7 @@ public:
     void armed(); ///< what is asked for from now on can move a motor
     void asked(const drive::Wish &wish);
     void ended(const drive::Ended &ended);
-    void take(const drive::MotorStatus &status);
+    void accept(const drive::MotorStatus &status);
     /// The user's choice: the motors stay as they are. Until the next arming or connection.
     void leftAsTheyAre() { m_left = true; }
 

@@ -1,5 +1,5 @@
-// RowTable: the base of flat tables, whose columns have fixed titles. It says how large they are and what stands above, and how
-// their views are told that rows changed; what the rows are is the business of those that derive from it.
+// RowTable: the base of flat tables, whose columns have fixed titles. It says how large they are and what stands above,
+// and how their views are told that rows changed; what the rows are is the business of those that derive from it.
 #pragma once
 
 #include <QAbstractTableModel>

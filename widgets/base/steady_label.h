@@ -1,5 +1,5 @@
-// A label whose place does not depend on what it says: as wide as the widest that it was told to have room for, and always
-// as high as its lines. What does not fit is cut, and whole in its tool tip.
+// A label whose place does not depend on what it says: as wide as the widest that it was told to have room for, and
+// always as high as its lines. What does not fit is cut, and whole in its tool tip.
 #pragma once
 
 #include <QLabel>
@@ -9,8 +9,8 @@ namespace widgets {
 class SteadyLabel : public QLabel {
     Q_OBJECT
 public:
-    /// Plain text. @param lines  each paragraph has one, and goes on in those that are left over; the last line takes what is
-    /// left of all
+    /// Plain text. @param lines  each paragraph has one, and goes on in those that are left over; the last line takes
+    /// what is left of all
     explicit SteadyLabel(QWidget *parent = nullptr, int lines = 1);
 
     /// What it may have to say. Without, it is as wide as what it says now: give it a policy that ignores that.

@@ -1,6 +1,7 @@
-// SteppedEdit: what the fields for one number have in common. Arrow keys step the number, Page Up and Down by ten steps,
-// the wheel only while the field has the focus; while the text is no good the field is red, with the reason as tool tip and
-// for screen readers. A click into it selects all, as Tab does: what is typed then takes the number's place. What the text means, and how it steps, is the business of the class made from this one.
+// SteppedEdit: what the fields for one number have in common. Arrow keys step the number, Page Up and Down by ten
+// steps, the wheel only while the field has the focus; while the text is no good the field is red, with the reason as
+// tool tip and for screen readers. A click into it selects all, as Tab does: what is typed then takes the number's
+// place. What the text means, and how it steps, is the business of the class made from this one.
 #pragma once
 
 #include <QColor>
@@ -22,8 +23,8 @@ public:
 
     virtual QString problem() const { return {}; } ///< one sentence; empty if the text is good
 
-    /// Shows what it follows. Cursor and selection stay where a person has put them: what is typed next is to replace what
-    /// is selected, however often the board is read meanwhile.
+    /// Shows what it follows. Cursor and selection stay where the user has put them: what is typed next is to replace
+    /// what is selected, however often the board is read meanwhile.
     void setFollowed(const QString &now);
 
 protected:

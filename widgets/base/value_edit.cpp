@@ -74,7 +74,7 @@ void ValueEdit::show()
         m_time ? exactTime(m_value, locale) : readingText(m_value, m_step, m_unit, locale);
     setModified(false);
     if (hasFocus() && text == this->text())
-        return; // the cursor stays where a person has put it
+        return; // the cursor stays where the user has put it
     setText(text);
     setCursorPosition(0);
 }

@@ -1,5 +1,6 @@
 // A field for one number of the scope with its unit: a level, a time, a percentage. Read as strictly as a set-point; a
-// time may be typed in s, ms or us. Only Enter or leaving the field commits, and what is not understood changes nothing.
+// time may be typed in s, ms or us. Only Enter or leaving the field commits, and what is not understood changes
+// nothing.
 #pragma once
 
 #include <QLineEdit>

@@ -1,5 +1,6 @@
 #include "widgets/base/value_text.h"
 
+#include "drive/wish.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/register_texts.h"
 
@@ -122,8 +123,9 @@ QString unitText(std::string_view unit)
 
 QString unitHelp(std::string_view unit)
 {
-    return unit == "s16A" ? QObject::tr("32768 digits are the full scale of the current sensor, "
+    return unit == "s16A" ? QObject::tr("%1 digits are the full scale of the current sensor, "
                                         "which this board does not tell.")
+                                .arg(numberText(drive::kFullScaleDigits, 0))
                           : QString();
 }
 

@@ -23,7 +23,8 @@ QString numberText(double value, int decimals);
 /// The same with so many digits that count, and an exponent where they need one.
 QString floatText(double value, int digits);
 
-/// A unit as people read it: raw numbers, whose unit files and the command line call s16A, s16V or s16degree, are in digits.
+/// A unit as people read it: raw numbers, whose unit files and the command line call s16A, s16V or s16degree, are in
+/// digits.
 QString unitText(const QString &unit);
 QString unitText(std::string_view unit);
 /// What a digit of this unit is worth, one sentence; empty where the unit says it, or nothing does.

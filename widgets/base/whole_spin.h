@@ -1,5 +1,5 @@
-// WholeSpin: a spin box for a whole number that drops nothing that is typed. Qt's own leaves out what is no digit, so that
-// 12.5 becomes 125; here it stays, red with the reason, and the number of before counts until the text is good.
+// WholeSpin: a spin box for a whole number that drops nothing that is typed. Qt's own leaves out what is no digit, so
+// that 12.5 becomes 125; here it stays, red with the reason, and the number of before counts until the text is good.
 #pragma once
 
 #include <QSpinBox>

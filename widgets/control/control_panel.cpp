@@ -173,7 +173,8 @@ ControlPanel::ControlPanel(
     top->addWidget(new SectionHead(tr("Set-point"), this));
     keepPlace(*m_words); // what is below does not move when they come
     m_words->hide();
-    // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
+    // What the motor does is read also where a message and the words of a stop leave no room for all that can be
+    // wished.
     auto *read = new QWidget(this);
     auto *bottom = edged(new QVBoxLayout(read), {kMargin, 0, kMargin, kFineGrid}, kFineGrid);
     bottom->addWidget(line(this)); // what is measured has names of its own
@@ -222,7 +223,8 @@ QWidget *ControlPanel::makeBody()
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
     m_changeScale->setText(tr("Scale\u2026", "of the currents"));
-    m_changeScale->setToolTip(tr("The current of 32768 digits, which the board does not tell."));
+    m_changeScale->setToolTip(tr("The current of %1 digits, which the board does not tell.")
+                                  .arg(numberText(drive::kFullScaleDigits, 0)));
     m_changeScale->setFocusPolicy(Qt::TabFocus);
     m_readouts->putBeside("I_Q_MEAS", *m_changeScale);
     auto *layout = edged(new QVBoxLayout(body), {kMargin, kFineGrid, kMargin, 0}, kFineGrid);
@@ -326,7 +328,7 @@ void ControlPanel::showLimits()
 void ControlPanel::stopAdvanced(const drive::StopProgress &progress)
 {
     m_words->show();
-    m_words->take(progress, m_now);
+    m_words->accept(progress, m_now);
     if (progress.word != drive::StopWord::Requested)
         return;
     m_setpoints->forget();

@@ -69,8 +69,8 @@ private:
     QToolButton *m_changeScale;
     StopWords *m_words;
     Milliseconds m_now{};
-    std::pair<int, drive::MotorState>
-        m_followed{}; ///< the motor that was shown last, and its state
+    /// The motor that was shown last, and its state.
+    std::pair<int, drive::MotorState> m_followed{};
 };
 
 } // namespace widgets

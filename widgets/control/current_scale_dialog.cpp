@@ -1,6 +1,5 @@
 #include "widgets/control/current_scale_dialog.h"
 
-#include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "motor/current_loop.h"
 #include "widgets/base/look/named.h"
@@ -66,7 +65,9 @@ CurrentScaleDialog::CurrentScaleDialog(int motor, double fullScaleAmps, QWidget 
     connect(m_amps, &QLineEdit::textChanged, this, &CurrentScaleDialog::follow);
     auto *form = edged(new QFormLayout(this), kDialogEdges, kGrid);
     form->addRow(explain);
-    form->addRow(tr("&Full-scale current [A] (peak, 32768 digits)"), m_amps);
+    form->addRow(
+        tr("&Full-scale current [A] (peak, %1 digits)").arg(numberText(drive::kFullScaleDigits, 0)),
+        m_amps);
     form->addRow(makeCircuit());
     form->addRow(m_says);
     form->addRow(buttons);

@@ -13,7 +13,7 @@ CurrentScales::CurrentScales(Device &device, QMap<QString, double> &remembered, 
     , m_remembered(remembered)
 {
     connect(&device, &Device::identityChanged, this, &CurrentScales::meet);
-    connect(&device, &Device::wishEnded, this, &CurrentScales::take);
+    connect(&device, &Device::wishEnded, this, &CurrentScales::accept);
 }
 
 /// The same board at the same port. A name for a file of ours, not for people.
@@ -48,7 +48,7 @@ void CurrentScales::set(int motor, double fullScaleAmps)
             motor, fullScaleAmps, keyOf(motor), true};
 }
 
-void CurrentScales::take(const drive::Ended &ended)
+void CurrentScales::accept(const drive::Ended &ended)
 {
     const auto found = m_wished.extract(ended.id);
     if (found.empty())

@@ -22,7 +22,7 @@ Q_SIGNALS:
 
 private:
     void meet();
-    void take(const drive::Ended &ended);
+    void accept(const drive::Ended &ended);
     QString keyOf(int motor) const;
 
     struct Wished {

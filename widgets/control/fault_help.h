@@ -1,5 +1,6 @@
 // FaultHelp: explains the faults of a motor in a window of its own: what was recorded around each, what it means, its
-// likely causes and what to try. It stays open while one works, follows the motor, and has a stop button like every window.
+// likely causes and what to try. It stays open while one works, follows the motor, and has a stop button like every
+// window.
 #pragma once
 
 #include "widgets/base/device.h"

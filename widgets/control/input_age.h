@@ -1,5 +1,5 @@
-// InputAge: how late the input is that is being handled. What the user typed into a window that stood still comes all at
-// once when it thaws, and must not act then. Pure: times are arguments; it sees no events itself.
+// InputAge: how late the input is that is being handled. What the user typed into a window that stood still comes all
+// at once when it thaws, and must not act then. Pure: times are arguments; it sees no events itself.
 //
 // Two rules, and input is as old as the worse of them says:
 //  - The window itself. Where its heart has not beaten for longer than a wish may be old, everything that waited

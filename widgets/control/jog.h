@@ -1,11 +1,11 @@
 // Jog: a motor turns slowly while something is held, and stops when it is let go. It begins at an idle motor only, and
 // any doubt ends it: a stop, a lost or silent link, another motor, the end of arming, a lost focus.
 //
-// What is held says so again and again, and the session stops the motor when it is not heard of (session/link/dead_man.h): a
-// window that freezes does not see that a button was let go.
+// What is held says so again and again, and the session stops the motor when it is not heard of
+// (session/link/dead_man.h): a window that freezes does not see that a button was let go.
 //
-// Letting go stops this motor alone and leaves it armed; if it is not seen idle soon after, and in every other case, all
-// motors are stopped for good.
+// Letting go stops this motor alone and leaves it armed; if it is not seen idle soon after, and in every other case,
+// all motors are stopped for good.
 #pragma once
 
 #include "widgets/control/motion_allowed.h"

@@ -1,6 +1,6 @@
 #include "widgets/control/motion_gate.h"
 
-#include "drive/control_mode.h"
+#include "catalog/control_mode.h"
 #include "drive/set_points/shaft_position.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
@@ -77,7 +77,7 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
     connect(&device, &Device::stopWished, this, stopped);
     connect(&device, &Device::stopAdvanced, this, [stopped](const drive::StopProgress &progress) {
         if (progress.word == drive::StopWord::Requested)
-            stopped(); // also where a person asked for none: a window that hung, an experiment
+            stopped(); // also where the user asked for none: a window that hung, an experiment
     });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
         if (armed)
@@ -173,7 +173,7 @@ void MotionGate::ask()
         question.lines += linesOf(act, scene, target);
         if (const auto *ramp = std::get_if<drive::SpeedRamp>(&act)) {
             scene.speedReferenceRpm = ramp->rpm;
-            target = {drive::ControlMode::Speed, ramp->rpm, {}}; // what a start after it goes to
+            target = {catalog::ControlMode::Speed, ramp->rpm, {}}; // what a start after it goes to
         }
     }
     if (m_agreeOnly)
@@ -363,7 +363,8 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     scene.iqReferenceAmps = reading("I_Q_REF", motor);
     scene.idReferenceAmps = reading("I_D_REF", motor);
     if (const auto mode = reading("CONTROL_MODE", motor))
-        scene.torqueMode = drive::controlModeOf(std::llround(*mode)) == drive::ControlMode::Torque;
+        scene.torqueMode =
+            catalog::controlModeOf(std::llround(*mode)) == catalog::ControlMode::Torque;
     return scene;
 }
 

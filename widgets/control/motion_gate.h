@@ -1,9 +1,11 @@
-// MotionGate: the one way by which panels ask for motion. It judges every act anew (drive/motion_caution.h), asks before
-// what could surprise, sends, and tells how it ended if not well. A stop does not come through here: it is never asked.
+// MotionGate: the one way by which panels ask for motion. It judges every act anew (drive/motion_caution.h), asks
+// before what could surprise, sends, and tells how it ended if not well. A stop does not come through here: it is never
+// asked.
 //
 // want() may emit asked(); then confirm() or decline() has to follow, or the gate withdraws the question by itself: a
-// stop, a lost link, another motor, a board that is silent for a second. A shorter hiccup leaves it open; a yes counts only
-// once the board answers again, and if what was asked about is still so. While a question is open nothing else is taken.
+// stop, a lost link, another motor, a board that is silent for a second. A shorter hiccup leaves it open; a yes counts
+// only once the board answers again, and if what was asked about is still so. While a question is open nothing else is
+// taken.
 #pragma once
 
 #include "drive/motion_caution.h"
@@ -33,8 +35,8 @@ class MotionGate : public QObject {
 public:
     MotionGate(Device &device, RegisterModel &registers, QObject *parent = nullptr);
 
-    /// One act of the user: `action` names it for them. Several wishes are asked about once, and each is sent when the one
-    /// before has ended well.
+    /// One act of the user: `action` names it for them. Several wishes are asked about once, and each is sent when the
+    /// one before has ended well.
     void want(const QString &action, drive::WishContent act);
     void want(const QString &action, std::vector<drive::WishContent> acts);
     /// Whether want() would ask now.

@@ -6,7 +6,7 @@
 namespace widgets {
 namespace {
 
-QString bytesText(const drive::MotionRecord &record)
+QString bytesText(const drive::MotionEntry &record)
 {
     QStringList parts;
     for (const Bytes &request : record.sent)
@@ -28,7 +28,7 @@ MotionLogModel::MotionLogModel(QObject *parent)
 {
 }
 
-void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &now)
+void MotionLogModel::accept(const drive::MotionEntry &record, const QDateTime &now)
 {
     if (m_log.size() >= kMost) {
         ++m_leftOut;
@@ -36,7 +36,7 @@ void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &no
     }
     const int row = static_cast<int>(m_log.size());
     session::LoggedMotion one = session::loggedNow(record, now);
-    if (m_clock.take(one) && row > 0)
+    if (m_clock.accept(one) && row > 0)
         Q_EMIT dataChanged(index(0, TimeColumn), index(row - 1, TimeColumn));
     beginInsertRows({}, row, row);
     m_log.push_back(std::move(one));
@@ -58,7 +58,7 @@ QString MotionLogModel::copyText(const QList<int> &rows) const
 
 QString MotionLogModel::cell(const session::LoggedMotion &one, int column) const
 {
-    const drive::MotionRecord &record = one.record;
+    const drive::MotionEntry &record = one.record;
     switch (column) {
     case TimeColumn:
         // What became of a Stop is told when it was seen; all else when it was asked for.

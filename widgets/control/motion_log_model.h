@@ -23,7 +23,7 @@ public:
 
     explicit MotionLogModel(QObject *parent = nullptr);
 
-    void take(const drive::MotionRecord &record, const QDateTime &now);
+    void accept(const drive::MotionEntry &record, const QDateTime &now);
     const std::vector<session::LoggedMotion> &log() const { return m_log; }
     std::size_t leftOut() const { return m_leftOut; }
     QByteArray text() const; ///< as a file has it

@@ -1,4 +1,5 @@
-// The motion log as a table: what was asked of the motors and how it ended. It can be copied and saved, never changed. A tool like the forms, without edits.
+// The motion log as a table: what was asked of the motors and how it ended. It can be copied and saved, never changed.
+// A tool like the forms, without edits.
 #pragma once
 
 #include "widgets/base/form.h"

@@ -1,4 +1,5 @@
-// ReadoutBox: a few measured values of the motor that is shown, as text. Rows that the board does not have are left out.
+// ReadoutBox: a few measured values of the motor that is shown, as text. Rows that the board does not have are left
+// out.
 #pragma once
 
 #include "widgets/base/device.h"

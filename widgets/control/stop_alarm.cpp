@@ -50,7 +50,8 @@ void StopAlarm::make()
     });
     auto *layout =
         edged(new QVBoxLayout(this), {3 * kGrid, 3 * kGrid, 3 * kGrid, kDialogEdge}, kDialogEdge);
-    // Always as large as what it has room for: what a word-wrapped label needs in height is asked for by no other constraint.
+    // Always as large as what it has room for: what a word-wrapped label needs in height is asked for by no other
+    // constraint.
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_text);
     layout->addWidget(m_detail);
@@ -171,7 +172,7 @@ void StopAlarm::showWanted(const QStringList &ports)
     }
 }
 
-void StopAlarm::take(const drive::StopProgress &progress)
+void StopAlarm::accept(const drive::StopProgress &progress)
 {
     const auto known = m_motors.find(progress.motor);
     const bool confirms = progress.word == drive::StopWord::DriveIdle

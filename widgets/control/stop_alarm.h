@@ -1,7 +1,7 @@
-// StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. It lies over the
-// picture and off the panel that controls the motors, and has room from the start for the evidence that may still come:
-// neither its buttons nor itself move then. What is in it is made when it is first raised, which takes a few milliseconds
-// that a start of the program has no use for.
+// StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. It lies
+// over the picture and off the panel that controls the motors, and has room from the start for the evidence that may
+// still come: neither its buttons nor itself move then. What is in it is made when it is first raised, which takes a
+// few milliseconds that a start of the program has no use for.
 #pragma once
 
 #include "drive/event.h"
@@ -27,11 +27,11 @@ public:
     /// Ports that are gone with a stop which nothing confirmed; the same while there is one more than before.
     void showWanted(const QStringList &ports);
     /// Evidence that came after all, for each motor of its own; the text says so and stays until it is closed.
-    void take(const drive::StopProgress &progress);
+    void accept(const drive::StopProgress &progress);
 
 Q_SIGNALS:
-    void
-    takenBack(); ///< the user says that the stop of the ports that are gone is no longer wanted
+    /// The user says that the stop of the ports that are gone is no longer wanted.
+    void takenBack();
 
 private:
     void make();

@@ -94,7 +94,7 @@ void StopWords::clear()
     showAll();
 }
 
-void StopWords::take(const drive::StopProgress &progress, Milliseconds now)
+void StopWords::accept(const drive::StopProgress &progress, Milliseconds now)
 {
     // Where nothing measures the speed that is the last word.
     const bool mayCoast = progress.word == drive::StopWord::MayCoast;

@@ -1,6 +1,6 @@
 // StopWords: how far the last stop has got, in four words for each motor, each with its age and never ahead of its
-// evidence: that one motor stands says nothing of another. It has four lines: all words of one motor, or of several motors
-// the newest word of each; the others are in the tool tip then.
+// evidence: that one motor stands says nothing of another. It has four lines: all words of one motor, or of several
+// motors the newest word of each; the others are in the tool tip then.
 #pragma once
 
 #include "drive/event.h"
@@ -23,7 +23,7 @@ public:
 
     explicit StopWords(QWidget *parent = nullptr);
 
-    void take(const drive::StopProgress &progress, Milliseconds now);
+    void accept(const drive::StopProgress &progress, Milliseconds now);
     void refresh(Milliseconds now); ///< the ages go on
     void clear();
     bool rested() const; ///< every motor was idle, or more than that

@@ -18,7 +18,8 @@ constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to a
 constexpr std::size_t kMostAsked = 1000;
 // From the board's answer until it has forgotten the faults that were acknowledged, at most: some do it a cycle later.
 constexpr Duration kForgets = std::chrono::milliseconds(10);
-/// Set-points that follow each other sooner excite a motor, some hundred times a response: the first one stands for all.
+/// Set-points that follow each other sooner excite a motor, some hundred times a response: the first one stands for
+/// all.
 constexpr Duration kExcites = std::chrono::milliseconds(200);
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 } // namespace
@@ -232,11 +233,11 @@ void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
         Q_EMIT written(seconds, name);
 }
 
-void EventRecorder::acted(const drive::MotionRecord &record)
+void EventRecorder::acted(const drive::MotionEntry &record)
 {
     if (record.act == drive::MotionAct::AcknowledgeFaults && record.outcome == drive::Outcome::Ok)
         m_acknowledged[record.motor] = record.ended;
-    // What a person asks for is noted as it is asked for; an experiment asks without the Device.
+    // What the user asks for is noted as it is asked for; an experiment asks without the Device.
     if (record.source == drive::Source::Person)
         return;
     const auto before = std::exchange(m_experimented, {record.act, record.asked});
@@ -275,8 +276,8 @@ void EventRecorder::status(int motor)
     m_status[motor] = now;
     stamped(now.at);
     const double seconds = onAxis(now.at);
-    // One that was over before the board was asked again is among the past ones only. Those of before the connection are
-    // no event of it.
+    // One that was over before the board was asked again is among the past ones only. Those of before the connection
+    // are no event of it.
     const auto has = [](const std::vector<std::string> &faults, const std::string &fault) {
         return std::find(faults.begin(), faults.end(), fault) != faults.end();
     };

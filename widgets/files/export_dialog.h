@@ -1,5 +1,5 @@
-// ExportDialog: what of the recording goes into a file, in which format, and where. It makes the order; the one that opened
-// the dialog carries it out, so that nothing is covered while files are written.
+// ExportDialog: what of the recording goes into a file, in which format, and where. It makes the order; the one that
+// opened the dialog carries it out, so that nothing is covered while files are written.
 #pragma once
 
 #include "widgets/files/export_order.h"

@@ -1,6 +1,7 @@
 #include "widgets/files/export_order.h"
 
 #include "capture/csv_export.h"
+#include "session/files/file_problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 
@@ -28,29 +29,10 @@ bool holdsAll(const ExportOrder &order)
            });
 }
 
-QString problemText(session::ExportProblem problem, const session::ExportFormat &format)
-{
-    const QString name = QString::fromLatin1(format.suffix).toUpper();
-    switch (problem) {
-    case session::ExportProblem::None:
-        break;
-    case session::ExportProblem::NoFastSamples:
-        return Exports::tr("No %1 file: there is no time at which all fast signals were recorded.")
-            .arg(name);
-    case session::ExportProblem::DifferentRates:
-        return Exports::tr("No %1 file: the signals have different rates.").arg(name);
-    case session::ExportProblem::TooManySignals:
-    case session::ExportProblem::TooLong:
-        return Exports::tr("No %1 file: it holds %2. Choose fewer signals or a shorter range.")
-            .arg(name, QCoreApplication::translate("ExportFormat", format.mostText));
-    }
-    return {};
-}
-
 QString partErrorText(const ExportOrder &order, const ExportResult &result)
 {
     return result.last.problem != session::ExportProblem::None
-        ? problemText(result.last.problem, *order.format)
+        ? session::exportProblemText(result.last.problem, *order.format, translatedFileProblem)
         : exportFileErrorText(result.last.file, result.path);
 }
 

@@ -1,6 +1,6 @@
-// FileJob: work with a file in a thread of a pool, over values that do not change meanwhile. Once it takes longer than a
-// second a dialog shows how far it is, how long it will still take, and Cancel; it blocks nothing. What the work found
-// out is used in the GUI thread, by the function that the work returns.
+// FileJob: work with a file in a thread of a pool, over values that do not change meanwhile. Once it takes longer than
+// a second a dialog shows how far it is, how long it will still take, and Cancel; it blocks nothing. What the work
+// found out is used in the GUI thread, by the function that the work returns.
 #pragma once
 
 #include <QElapsedTimer>

@@ -2,7 +2,7 @@
 
 #include "drive/event.h"
 #include "drive/wish.h"
-#include "record/drive_entries.h"
+#include "recorded/drive_entries.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/files/event_recorder.h"
@@ -19,7 +19,7 @@ struct Happenings {
     Q_DECLARE_TR_FUNCTIONS(Happenings)
 };
 
-using record::Happening;
+using recorded::Happening;
 
 template <class Enum, std::size_t N>
 std::optional<Enum> wordOf(
@@ -50,7 +50,7 @@ std::optional<drive::Wish> wishOf(const Happening &happening)
     const auto ms = happening.number<std::int64_t>("ms");
     const std::chrono::milliseconds time(ms.value_or(0));
     drive::Wish wish;
-    const auto action = wordOf<drive::MotorAction>(happening, "action", record::kActionWords);
+    const auto action = wordOf<drive::MotorAction>(happening, "action", recorded::kActionWords);
     if (happening.name == "command" && action)
         wish.what = drive::Command{*action, motor};
     else if (happening.name == "speed ramp" && rpm && ms)
@@ -78,7 +78,7 @@ QString writeText(const Happening &happening)
 
 QString stateText(const Happening &happening)
 {
-    const auto state = wordOf<drive::MotorState>(happening, "state", record::kMotorStateWords);
+    const auto state = wordOf<drive::MotorState>(happening, "state", recorded::kMotorStateWords);
     QString text = deviceText(happening.field("name"));
     if (text.isEmpty() && state)
         text = motorStateText(*state);
@@ -107,7 +107,7 @@ QString troubleText(const Happening &happening)
 
 QString endText(const Happening &happening)
 {
-    const auto outcome = wordOf<drive::Outcome>(happening, "outcome", record::kOutcomeWords);
+    const auto outcome = wordOf<drive::Outcome>(happening, "outcome", recorded::kOutcomeWords);
     if (!outcome)
         return {};
     QStringList texts{outcomeText(*outcome)};
@@ -134,11 +134,11 @@ QString ownText(const Happening &happening)
     if (happening.name == "ended")
         return endText(happening);
     if (happening.name == "link") {
-        const auto state = wordOf<drive::LinkState>(happening, "state", record::kLinkStateWords);
+        const auto state = wordOf<drive::LinkState>(happening, "state", recorded::kLinkStateWords);
         return state ? linkStateText(*state) : QString();
     }
     if (happening.name == "stop") {
-        const auto word = wordOf<drive::StopWord>(happening, "word", record::kStopWords);
+        const auto word = wordOf<drive::StopWord>(happening, "word", recorded::kStopWords);
         return word ? ofMotor(happening, stopWordText(*word)) : EventRecorder::tr("Stop motors");
     }
     if (happening.name == "motion" && !happening.fields.empty())

@@ -1,13 +1,13 @@
 #include "widgets/files/import_csv.h"
 
+#include "session/files/file_problems.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
 #include "widgets/files/file_job.h"
 #include "widgets/files/open_recording.h"
 
 #include <QCoreApplication>
 #include <QFile>
-
-#include <array>
 
 namespace widgets {
 namespace {
@@ -17,18 +17,6 @@ struct Imports {
 };
 
 constexpr qint64 kPiece = 1 << 20;
-
-/// In the order of capture::CsvError::What; %1 is what stands there.
-constexpr std::array kWrong{
-    QT_TRANSLATE_NOOP("Imports", "there is no heading with the names of signals"),
-    QT_TRANSLATE_NOOP("Imports", "there is one column only"),
-    QT_TRANSLATE_NOOP("Imports", "there are too many columns"),
-    QT_TRANSLATE_NOOP("Imports", "the line is too long for a line of numbers"),
-    QT_TRANSLATE_NOOP("Imports", "the line has another number of fields than the heading"),
-    QT_TRANSLATE_NOOP("Imports", "\"%1\" is no number"),
-    QT_TRANSLATE_NOOP("Imports", "\"%1\" is no time"),
-    QT_TRANSLATE_NOOP("Imports", "the time %1 is before the one above it"),
-    QT_TRANSLATE_NOOP("Imports", "there is a heading and nothing else")};
 
 struct Imported {
     capture::Capture capture;
@@ -56,20 +44,10 @@ void readFile(const QString &path, const FileJob::Proceed &proceed, Imported &im
     if (file.error() != QFileDevice::NoError)
         imported.wrong = file.errorString();
     else if (!imported.cancelled && !import.finish())
-        imported.wrong = csvImportErrorText(*import.error());
+        imported.wrong = session::csvProblemText(*import.error(), translatedFileProblem);
 }
 
 } // namespace
-
-QString csvImportErrorText(const capture::CsvError &error)
-{
-    QString what = Imports::tr(kWrong.at(static_cast<std::size_t>(error.what)));
-    what.replace(QLatin1String("%1"), deviceText(error.field));
-    const QString line = QString::number(error.line);
-    return error.column == 0
-        ? Imports::tr("line %1: %2").arg(line, what)
-        : Imports::tr("line %1, column %2: %3").arg(line, QString::number(error.column), what);
-}
 
 FileJob *importCsv(const QString &path, QWidget *window,
     std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail,

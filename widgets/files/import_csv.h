@@ -19,7 +19,4 @@ FileJob *importCsv(const QString &path, QWidget *window,
     std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail,
     capture::Capture::Config config);
 
-/// What is wrong with a file and where.
-QString csvImportErrorText(const capture::CsvError &error);
-
 } // namespace widgets

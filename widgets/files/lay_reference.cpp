@@ -21,21 +21,21 @@ struct Laid {
 
 constexpr std::size_t kMostInstants = 1000;
 
-bool isAct(const record::Happening &happening)
+bool isAct(const recorded::Happening &happening)
 {
     static constexpr std::array kActs{
         "command", "speed ramp", "torque ramp", "current reference", "position ramp", "step"};
     return std::find(kActs.begin(), kActs.end(), happening.name) != kActs.end();
 }
 
-/// Its beginning, what was commanded, and what somebody noted, in the order of time.
+/// Its beginning, what was commanded, and what the user noted, in the order of time.
 std::vector<Instant> instantsOf(const OpenedRecording &opened, double begin)
 {
     std::vector<Instant> all;
     for (const auto &[at, what] : opened.report.happenings)
         if (isAct(what) && all.size() < kMostInstants)
             all.push_back({capture::toSeconds(at), happeningText(what)});
-    for (const record::Note &note : opened.report.notes)
+    for (const recorded::Note &note : opened.report.notes)
         if (all.size() < kMostInstants)
             all.push_back({capture::toSeconds(note.from), deviceText(note.text)});
     std::stable_sort(all.begin(), all.end(),

@@ -1,5 +1,5 @@
-// A recording as a reference: behind the traces of now, so that a run of another day is compared with the running picture. What
-// is connected, and what was recorded of it, stay as they are.
+// A recording as a reference: behind the traces of now, so that a run of another day is compared with the running
+// picture. What is connected, and what was recorded of it, stay as they are.
 #pragma once
 
 #include "capture/capture.h"

@@ -5,7 +5,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/files/file_job.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/scope/events/event_log.h"
 
 #include <QAction>
@@ -18,9 +18,9 @@ namespace widgets {
 namespace {
 
 /// What a file that has `saved` must be told so that it has `now`.
-std::vector<record::Note> differences(const Markers &saved, const Markers &now)
+std::vector<recorded::Note> differences(const Markers &saved, const Markers &now)
 {
-    std::vector<record::Note> notes;
+    std::vector<recorded::Note> notes;
     for (const auto &[at, text] : now) {
         const auto before = saved.find(at);
         if (before == saved.end() || before->second != text)
@@ -28,7 +28,7 @@ std::vector<record::Note> differences(const Markers &saved, const Markers &now)
     }
     for (const auto &[at, text] : saved)
         if (!now.contains(at))
-            notes.push_back(record::noNote(at));
+            notes.push_back(recorded::noNote(at));
     return notes;
 }
 
@@ -54,7 +54,8 @@ QByteArray markerList(const Markers &markers)
 
 } // namespace
 
-MarkerFile::MarkerFile(EventLog &events, FilePrompt &files, RecordControl &record, QWidget *window)
+MarkerFile::MarkerFile(
+    EventLog &events, FilePrompt &files, RecordingControl &record, QWidget *window)
     : QObject(window)
     , m_events(events)
     , m_files(files)
@@ -66,7 +67,7 @@ MarkerFile::MarkerFile(EventLog &events, FilePrompt &files, RecordControl &recor
     m_save->setShortcut(Qt::CTRL | Qt::Key_S);
     window->addAction(m_save);
     connect(m_save, &QAction::triggered, this, [this] { saveThen({}); });
-    connect(&record, &RecordControl::ended, this, &MarkerFile::ended);
+    connect(&record, &RecordingControl::ended, this, &MarkerFile::ended);
     connect(record.toggle(), &QAction::changed, this, &MarkerFile::update);
     connect(&events, &QAbstractItemModel::modelReset, this, [this] {
         m_path.clear();

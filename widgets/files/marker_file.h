@@ -1,5 +1,5 @@
-// MarkerFile: where the markers of what is shown are kept, which of them are in no file, and saving those: Ctrl+S. Into an
-// opened recording or a copy of it, into the recording of the connection, or, where there is none, into a list.
+// MarkerFile: where the markers of what is shown are kept, which of them are in no file, and saving those: Ctrl+S. Into
+// an opened recording or a copy of it, into the recording of the connection, or, where there is none, into a list.
 #pragma once
 
 #include "session/recording/recording_notes.h"
@@ -17,13 +17,13 @@ namespace widgets {
 
 class EventLog;
 class FilePrompt;
-class RecordControl;
+class RecordingControl;
 
 class MarkerFile : public QObject {
     Q_OBJECT
 public:
     /// All outlive it.
-    MarkerFile(EventLog &events, FilePrompt &files, RecordControl &record, QWidget *window);
+    MarkerFile(EventLog &events, FilePrompt &files, RecordingControl &record, QWidget *window);
 
     QAction *save() const { return m_save; }
     /// The log has just been filled from it; once the log is cleared it is no longer open.
@@ -63,7 +63,7 @@ private:
 
     EventLog &m_events;
     FilePrompt &m_files;
-    RecordControl &m_record;
+    RecordingControl &m_record;
     QWidget *m_window;
     QAction *m_save;
     QString m_path; ///< empty: no recording

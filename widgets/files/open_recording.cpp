@@ -18,13 +18,13 @@ struct Opening {
     Q_DECLARE_TR_FUNCTIONS(Opening)
 };
 
-bool hasField(const record::Happening &happening, const char *key, const char *value)
+bool hasField(const recorded::Happening &happening, const char *key, const char *value)
 {
     return std::any_of(happening.fields.begin(), happening.fields.end(),
         [=](const auto &field) { return field.first == key && field.second == value; });
 }
 
-EventKind kindOf(const record::Happening &happening)
+EventKind kindOf(const recorded::Happening &happening)
 {
     if (happening.name == "motor state")
         return hasField(happening, "state", "fault now") ? EventKind::Fault : EventKind::State;
@@ -36,7 +36,7 @@ EventKind kindOf(const record::Happening &happening)
 }
 
 /// What of a happening is news beside the others: a line of the motion log tells the end of what has an entry already.
-bool isShown(const record::Happening &happening)
+bool isShown(const recorded::Happening &happening)
 {
     if (happening.name == "motion")
         return hasField(happening, "act", "ARM") || hasField(happening, "act", "DISARM")
@@ -107,9 +107,9 @@ QString openedText(const OpenedRecording &opened, bool &whole)
                     QString::number(session::RecordingReport::kMostKeptBytes >> 20)));
     if (!report.ending)
         sentences.append(Opening::tr("The recording was interrupted."));
-    else if (report.ending->reason == record::End::Reason::DiskFull)
+    else if (report.ending->reason == recorded::End::Reason::DiskFull)
         sentences.append(Opening::tr("It ends where the disk was full."));
-    else if (report.ending->reason == record::End::Reason::WriteFailed)
+    else if (report.ending->reason == recorded::End::Reason::WriteFailed)
         sentences.append(Opening::tr("It ends where the disk failed."));
     whole = sentences.size() == 1;
     return sentences.join(QLatin1Char(' '));
@@ -124,14 +124,14 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
         if (const auto &[at, what] = *each; isShown(what))
             all.push_back({0, capture::toSeconds(at), kindOf(what), happeningText(what)});
     std::reverse(all.begin(), all.end());
-    for (const record::Note &note : report.notes)
+    for (const recorded::Note &note : report.notes)
         all.push_back({0, capture::toSeconds(note.from), EventKind::Marker, deviceText(note.text)});
     events.setEvents(std::move(all));
 }
 
-std::optional<ReplayedWrites::Write> ReplayedWrites::take(const session::ReplayedEntry &entry)
+std::optional<ReplayedWrites::Write> ReplayedWrites::accept(const session::ReplayedEntry &entry)
 {
-    const auto *happening = std::get_if<record::Happening>(&entry.entry);
+    const auto *happening = std::get_if<recorded::Happening>(&entry.entry);
     if (!happening || (happening->name != "write" && happening->name != "ended"))
         return {};
     std::string wish;
@@ -156,10 +156,10 @@ std::optional<ReplayedWrites::Write> ReplayedWrites::take(const session::Replaye
 
 void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
 {
-    if (const auto *happening = std::get_if<record::Happening>(&entry.entry)) {
+    if (const auto *happening = std::get_if<recorded::Happening>(&entry.entry)) {
         if (isShown(*happening))
             events.add(kindOf(*happening), entry.seconds, happeningText(*happening));
-    } else if (const auto *note = std::get_if<record::Note>(&entry.entry)) {
+    } else if (const auto *note = std::get_if<recorded::Note>(&entry.entry)) {
         // A marker whose text was changed is told again.
         const QString text = deviceText(note->text);
         const auto &all = events.events();
@@ -167,7 +167,7 @@ void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
             return event.kind == EventKind::Marker
                 && std::abs(event.seconds - entry.seconds) < 1e-6;
         });
-        if (record::isTakenBack(*note)) {
+        if (recorded::isTakenBack(*note)) {
             if (known != all.end())
                 events.removeMarker(known->id);
         } else if (known != all.end())

@@ -1,5 +1,5 @@
-// Opening a recording from a disk: read in a thread of the pool, into a capture of its own, so that a file that cannot be
-// read leaves everything as it was.
+// Opening a recording from a disk: read in a thread of the pool, into a capture of its own, so that a file that cannot
+// be read leaves everything as it was.
 #pragma once
 
 #include "capture/capture.h"
@@ -50,7 +50,7 @@ public:
         QStringList names; ///< of the registers that took it
     };
     /// The write that this entry says was taken; empty if it says no such thing.
-    std::optional<Write> take(const session::ReplayedEntry &entry);
+    std::optional<Write> accept(const session::ReplayedEntry &entry);
 
 private:
     std::map<std::string, double> m_asked; ///< by the number of the wish

@@ -1,5 +1,5 @@
-// The history of records as a table, newest first: time, age, what caused it, label. The tick in the first column pins a
-// record. Read anew when asked, because records come by the dozen in a second.
+// The history of records as a table, newest first: time, age, what caused it, label. The tick in the first column pins
+// a record. Read anew when asked, because records come by the dozen in a second.
 #pragma once
 
 #include "widgets/base/row_table.h"

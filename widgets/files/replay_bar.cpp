@@ -7,7 +7,7 @@
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -52,8 +52,8 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_speed->addItem(tr("as fast as possible"), 0.0);
     m_speed->setMinimumWidth(kPaceWidth);
     new WheelGuard(m_speed);
-    m_place->setToolTip(tr("Goes to another place in the recording. Back, it begins anew behind "
-                           "what the scope has already."));
+    m_place->setToolTip(tr("Goes to another place in the recording. Going back restarts it, after "
+                           "what the scope already has."));
     m_place->setRange(0, kPlaces);
     m_place->setPageStep(kPlaces / 20);
     m_place->setSingleStep(kPlaces / 100);

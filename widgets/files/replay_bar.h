@@ -1,5 +1,5 @@
-// ReplayBar: that it is a replay, its pace, a pause, and how far it is, which can be chosen. Shown while a recording is what is
-// connected.
+// ReplayBar: that it is a replay, its pace, a pause, and how far it is, which can be chosen. Shown while a recording is
+// what is connected.
 #pragma once
 
 #include "session/recording/replay.h"

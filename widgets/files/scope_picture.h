@@ -1,5 +1,5 @@
-// Pictures of the scope as it is on the screen, as files and to be copied; in the light colours, whatever the theme: they go on
-// paper.
+// Pictures of the scope as it is on the screen, as files and to be copied; in the light colours, whatever the theme:
+// they go on paper.
 #pragma once
 
 #include "session/files/whole_file.h"

@@ -1,4 +1,5 @@
-// GainForecast: what the loops will do with planned gains, in words and drawn small, over what they do with the board's.
+// GainForecast: what the loops will do with planned gains, in words and drawn small, over what they do with the
+// board's.
 #pragma once
 
 #include "motor/current_loop.h"
@@ -10,8 +11,8 @@ namespace widgets {
 
 class GainLabel;
 
-/// The step of a loop drawn small: the one that the new gains will make, and the one of the gains that the board has now,
-/// dashed. Draws what it is given.
+/// The step of a loop drawn small: the one that the new gains will make, and the one of the gains that the board has
+/// now, dashed. Draws what it is given.
 class GainPlot : public QWidget {
     Q_OBJECT
 public:

@@ -40,8 +40,8 @@ double bandwidthAt(int position, double most)
 {
     const double exact =
         kLeastBandwidth * std::pow(most / kLeastBandwidth, double(position) / kSliderSteps);
-    const double digit =
-        std::pow(10.0, std::floor(std::log10(exact)) - 1.0); // two digits and a half
+    // Two digits and a half.
+    const double digit = std::pow(10.0, std::floor(std::log10(exact)) - 1.0);
     return std::round(exact / (digit / 2.0)) * (digit / 2.0);
 }
 
@@ -269,7 +269,7 @@ void GainLab::setFacts(const drive::MotorFacts &facts, std::optional<double> rem
         fillDelay();
     if (const auto bandwidth = m_bandwidth->value())
         fillBandwidth(*bandwidth, m_bandwidth); // the slider may end elsewhere now
-    takeBoardsBandwidth();
+    useBoardsBandwidth();
     recompute();
 }
 
@@ -279,7 +279,7 @@ void GainLab::forgetTyped()
     m_wished = m_delayTyped = false;
     fillDelay();
     m_told->say({});
-    takeBoardsBandwidth();
+    useBoardsBandwidth();
     recompute();
 }
 
@@ -296,12 +296,12 @@ void GainLab::refreshPresent()
     if (held == m_held)
         return;
     m_held = held;
-    takeBoardsBandwidth();
+    useBoardsBandwidth();
     recompute();
 }
 
 /// Until another one is asked for, it is the bandwidth that the board has.
-void GainLab::takeBoardsBandwidth()
+void GainLab::useBoardsBandwidth()
 {
     const motor::GainPlant board = plant();
     const double kp = m_held[motor::indexOf(GainId::TorqueKp)].value();

@@ -1,5 +1,6 @@
-// GainLab: from the motor, a bandwidth of the current loops and a damping of the speed loop to gains: what they will be,
-// what rounding costs, what the loops will do with them. Only computes and shows; a preview is asked for by a signal.
+// GainLab: from the motor, a bandwidth of the current loops and a damping of the speed loop to gains: what they will
+// be, what rounding costs, what the loops will do with them. Only computes and shows; a preview is asked for by a
+// signal.
 #pragma once
 
 #include "drive/motor_view.h"
@@ -52,7 +53,7 @@ private:
     void connectWishes();
     void fillBandwidth(double radps, const QWidget *except);
     void fillDamping(double damping, const QWidget *except);
-    void takeBoardsBandwidth();
+    void useBoardsBandwidth();
     void wished();
     double sliderEnd() const;
     void fillDelay();

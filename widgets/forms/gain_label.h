@@ -1,5 +1,5 @@
-// GainLabel: a wrapped sentence that is exactly as high as its width asks for. (A plain wrapped label asks for the height of
-// its narrowest width, and makes a low page scroll for nothing.)
+// GainLabel: a wrapped sentence that is exactly as high as its width asks for. (A plain wrapped label asks for the
+// height of its narrowest width, and makes a low page scroll for nothing.)
 #pragma once
 
 #include <QLabel>

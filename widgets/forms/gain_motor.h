@@ -1,5 +1,5 @@
-// GainMotor: the numbers of motor and load that gains are computed from, taken from the board where it has them, typed by
-// the user where it has not or is wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
+// GainMotor: the numbers of motor and load that gains are computed from, taken from the board where it has them, typed
+// by the user where it has not or is wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
 #pragma once
 
 #include "drive/motor_view.h"

@@ -50,7 +50,9 @@ void GainPlanTable::fixColumns()
 {
     const QFontMetrics plain(font()), bold(inBold(font()));
     const int room = 2 * plain.averageCharWidth();
-    const QString fraction = QStringLiteral("-32767/2^15");
+    const QString fraction =
+        QStringLiteral("-%1/2^%2")
+            .arg(QString::number(motor::kMaxNumerator), QString::number(motor::kMaxExponent));
     const int texts[] = {plain.horizontalAdvance(QStringLiteral("SPEED_KP")),
         plain.horizontalAdvance(fraction), bold.horizontalAdvance(fraction),
         plain.horizontalAdvance(QStringLiteral("0.1234 A/(rad/s)")),

@@ -1,5 +1,5 @@
-// GainPlanTable: the gains of a plan beside those of the board: numbers, what they make at the motor, what rounding costs,
-// how much room is left.
+// GainPlanTable: the gains of a plan beside those of the board: numbers, what they make at the motor, what rounding
+// costs, how much room is left.
 #pragma once
 
 #include "motor/gain_plan.h"

@@ -1,5 +1,5 @@
-// GainTable: every regulator of the board with its gains as numerator over divisor, to be edited, and beside each what it
-// comes to in SI units, or why that cannot be said. Follows the RegisterModel live; edits stay pending.
+// GainTable: every regulator of the board with its gains as numerator over divisor, to be edited, and beside each what
+// it comes to in SI units, or why that cannot be said. Follows the RegisterModel live; edits stay pending.
 #pragma once
 
 #include "catalog/gain_rows.h"

@@ -106,7 +106,7 @@ void GainsForm::refresh(Milliseconds)
     const bool news = std::any_of(m_factRegisters.begin(), m_factRegisters.end(),
         [this](catalog::RegisterId id) { return m_model.known(id) || !m_model.pollable(id); });
     if (news) {
-        takeFacts();
+        adoptFacts();
         Q_EMIT watchedRegistersChanged();
     }
     m_lab->refreshPresent();
@@ -130,7 +130,7 @@ void GainsForm::boardChanged()
 {
     const Writes previewed = std::exchange(m_previewed, {}); // of what is shown no more
     m_lab->forgetTyped();
-    takeFacts();
+    adoptFacts();
     m_lab->refreshPresent();
     if (!previewed.empty())
         dropPreview(previewed);
@@ -142,10 +142,10 @@ void GainsForm::setInertias(const Inertias &inertias)
     if (inertias == m_inertias)
         return;
     m_inertias = inertias;
-    takeFacts();
+    adoptFacts();
 }
 
-void GainsForm::takeFacts()
+void GainsForm::adoptFacts()
 {
     drive::MotorFacts facts;
     m_factRegisters.clear();

@@ -1,5 +1,5 @@
-// GainsForm: the gains of every regulator of the board, and the lab that computes those of the three main loops. What the
-// lab proposes becomes pending edits on "Preview", numerator and divisor together; Apply writes them as one step.
+// GainsForm: the gains of every regulator of the board, and the lab that computes those of the three main loops. What
+// the lab proposes becomes pending edits on "Preview", numerator and divisor together; Apply writes them as one step.
 #pragma once
 
 #include "drive/motor_view.h"
@@ -37,7 +37,7 @@ Q_SIGNALS:
     void inertiaRemembered(const QString &motor, double inertia_kgm2);
 
 private:
-    void takeFacts();
+    void adoptFacts();
     void boardChanged();
     void showBoard(const drive::MotorFacts &facts);
     std::vector<drive::RegisterWrite> planned() const;

@@ -95,10 +95,10 @@ QWidget *MotorConverter::makeField(
 void MotorConverter::suggest(const motor::MotorSheet &sheet)
 {
     if (!m_typed)
-        take(sheet);
+        accept(sheet);
 }
 
-void MotorConverter::take(const motor::MotorSheet &sheet)
+void MotorConverter::accept(const motor::MotorSheet &sheet)
 {
     m_typed = false;
     for (int field = 0; field < FieldCount; ++field)

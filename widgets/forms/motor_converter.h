@@ -21,7 +21,7 @@ public:
 
     /// Begins with a motor's values; what the user has typed stays.
     void suggest(const motor::MotorSheet &sheet);
-    void take(const motor::MotorSheet &sheet); ///< whatever was typed
+    void accept(const motor::MotorSheet &sheet); ///< whatever was typed
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -81,7 +81,7 @@ QWidget *MotorForm::makeLeft()
 {
     auto *left = new QWidget(this);
     m_again = makeButton(tr("Read a&gain"), "motorRead",
-        tr("Asks the board for these values anew; they are not polled."));
+        tr("Reads these values from the board again; they are not polled."));
     m_open = makeButton(tr("&Open file\u2026"), "motorOpen",
         tr("Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST's "
            "profiler."));
@@ -143,7 +143,7 @@ QWidget *MotorForm::makeRight()
     auto *board = makeButton(
         tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
     connect(board, &QPushButton::clicked, this,
-        [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
+        [this] { m_converter->accept(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
     auto *inner = bare(new QVBoxLayout(group), kHalfGrid);
     inner->addWidget(new SectionHead(tr("Converter"), group));
     inner->addWidget(m_converter);
@@ -258,10 +258,10 @@ void MotorForm::say(const QString &sentence, bool bad)
 void MotorForm::openFile()
 {
     m_files.askOpen(this, {tr("Open a motor file"), orHome(m_folder), tr("Motor files (*.json)")},
-        [this](const QString &path) { take(path); });
+        [this](const QString &path) { accept(path); });
 }
 
-void MotorForm::take(const QString &path)
+void MotorForm::accept(const QString &path)
 {
     m_folder = QFileInfo(path).path();
     const QString name = fileNameText(path);

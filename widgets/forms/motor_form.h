@@ -35,8 +35,8 @@ public Q_SLOTS:
     void closeFile();
 
 Q_SIGNALS:
-    void inertiaFound(
-        const QString &motor, double inertia_kgm2); ///< in a file, of the motor it names
+    /// In a file, of the motor it names.
+    void inertiaFound(const QString &motor, double inertia_kgm2);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -49,7 +49,7 @@ private:
     void showBoard();
     void showDescription();
     void showWarnings();
-    void take(const QString &path);
+    void accept(const QString &path);
     void say(const QString &sentence, bool bad = false);
     void copySelected();
     void expandGroups();

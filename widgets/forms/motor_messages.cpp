@@ -17,75 +17,67 @@ struct Motor {
 };
 
 struct FieldRow {
-    std::string_view structure, key;
+    std::string_view key;
     const char *name;
     const char *help;
 };
 
 constexpr std::array kFields{
-    FieldRow{"MOTOR_CONFIG", "pole pairs", QT_TRANSLATE_NOOP("Motor", "Pole pairs"),
+    FieldRow{"pole pairs", QT_TRANSLATE_NOOP("Motor", "Pole pairs"),
         QT_TRANSLATE_NOOP("Motor", "Electrical turns for each turn of the shaft.")},
-    FieldRow{"MOTOR_CONFIG", "rated flux", QT_TRANSLATE_NOOP("Motor", "Rated flux"),
+    FieldRow{"rated flux", QT_TRANSLATE_NOOP("Motor", "Rated flux"),
         QT_TRANSLATE_NOOP("Motor",
             "Strength of the magnets, as the board has it: Ke (V rms between two terminals at 1000 "
             "rpm) in standard firmware, V/Hz in HSO firmware. Which of both is judged by the flux "
             "that it makes.")},
-    FieldRow{"MOTOR_CONFIG", "Rs", QT_TRANSLATE_NOOP("Motor", "Resistance Rs"),
+    FieldRow{"Rs", QT_TRANSLATE_NOOP("Motor", "Resistance Rs"),
         QT_TRANSLATE_NOOP(
             "Motor", "Of one phase: half of what is measured between two terminals.")},
-    FieldRow{"MOTOR_CONFIG", "skin factor", QT_TRANSLATE_NOOP("Motor", "Skin factor"),
+    FieldRow{"skin factor", QT_TRANSLATE_NOOP("Motor", "Skin factor"),
         QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
-    FieldRow{"MOTOR_CONFIG", "Lq", QT_TRANSLATE_NOOP("Motor", "Inductance Lq"),
+    FieldRow{"Lq", QT_TRANSLATE_NOOP("Motor", "Inductance Lq"),
         QT_TRANSLATE_NOOP("Motor", "Across the magnets, of one phase.")},
-    FieldRow{"MOTOR_CONFIG", "Ld", QT_TRANSLATE_NOOP("Motor", "Inductance Ld"),
+    FieldRow{"Ld", QT_TRANSLATE_NOOP("Motor", "Inductance Ld"),
         QT_TRANSLATE_NOOP("Motor",
             "Along the magnets, of one phase. Smaller than Lq where the magnets are buried.")},
-    FieldRow{"MOTOR_CONFIG", "max current", QT_TRANSLATE_NOOP("Motor", "Motor current"),
+    FieldRow{"max current", QT_TRANSLATE_NOOP("Motor", "Motor current"),
         QT_TRANSLATE_NOOP("Motor", "The motor's greatest current, peak.")},
-    FieldRow{"MOTOR_CONFIG", "copper mass", QT_TRANSLATE_NOOP("Motor", "Copper mass"),
+    FieldRow{"copper mass", QT_TRANSLATE_NOOP("Motor", "Copper mass"),
         QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
-    FieldRow{"MOTOR_CONFIG", "cooling tau", QT_TRANSLATE_NOOP("Motor", "Cooling time constant"),
+    FieldRow{"cooling tau", QT_TRANSLATE_NOOP("Motor", "Cooling time constant"),
         QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
-    FieldRow{"MOTOR_CONFIG", "name", QT_TRANSLATE_NOOP("Motor", "Name"), ""},
-    FieldRow{"APPLICATION_CONFIG", "max speed", QT_TRANSLATE_NOOP("Motor", "Greatest speed"),
+    FieldRow{"name", QT_TRANSLATE_NOOP("Motor", "Name"), ""},
+    FieldRow{"max speed", QT_TRANSLATE_NOOP("Motor", "Greatest speed"),
         QT_TRANSLATE_NOOP("Motor", "No speed set-point goes beyond it.")},
-    FieldRow{"APPLICATION_CONFIG", "max readable current",
-        QT_TRANSLATE_NOOP("Motor", "Greatest readable current"),
+    FieldRow{"max readable current", QT_TRANSLATE_NOOP("Motor", "Greatest readable current"),
         QT_TRANSLATE_NOOP("Motor",
             "The end of the current converters' range; more is not seen and not controlled.")},
-    FieldRow{"APPLICATION_CONFIG", "nominal current", QT_TRANSLATE_NOOP("Motor", "Nominal current"),
+    FieldRow{"nominal current", QT_TRANSLATE_NOOP("Motor", "Nominal current"),
         QT_TRANSLATE_NOOP("Motor", "No current set-point goes beyond it.")},
-    FieldRow{"APPLICATION_CONFIG", "nominal voltage",
-        QT_TRANSLATE_NOOP("Motor", "Nominal bus voltage"),
+    FieldRow{"nominal voltage", QT_TRANSLATE_NOOP("Motor", "Nominal bus voltage"),
         QT_TRANSLATE_NOOP("Motor", "What gains and the voltage scale were made for.")},
-    FieldRow{"APPLICATION_CONFIG", "drive type", QT_TRANSLATE_NOOP("Motor", "Drive type"), ""},
-    FieldRow{"FOCFW_CONFIG", "primary sensor", QT_TRANSLATE_NOOP("Motor", "Main speed sensor"), ""},
-    FieldRow{"FOCFW_CONFIG", "auxiliary sensor",
-        QT_TRANSLATE_NOOP("Motor", "Auxiliary speed sensor"), ""},
-    FieldRow{"FOCFW_CONFIG", "topology", QT_TRANSLATE_NOOP("Motor", "Current sensing"), ""},
-    FieldRow{
-        "FOCFW_CONFIG", "FOC rate", QT_TRANSLATE_NOOP("Motor", "PWM periods a control period"), ""},
-    FieldRow{"FOCFW_CONFIG", "PWM frequency",
-        QT_TRANSLATE_NOOP("Motor", "Switching frequency (PWM)"), ""},
-    FieldRow{"FOCFW_CONFIG", "medium frequency", QT_TRANSLATE_NOOP("Motor", "Speed loop rate"), ""},
-    FieldRow{"FOCFW_CONFIG", "flags 1", QT_TRANSLATE_NOOP("Motor", "Built with"), ""},
-    FieldRow{"FOCFW_CONFIG", "flags 2", QT_TRANSLATE_NOOP("Motor", "Built with, too"), ""},
-    FieldRow{"FOCFW_CONFIG", "drive mode", QT_TRANSLATE_NOOP("Motor", "Drive mode"), ""},
-    FieldRow{"SCALE_CONFIG", "voltage", QT_TRANSLATE_NOOP("Motor", "Voltage"),
+    FieldRow{"drive type", QT_TRANSLATE_NOOP("Motor", "Drive type"), ""},
+    FieldRow{"primary sensor", QT_TRANSLATE_NOOP("Motor", "Main speed sensor"), ""},
+    FieldRow{"auxiliary sensor", QT_TRANSLATE_NOOP("Motor", "Auxiliary speed sensor"), ""},
+    FieldRow{"topology", QT_TRANSLATE_NOOP("Motor", "Current sensing"), ""},
+    FieldRow{"FOC rate", QT_TRANSLATE_NOOP("Motor", "PWM periods a control period"), ""},
+    FieldRow{"PWM frequency", QT_TRANSLATE_NOOP("Motor", "Switching frequency (PWM)"), ""},
+    FieldRow{"medium frequency", QT_TRANSLATE_NOOP("Motor", "Speed loop rate"), ""},
+    FieldRow{"flags 1", QT_TRANSLATE_NOOP("Motor", "Built with"), ""},
+    FieldRow{"flags 2", QT_TRANSLATE_NOOP("Motor", "Built with, too"), ""},
+    FieldRow{"drive mode", QT_TRANSLATE_NOOP("Motor", "Drive mode"), ""},
+    FieldRow{"voltage", QT_TRANSLATE_NOOP("Motor", "Voltage"),
         QT_TRANSLATE_NOOP("Motor", "What one digit of a phase voltage is worth.")},
-    FieldRow{"SCALE_CONFIG", "current", QT_TRANSLATE_NOOP("Motor", "Current"),
+    FieldRow{"current", QT_TRANSLATE_NOOP("Motor", "Current"),
         QT_TRANSLATE_NOOP("Motor", "What one digit of a current is worth.")},
-    FieldRow{"SCALE_CONFIG", "frequency", QT_TRANSLATE_NOOP("Motor", "Speed"),
+    FieldRow{"frequency", QT_TRANSLATE_NOOP("Motor", "Speed"),
         QT_TRANSLATE_NOOP("Motor", "What one digit of a speed is worth.")},
-    FieldRow{"GLOBAL_CONFIG", "version", QT_TRANSLATE_NOOP("Motor", "Firmware version"), ""},
-    FieldRow{"GLOBAL_CONFIG", "motors", QT_TRANSLATE_NOOP("Motor", "Motors"), ""},
-    FieldRow{"GLOBAL_CONFIG", "flags", QT_TRANSLATE_NOOP("Motor", "Streams over"), ""},
-    FieldRow{"GLOBAL_CONFIG", "streams UART A",
-        QT_TRANSLATE_NOOP("Motor", "Signals at once, UART A"), ""},
-    FieldRow{"GLOBAL_CONFIG", "streams UART B",
-        QT_TRANSLATE_NOOP("Motor", "Signals at once, UART B"), ""},
-    FieldRow{"GLOBAL_CONFIG", "streams ST-LINK",
-        QT_TRANSLATE_NOOP("Motor", "Signals at once, ST-LINK"), ""},
+    FieldRow{"version", QT_TRANSLATE_NOOP("Motor", "Firmware version"), ""},
+    FieldRow{"motors", QT_TRANSLATE_NOOP("Motor", "Motors"), ""},
+    FieldRow{"flags", QT_TRANSLATE_NOOP("Motor", "Streams over"), ""},
+    FieldRow{"streams UART A", QT_TRANSLATE_NOOP("Motor", "Signals at once, UART A"), ""},
+    FieldRow{"streams UART B", QT_TRANSLATE_NOOP("Motor", "Signals at once, UART B"), ""},
+    FieldRow{"streams ST-LINK", QT_TRANSLATE_NOOP("Motor", "Signals at once, ST-LINK"), ""},
 };
 
 /// By MotorQuantity.
@@ -124,28 +116,19 @@ QString wantedText(const session::MotorFileError &error)
 
 } // namespace
 
-FieldText fieldText(const std::string &structure, const std::string &key)
+FieldText fieldText(const std::string &key)
 {
-    const auto row = std::find_if(kFields.begin(), kFields.end(),
-        [&](const FieldRow &field) { return field.structure == structure && field.key == key; });
+    const auto row = std::ranges::find(kFields, key, &FieldRow::key);
     if (row == kFields.end())
         return {deviceText(key), {}};
     return {Motor::tr(row->name), *row->help == '\0' ? QString() : Motor::tr(row->help)};
 }
 
-QString structureText(const std::string &structure)
+QString structureText(drive::StructureView::Of what)
 {
-    if (structure == "MOTOR_CONFIG")
-        return Motor::tr("Motor");
-    if (structure == "APPLICATION_CONFIG")
-        return Motor::tr("Limits of the drive");
-    if (structure == "FOCFW_CONFIG")
-        return Motor::tr("Control firmware");
-    if (structure == "SCALE_CONFIG")
-        return Motor::tr("Scales");
-    if (structure == "GLOBAL_CONFIG")
-        return Motor::tr("Board");
-    return deviceText(structure);
+    const QString texts[] = {Motor::tr("Motor"), Motor::tr("Limits of the drive"),
+        Motor::tr("Control firmware"), Motor::tr("Scales"), Motor::tr("Board")};
+    return texts[static_cast<std::size_t>(what)];
 }
 
 QString motorQuantityText(motor::MotorQuantity quantity)

@@ -1,4 +1,4 @@
-// What core says of motors as enums and keys, in the person's language: names of figures, what is wrong with a motor or
+// What core says of motors as enums and keys, in the user's language: names of figures, what is wrong with a motor or
 // with a file and what to do about it.
 #pragma once
 
@@ -14,9 +14,9 @@ struct FieldText {
     QString name, help;
 };
 /// Of a member of a structure; its own key where this program knows no better.
-FieldText fieldText(const std::string &structure, const std::string &key);
+FieldText fieldText(const std::string &key);
 /// Of a structure as a whole.
-QString structureText(const std::string &structure);
+QString structureText(drive::StructureView::Of what);
 
 QString motorQuantityText(motor::MotorQuantity quantity);
 /// What is wrong, and what to do.

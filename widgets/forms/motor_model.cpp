@@ -98,7 +98,7 @@ void MotorModel::rebuild()
         m_groups.push_back(comparisonGroup());
     for (const drive::StructureView &structure : m_structures) {
         m_groups.push_back(structureGroup(structure));
-        if (structure.name == "MOTOR_CONFIG")
+        if (structure.of == drive::StructureView::Of::Motor)
             m_groups.push_back(derivedGroup());
     }
     if (m_structures.empty() && m_file)
@@ -108,8 +108,7 @@ void MotorModel::rebuild()
 
 MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structure) const
 {
-    Group group{
-        QString::fromStdString(structure.name), structureText(structure.name), {}, {}, false};
+    Group group{QString::fromStdString(structure.name), structureText(structure.of), {}, {}, false};
     group.remark = !structure.bytes ? tr("not read yet")
         : structure.fields.empty()
         ? tr("%n byte(s) of an unknown form", nullptr, static_cast<int>(*structure.bytes))
@@ -117,7 +116,7 @@ MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structu
                              : tr("read-only");
     group.readOnly = !structure.writable;
     for (const drive::StructureField &field : structure.fields) {
-        const FieldText text = fieldText(structure.name, field.key);
+        const FieldText text = fieldText(field.key);
         Row row{
             QString::fromStdString(field.key), text.name, {}, rawOf(field), {}, text.help, false};
         const QString unit = QString::fromStdString(field.unit);

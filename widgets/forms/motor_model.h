@@ -1,5 +1,5 @@
-// MotorModel: what a board says of its motor and its drive, what follows from it, and a file beside it, as a tree of groups.
-// It only shows; where its values come from is the form's business.
+// MotorModel: what a board says of its motor and its drive, what follows from it, and a file beside it, as a tree of
+// groups. It only shows; where its values come from is the form's business.
 #pragma once
 
 #include "drive/motor_view.h"

@@ -32,7 +32,6 @@ namespace {
 constexpr int kBarSteps = 1000;
 constexpr std::size_t kMostMeasured = 4000;
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
-constexpr double kPositionReached = 2.0; // of POSITION_CTRL_STATE
 
 } // namespace
 
@@ -273,7 +272,7 @@ RampProgress::Sight RampForm::sight() const
 {
     const bool speed = m_running == RampKind::Speed;
     if (m_running == RampKind::Position) { // the board tells no set-point, only that it has arrived
-        const bool there = shown("POSITION_CTRL_STATE") == kPositionReached;
+        const bool there = shown("POSITION_CTRL_STATE") == double(catalog::kPositionReachedNumber);
         return {m_device.status(m_device.motor()).state, m_device.answering(),
             there ? std::optional(m_progress.target()) : std::nullopt,
             ShaftMove::degreesNow(m_device, m_registers)};
@@ -430,7 +429,7 @@ void RampForm::choosePreset(int index)
     if (at == m_presets.end())
         return;
     RampLine &one = line(at->kind);
-    one.take(*at);
+    one.accept(*at);
     look(one);
 }
 

@@ -1,5 +1,5 @@
-// RampForm: ramps of speed and torque and current references, with a picture of what is to come, their progress, and names
-// for those that are wanted again. Motion goes through the MotionGate; nothing here sends without the user's act.
+// RampForm: ramps of speed and torque and current references, with a picture of what is to come, their progress, and
+// names for those that are wanted again. Motion goes through the MotionGate; nothing here sends without the user's act.
 #pragma once
 
 #include "widgets/base/form.h"

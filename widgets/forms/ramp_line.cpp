@@ -187,7 +187,7 @@ RampPreset RampLine::preset(const QString &name) const
     return {name, m_kind, m_first->sentValue().value_or(0.0), m_second->sentValue().value_or(0.0)};
 }
 
-void RampLine::take(const RampPreset &preset)
+void RampLine::accept(const RampPreset &preset)
 {
     m_first->setValue(preset.target);
     m_second->setValue(preset.second);
@@ -218,9 +218,10 @@ void RampLine::updateLimits()
         for (QWidget *widget : m_widgets)
             widget->setVisible(there);
     } else if (m_kind == RampKind::Speed) {
-        m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm)
-                                            : drive::kGreatestWireRpm,
-            m_device.limits(m_device.motor()).speedStepRpm, rpmUnit());
+        const drive::MotorLimits told = m_device.limits(m_device.motor());
+        m_first->setLimits(
+            std::min(bounds.rpm > 0.0 ? bounds.rpm : drive::kHighestRpm, told.wireRpm),
+            told.speedStepRpm, rpmUnit());
     } else {
         const double limit = bounds.amps > 0.0 ? bounds.amps : kFallbackAmps;
         const double step = ampStep(limit, ampsPerDigit());
@@ -237,12 +238,13 @@ QString RampLine::speedNote() const
     const auto from = reference();
     QStringList parts{m_first->echo()};
     if (from) {
-        const double stairs = speedsInStairs(m_device)
-            ? std::abs(to - motor::quantisedSpeed_rpm(*from)) / motor::kSpeedStep_rpm
-            : 0.0;
+        const double step = m_device.limits(m_device.motor()).speedStepRpm;
+        const double stairs =
+            speedsInStairs(m_device) ? std::abs(to - motor::quantisedSpeed_rpm(*from)) / step : 0.0;
         parts.append(signedRate(motor::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
         if (seconds > 0.0 && stairs >= 1.0)
-            parts.append(tr("%n step(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
+            parts.append(tr("%n step(s) of %1 rpm", nullptr, static_cast<int>(stairs))
+                             .arg(plainNumberText(step, 4)));
     }
     return parts.join(QStringLiteral("; "));
 }

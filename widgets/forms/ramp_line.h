@@ -1,5 +1,5 @@
-// RampLine: the fields of one kind of ramp: what is typed, what the board will make of it, and whether it can be sent. It
-// sends nothing itself.
+// RampLine: the fields of one kind of ramp: what is typed, what the board will make of it, and whether it can be sent.
+// It sends nothing itself.
 #pragma once
 
 #include "widgets/control/motion_allowed.h"
@@ -41,7 +41,7 @@ public:
     std::optional<drive::WishContent> content() const;
     RampPicture picture() const; ///< from the present set-point; empty without content()
     RampPreset preset(const QString &name) const; ///< only with content()
-    void take(const RampPreset &preset);
+    void accept(const RampPreset &preset);
 
     void updateLimits();
     void update(); ///< note and button

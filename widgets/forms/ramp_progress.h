@@ -1,5 +1,5 @@
-// RampProgress: how far a ramp is that was sent, from the clock it is given, the board's own set-point and what is measured.
-// No widget and no clock of its own; it says only what can be known, and ends with the reason.
+// RampProgress: how far a ramp is that was sent, from the clock it is given, the board's own set-point and what is
+// measured. No widget and no clock of its own; it says only what can be known, and ends with the reason.
 #pragma once
 
 #include "drive/event.h"

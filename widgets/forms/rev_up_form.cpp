@@ -70,7 +70,7 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
     layout->addWidget(m_reason);
     layout->addLayout(row, 1);
     connectParts();
-    takeFacts();
+    adoptFacts();
     showFacts();
     showFindings();
     showStart();
@@ -171,7 +171,7 @@ EntryEdit *RevUpForm::makeNumber(const char *name, const QString &unit, double *
         const auto read = edit->value();
         const auto *number = read ? std::get_if<double>(&*read) : nullptr;
         *value = number != nullptr ? *number : 0.0;
-        takeFacts();
+        adoptFacts();
     });
     return edit;
 }
@@ -214,8 +214,8 @@ void RevUpForm::connectParts()
     });
     connect(m_model, &RevUpModel::adjusted, this,
         [this](const QString &sentence) { m_bar->tell(sentence, true); });
-    connect(&m_registers, &RegisterModel::catalogSet, this, &RevUpForm::takeFacts);
-    connect(&m_device, &Device::boundsChanged, this, &RevUpForm::takeFacts);
+    connect(&m_registers, &RegisterModel::catalogSet, this, &RevUpForm::adoptFacts);
+    connect(&m_device, &Device::boundsChanged, this, &RevUpForm::adoptFacts);
     connect(&m_registers, &RegisterModel::catalogSet, this, &Form::watchedRegistersChanged);
     connect(
         &m_device, &Device::readingsArrived, this,
@@ -225,7 +225,7 @@ void RevUpForm::connectParts()
                     != m_motorRegisters.end();
             };
             if (std::any_of(readings.begin(), readings.end(), ours))
-                takeFacts();
+                adoptFacts();
         },
         Qt::QueuedConnection); // once the registers have them
     connect(m_chart, &RevUpChart::hintChanged, this, [this] { m_hint->setText(m_chart->hint()); });
@@ -284,7 +284,7 @@ void RevUpForm::setInertias(const Inertias &inertias)
     if (inertias == m_inertias)
         return;
     m_inertias = inertias;
-    takeFacts();
+    adoptFacts();
 }
 
 void RevUpForm::rememberInertia()
@@ -295,7 +295,7 @@ void RevUpForm::rememberInertia()
     Q_EMIT inertiaRemembered(m_motorName, m_inertias[m_motorName]);
 }
 
-void RevUpForm::takeFacts()
+void RevUpForm::adoptFacts()
 {
     RevUpFacts facts;
     const auto catalog = m_registers.catalog();

@@ -64,7 +64,7 @@ private:
     EntryEdit *makeNumber(const char *name, const QString &unit, double *value);
     void connectParts();
     void rememberInertia();
-    void takeFacts();
+    void adoptFacts();
     void showFacts();
     void showFindings();
     void showStart();

@@ -74,7 +74,7 @@ RevUpModel::RevUpModel(RegisterModel &registers, QObject *parent)
             const QModelIndex mine = m_id ? m_registers.indexOf(*m_id) : QModelIndex();
             if (mine.isValid() && mine.parent() == from.parent() && mine.row() >= from.row()
                 && mine.row() <= to.row())
-                takeRegister();
+                adoptRegister();
         });
     resolve();
 }
@@ -83,11 +83,11 @@ void RevUpModel::resolve()
 {
     m_id = m_registers.idOf(kRegister);
     m_before.clear();
-    takeRegister();
+    adoptRegister();
 }
 
 /// The register's news: another value, another edit, another outcome.
-void RevUpModel::takeRegister()
+void RevUpModel::adoptRegister()
 {
     const RevUp held = m_id ? stagesIn(m_registers.known(*m_id)).value_or(RevUp()) : RevUp();
     RevUp wanted = m_id ? stagesIn(m_registers.wanted(*m_id)).value_or(held) : RevUp();
@@ -122,7 +122,7 @@ void RevUpModel::setFacts(const RevUpFacts &facts)
     const bool otherSensor = facts.angleSensor != m_facts.angleSensor;
     m_facts = facts;
     if (otherSensor)
-        return takeRegister();
+        return adoptRegister();
     judge();
     if (!m_stages.empty()) {
         Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
@@ -232,7 +232,7 @@ EntryRules RevUpModel::rulesOf(int column) const
     const catalog::Limits current{most.pulse ? 0.0 : -digits, digits};
     switch (column) {
     case DurationColumn:
-        return {&kDuration, {1.0, "ms"}, {0.0, 65535.0}};
+        return {&kDuration, {1.0, "ms"}, {0.0, double(most.duration_ms)}};
     case SpeedColumn:
         return {&kSpeed, {1.0, "rpm"}, {-double(most.speed_rpm), double(most.speed_rpm)}};
     case CurrentColumn:

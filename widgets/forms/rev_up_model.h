@@ -1,6 +1,6 @@
 // RevUpModel: the stages of a sensorless start as a table. The one truth behind the table and the picture of the rev-up
-// form: both show these stages and change nothing else. It keeps none of its own: they are the bytes of one register as a
-// person wants them, and every change is a pending edit of that register.
+// form: both show these stages and change nothing else. It keeps none of its own: they are the bytes of one register as
+// a user wants them, and every change is a pending edit of that register.
 #pragma once
 
 #include "motor/rev_up.h"
@@ -76,7 +76,7 @@ Q_SIGNALS:
 
 private:
     void resolve();
-    void takeRegister();
+    void adoptRegister();
     void judge();
     bool differs(const QModelIndex &index) const;
     bool marked(const QModelIndex &index) const;

@@ -21,7 +21,7 @@ RevUpStart::RevUpStart(Device &device, const capture::Capture &capture, QObject 
     , m_device(device)
     , m_capture(capture)
 {
-    connect(&device, &Device::statusChanged, this, &RevUpStart::takeStatus);
+    connect(&device, &Device::statusChanged, this, &RevUpStart::acceptStatus);
     connect(&device, &Device::readingsArrived, this, &RevUpStart::onReadings);
     connect(&device, &Device::linkStateChanged, this, [this] {
         if (m_result == Result::UnderWay && !m_device.answering())
@@ -42,9 +42,9 @@ std::optional<catalog::RegisterId> RevUpStart::currentId() const
     return info != nullptr ? std::optional(catalog->withMotor(*info, m_motor)) : std::nullopt;
 }
 
-/// The rev-up is the state START; charging the bootstrap capacitors and calibrating offsets come before it, a switch-over
-/// may follow. It began somewhere between the last status without it and the first one with it.
-void RevUpStart::takeStatus(int motor)
+/// The rev-up is the state START; charging the bootstrap capacitors and calibrating offsets come before it, a
+/// switch-over may follow. It began somewhere between the last status without it and the first one with it.
+void RevUpStart::acceptStatus(int motor)
 {
     if (motor != m_device.motor())
         return;

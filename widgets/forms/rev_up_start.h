@@ -1,6 +1,6 @@
 // RevUpStart: what was measured during the last start of a motor, counted from the moment its rev-up began. It listens
-// to what comes anyway: the state and speed that are always polled, the current as it is streamed to the scope or polled
-// for the form. It asks for nothing and starts nothing.
+// to what comes anyway: the state and speed that are always polled, the current as it is streamed to the scope or
+// polled for the form. It asks for nothing and starts nothing.
 #pragma once
 
 #include "capture/capture.h"
@@ -47,7 +47,7 @@ Q_SIGNALS:
     void changed();
 
 private:
-    void takeStatus(int motor);
+    void acceptStatus(int motor);
     void begin(double begin_s);
     void end(Result result);
     void onReadings(const std::vector<drive::Reading> &readings);

@@ -101,15 +101,19 @@ void RevUpTable::fitToFont()
 {
     constexpr int kCellMargin = 10, kSign = 16; // px beside a number; a warning before it
     const QFontMetrics metrics(font());
-    const auto width = [&](const char *widest) {
-        return metrics.horizontalAdvance(QLatin1String(widest)) + kCellMargin;
+    const auto width = [&](const QString &widest) {
+        return metrics.horizontalAdvance(widest) + kCellMargin;
     };
-    const int widths[] = {width("65535") + kSign, width("-32766") + kSign, width("-32.767") + kSign,
-        width("-32767") + kSign, width("100.0 / 100.0") + kSign};
+    const motor::RevUpBounds most;
+    const int widths[] = {width(QString::number(most.duration_ms)) + kSign,
+        width(QString::number(-most.speed_rpm)) + kSign,
+        width(QString::number(-1e-3 * most.digits, 'f', 3)) + kSign,
+        width(QString::number(-most.digits)) + kSign,
+        width(QStringLiteral("100.0 / 100.0")) + kSign};
     for (int column = 0; column < RevUpModel::ColumnCount; ++column)
         setColumnWidth(column, widths[column]);
     verticalHeader()->setDefaultSectionSize(metrics.height() + 8);
-    verticalHeader()->setFixedWidth(width("5 W"));
+    verticalHeader()->setFixedWidth(width(QStringLiteral("5 W")));
     setFixedSize(sizeHint());
 }
 

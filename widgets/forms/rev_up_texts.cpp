@@ -28,7 +28,7 @@ QString torqueAdvice(const RevUpFinding &finding, const RevUpModel &model)
     const double from = finding.stage > 0 ? stages[finding.stage - 1].speed_rpm : 0.0;
     motor::RevUpStage endless = stages[finding.stage];
     const double radps = std::abs(endless.speed_rpm - from) * 2.0 * std::numbers::pi / 60.0;
-    endless.duration_ms = 65535;
+    endless.duration_ms = model.bounds().duration_ms;
     const double friction = motor::neededTorque_nm(endless, from, load)
         - load.inertia_kgm2 * radps / (endless.duration_ms * 1e-3);
     const double left = finding.is - friction;

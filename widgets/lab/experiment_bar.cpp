@@ -55,7 +55,7 @@ ExperimentBar::ExperimentBar(const Parts &parts, const char *prefix, QWidget *pa
     const Experiments &experiments = parts.experiments;
     connect(&experiments, &Experiments::progressed, this, &ExperimentBar::progressed);
     connect(&experiments, &Experiments::began, this, &ExperimentBar::refresh);
-    connect(&experiments, &Experiments::ended, this, &ExperimentBar::take);
+    connect(&experiments, &Experiments::ended, this, &ExperimentBar::accept);
     connect(&experiments, &Experiments::agreementEnded, this, [this] {
         if (m_question)
             m_question->reject();
@@ -212,7 +212,7 @@ Result<ExperimentBar::Run, QString> ExperimentBar::wanted(int which) const
                 "the motor turns, and its gains are written while it rests: stop it first"));
     }
     const drive::StartTarget target = m_parts.motion.startTarget(m_parts.device.motor());
-    if (target.control == drive::ControlMode::Torque) // Other may be one that is not known
+    if (target.control == catalog::ControlMode::Torque) // Other may be one that is not known
         return fail(tr("The motor is in torque control: ask for a speed first, with Go or a speed "
                        "ramp."));
     return run;
@@ -359,7 +359,7 @@ void ExperimentBar::progressed()
     m_sentence->setText(progress.words);
 }
 
-void ExperimentBar::take(const Experiments::RecordPtr &record)
+void ExperimentBar::accept(const Experiments::RunPtr &record)
 {
     if (!std::exchange(m_own, false))
         return refresh();
@@ -444,7 +444,8 @@ void ExperimentBar::refresh()
     m_sentence->setText(says);
 }
 
-/// How it ended, and below it what is to be known, and what the next one lacks. That gives way: the buttons have it, too.
+/// How it ended, and below it what is to be known, and what the next one lacks. That gives way: the buttons have it,
+/// too.
 QString ExperimentBar::sentence() const
 {
     const QString why = hints(), flows = flowing(m_told);

@@ -1,6 +1,6 @@
-// ExperimentBar: what every page of the lab has below it: the buttons that move the motor, Cancel, how far it is, and how it
-// ended. It asks what has to be asked, begins what was agreed to, and has it evaluated in a thread of its own. What a
-// page knows is which experiments a button stands for, and what came of them.
+// ExperimentBar: what every page of the lab has below it: the buttons that move the motor, Cancel, how far it is, and
+// how it ended. It asks what has to be asked, begins what was agreed to, and has it evaluated in a thread of its own.
+// What a page knows is which experiments a button stands for, and what came of them.
 #pragma once
 
 #include "widgets/lab/experiments.h"
@@ -31,20 +31,21 @@ public:
     /// All outlive it.
     struct Parts {
         Device &device;
-        const MotionGate &motion; ///< knows where a start goes to
+        const MotionGate &motion; ///< tells where a start goes to
         Experiments &experiments;
     };
     /// Shows what was found, and returns what has to be known of it.
     using Show = std::function<QStringList()>;
-    /// Of all that was recorded, also where it ended early; in any thread, so it holds values, and what only `Show` uses.
-    using Evaluate = std::function<Show(const Experiments::Record &)>;
+    /// Of all that was recorded, also where it ended early; in any thread, so it holds values, and what only `Show`
+    /// uses.
+    using Evaluate = std::function<Show(const Experiments::Run &)>;
     /// What a button begins: one after the other, each from where the motor was before.
     struct Run {
         std::vector<lab::Experiment> experiments;
         Evaluate evaluate;
         lab::SpeedRegulator regulator = {}; ///< that it is measured by
-        std::vector<lab::Experiment> later =
-            {}; ///< asked about along with it, for runs that follow
+        /// Asked about along with it, for runs that follow.
+        std::vector<lab::Experiment> later = {};
     };
     /// Or why there is none now, in a sentence.
     using Wanted = std::function<Result<Run, QString>()>;
@@ -61,8 +62,8 @@ public:
         Wanted wanted;
         QKeySequence keys = {};
         std::function<void()> prepare = {}; ///< what is to be done before, such as a write
-        std::function<bool()> settled =
-            {}; ///< that has reached the board, which is waited for so long:
+        /// That has reached the board, which is waited for so long:
+        std::function<bool()> settled = {};
         std::chrono::milliseconds patience{500};
     };
 
@@ -79,8 +80,8 @@ public:
     void leaveOutObstacle() { m_saysObstacle = false; }
 
     void run(int which); ///< as its button does
-    /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind one that
-    /// has left something on the board, and it is told why.
+    /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind
+    /// one that has left something on the board, and it is told why.
     bool goOn(int which);
     QString told() const { return m_told; } ///< how the last one ended
     QString more() const { return m_more; } ///< and what has to be known of it
@@ -113,7 +114,7 @@ private:
     void begin(int which, const Run &run);
     QString turning() const;
     void progressed();
-    void take(const Experiments::RecordPtr &record);
+    void accept(const Experiments::RunPtr &record);
     void shown(bool complete, const QStringList &more);
     QString hints() const;
 

@@ -15,8 +15,8 @@ Experiments::Experiments(Device &device, std::shared_ptr<session::RecordingTap> 
     , m_tap(std::move(tap))
     , m_clock(std::move(clock))
 {
-    connect(
-        m_tap.get(), &session::RecordingTap::told, this, &Experiments::take, Qt::QueuedConnection);
+    connect(m_tap.get(), &session::RecordingTap::told, this, &Experiments::accept,
+        Qt::QueuedConnection);
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
         if (!armed)
             forgetAgreement();
@@ -79,9 +79,9 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
 {
     if (running() || parts.empty())
         return;
-    m_record = std::make_shared<Record>();
+    m_record = std::make_shared<Run>();
     m_record->startSeconds = m_tap->startSeconds();
-    m_restorer = std::make_unique<record::Restorer>(m_record->capture);
+    m_restorer = std::make_unique<recorded::Restorer>(m_record->capture);
     m_parts = std::move(parts);
     m_part = 0;
     m_before_rpm = before_rpm;
@@ -100,7 +100,7 @@ void Experiments::beginPart(TimePoint now)
     Q_EMIT wished(m_parts[m_part].experiment);
 }
 
-void Experiments::note(TimePoint at, const record::Happening &what)
+void Experiments::note(TimePoint at, const recorded::Happening &what)
 {
     const capture::Nanos nanos = at.time_since_epoch().count();
     m_record->happenings.emplace_back(nanos, what);
@@ -111,17 +111,17 @@ void Experiments::note(TimePoint at, const record::Happening &what)
     Q_EMIT noted(nanos, what);
 }
 
-void Experiments::take(const session::ToldPtr &told)
+void Experiments::accept(const session::ToldPtr &told)
 {
     m_tap->release(told->bytes);
     if (!running() || told->recording != m_number)
         return;
     m_record->told.push_back(told);
-    for (const record::Entry &entry : told->entries) {
-        if (const auto *happening = std::get_if<record::Happening>(&entry))
+    for (const recorded::Entry &entry : told->entries) {
+        if (const auto *happening = std::get_if<recorded::Happening>(&entry))
             m_record->happenings.emplace_back(told->at, *happening);
         else
-            m_restorer->take(entry);
+            m_restorer->accept(entry);
     }
     Q_EMIT progressed();
 }
@@ -144,7 +144,7 @@ void Experiments::end(const lab::Outcome &outcome)
     m_record->outcome = m_soFar;
     m_restorer.reset();
     m_parts.clear();
-    const RecordPtr record = std::move(m_record);
+    const RunPtr record = std::move(m_record);
     Q_EMIT ended(record);
 }
 

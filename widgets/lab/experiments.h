@@ -1,14 +1,14 @@
 // Experiments: the window's side of what moves a motor by itself. It hands one to the session, keeps in memory what a
-// recording of it would hold, entry by entry, and knows to which caps a person has agreed since the drive was armed. What
+// recording of it would hold, entry by entry, and the caps that the user has agreed to since the drive was armed. What
 // the entries mean is evaluated from them alone, as from a file.
 //
-// One at a time, or several in a row, each from where the motor was before: begin(), progressed() as it goes on, then ended()
-// once. A Stop, or a command of anybody else, ends all of it; that needs nothing of this class.
+// One at a time, or several in a row, each from where the motor was before: begin(), progressed() as it goes on, then
+// ended() once. A Stop, or any other command, ends all of it; that needs nothing of this class.
 #pragma once
 
 #include "lab/caps.h"
 #include "lab/happenings.h"
-#include "record/restore.h"
+#include "recorded/restore.h"
 #include "session/recording/recording_tap.h"
 #include "widgets/base/device.h"
 
@@ -22,20 +22,20 @@ namespace widgets {
 class Experiments : public QObject {
     Q_OBJECT
 public:
-    struct Record {
-        Record() = default;
-        Record(const Record &) = delete; // Qt would copy what a signal tells
-        Record &operator=(const Record &) = delete;
+    struct Run {
+        Run() = default;
+        Run(const Run &) = delete; // Qt would copy what a signal tells
+        Run &operator=(const Run &) = delete;
         lab::Outcome outcome;
         capture::Capture capture;
         lab::Happenings happenings; ///< of each its plan first, its end last
         std::vector<session::ToldPtr> told; ///< all of it, as a recording of it would hold it
         qint64 startSeconds = 0; ///< UTC of the session's 0 s
     };
-    using RecordPtr = std::shared_ptr<const Record>;
+    using RunPtr = std::shared_ptr<const Run>;
     struct Part {
         lab::Experiment experiment;
-        record::Happening plan; ///< the same as an entry of its recording
+        recorded::Happening plan; ///< the same as an entry of its recording
     };
 
     /// @param tap  of the session, and of nothing else; @param clock  the session's
@@ -46,32 +46,33 @@ public:
     Result<lab::Subject, QString> subject() const;
     /// Why none can begin now; one sentence, empty if one can.
     QString obstacle() const;
-    /// Whether a person has agreed to such a one within its caps. @param before_rpm  as capsOf() has it
+    /// Whether the user has agreed to such a one within its caps. @param before_rpm  as capsOf() has it
     bool agreed(const lab::Experiment &experiment, double before_rpm) const;
     void agree(const lab::Experiment &experiment, double before_rpm);
 
-    /// To be called only for what was agreed to; one after the other, as long as each comes to its end, leaves all as it was
-    /// and is agreed to. Nothing while one is running.
+    /// To be called only for what was agreed to; one after the other, as long as each comes to its end, leaves all as
+    /// it was and is agreed to. Nothing while one is running.
     void begin(std::vector<Part> parts, double before_rpm);
     bool running() const { return m_record != nullptr; }
     std::size_t part() const { return m_part; } ///< the one that is running, from 0
     const lab::Happenings &happenings() const { return m_record->happenings; } ///< while running()
 
 public Q_SLOTS:
-    void take(const session::ToldPtr &told);
+    void accept(const session::ToldPtr &told);
     void end(const lab::Outcome &outcome);
 
 Q_SIGNALS:
     void wished(const lab::Experiment &experiment); ///< for the session
-    void noted(qint64 at, const record::Happening &what); ///< the plan and the end, for a recording
+    /// The plan and the end, for a recording.
+    void noted(qint64 at, const recorded::Happening &what);
     void began();
     void progressed();
-    void ended(const widgets::Experiments::RecordPtr &record);
+    void ended(const widgets::Experiments::RunPtr &record);
     void agreementEnded();
 
 private:
     void beginPart(TimePoint now);
-    void note(TimePoint at, const record::Happening &what);
+    void note(TimePoint at, const recorded::Happening &what);
     void forgetAgreement();
 
     Device &m_device;
@@ -82,8 +83,8 @@ private:
     std::size_t m_part = 0;
     double m_before_rpm = 0.0;
     lab::Outcome m_soFar; ///< of those that are over
-    std::shared_ptr<Record> m_record; ///< of what is running
-    std::unique_ptr<record::Restorer> m_restorer;
+    std::shared_ptr<Run> m_record; ///< of what is running
+    std::unique_ptr<recorded::Restorer> m_restorer;
     unsigned m_number = 0;
 };
 

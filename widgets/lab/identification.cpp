@@ -33,7 +33,7 @@ ExperimentBar::Evaluate Identification::evaluation(int motor,
     Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &))
 {
     return [this, motor, board = m_boards, evaluate](
-               const Experiments::Record &record) -> ExperimentBar::Show {
+               const Experiments::Run &record) -> ExperimentBar::Show {
         const auto found = evaluate(record.capture, record.happenings);
         return [this, motor, board, found, end = record.outcome.end]() -> QStringList {
             if (board != m_boards || motor != m_device.motor())
@@ -47,7 +47,7 @@ ExperimentBar::Evaluate Identification::evaluation(int motor,
                     m_findings.fail(std::is_same_v<Found, lab::Mechanics>, why);
                 return {why};
             }
-            m_findings.take(*found, complete);
+            m_findings.accept(*found, complete);
             if (whole(*found))
                 return {};
             if (found->notes.empty())

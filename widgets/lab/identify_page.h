@@ -1,11 +1,12 @@
-// IdentifyPage: measures the motor itself: its windings and magnets, its inertia and friction, as a table with intervals
-// beside what board and motor file say. What was measured is used in the motor description, as one step, when it is wanted.
+// IdentifyPage: measures the motor itself: its windings and magnets, its inertia and friction, as a table with
+// intervals beside what board and motor file say. What was measured is used in the motor description, as one step, when
+// it is wanted.
 #pragma once
 
 #include "widgets/base/form.h"
 #include "widgets/base/motor_description.h"
-#include "widgets/lab/board_facts.h"
 #include "widgets/lab/identification.h"
+#include "widgets/lab/shown_motor.h"
 
 class QPushButton;
 class QTreeView;
@@ -40,7 +41,7 @@ private:
     void enableButtons();
 
     Parts m_parts;
-    BoardFacts m_facts;
+    ShownMotor m_facts;
     QTreeView *m_table;
     ExperimentBar *m_bar;
     QPushButton *m_use = nullptr, *m_back = nullptr;

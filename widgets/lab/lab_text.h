@@ -1,5 +1,6 @@
-// What core says of an experiment, in the person's language: why it was not carried out, what ended it, what has to be known of
-// its result. Its words are English sentences with numbers and names in them, several of them with semicolons between.
+// What core says of an experiment, in the user's language: why it was not carried out, what ended it, what has to be
+// known of its result. Its words are English sentences with numbers and names in them, several of them with semicolons
+// between.
 #pragma once
 
 #include <QStringList>

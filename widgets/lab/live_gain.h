@@ -1,6 +1,7 @@
-// LiveGain: a field for the digits of one gain that moves the board's own: arrow keys and the wheel by 5 % a notch, Page Up
-// and Down by ten notches, or typed with Enter. Each is written at once while the drive is armed, through RegisterEdits, so
-// that it is read back and can be undone; what is turned while a write is under way goes with the next one.
+// LiveGain: a field for the digits of one gain that moves the board's own: arrow keys and the wheel by 5 % a notch,
+// Page Up and Down by ten notches, or typed with Enter. Each is written at once while the drive is armed, through
+// RegisterEdits, so that it is read back and can be undone; what is turned while a write is under way goes with the
+// next one.
 #pragma once
 
 #include "widgets/base/stepped_edit.h"

@@ -71,7 +71,7 @@ void MotorFindings::set(Row row, const std::optional<lab::Estimate> &value, cons
     m_rows[row] = {value, note};
 }
 
-void MotorFindings::take(const lab::Electrics &found, bool complete)
+void MotorFindings::accept(const lab::Electrics &found, bool complete)
 {
     const QString notes = notesText(found.notes);
     const auto put = [&](Row row, const std::optional<lab::Estimate> &value, const QString &note) {
@@ -88,7 +88,7 @@ void MotorFindings::take(const lab::Electrics &found, bool complete)
     cellsChanged();
 }
 
-void MotorFindings::take(const lab::Mechanics &found, bool /*complete*/)
+void MotorFindings::accept(const lab::Mechanics &found, bool /*complete*/)
 {
     constexpr double kPercent = 100.0;
     const QString model =

@@ -1,5 +1,5 @@
-// What was measured of a motor, one figure a row: its value, the interval that holds the true one, and what board and motor file
-// say. It computes none of it.
+// What was measured of a motor, one figure a row: its value, the interval that holds the true one, and what board and
+// motor file say. It computes none of it.
 #pragma once
 
 #include "lab/evaluation/electrical_evaluation.h"
@@ -29,8 +29,8 @@ public:
     explicit MotorFindings(QObject *parent = nullptr);
 
     /// @param complete  the run came to its end; else what it does not tell stays as it was measured before
-    void take(const lab::Electrics &found, bool complete = true);
-    void take(const lab::Mechanics &found, bool complete = true); ///< tells all of it
+    void accept(const lab::Electrics &found, bool complete = true);
+    void accept(const lab::Mechanics &found, bool complete = true); ///< tells all of it
     /// What could not be measured is told in the rows of its kind. @param mechanical  else electrical
     void fail(bool mechanical, const QString &why);
     void clear();

@@ -1,5 +1,5 @@
-// PlanPicture: what a motor is to do by itself, as a small picture: its speed over time, and the caps beyond which it is
-// stopped.
+// PlanPicture: what a motor is to do by itself, as a small picture: its speed over time, and the caps beyond which it
+// is stopped.
 #pragma once
 
 #include <QVector>

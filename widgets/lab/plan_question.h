@@ -1,5 +1,5 @@
-// What a person is asked before a motor moves by itself: what is to be done, in words and as a picture, with the caps that
-// the motor is held to.
+// What the user is asked before a motor moves by itself: what is to be done, in words and as a picture, with the caps
+// that the motor is held to.
 #pragma once
 
 #include "lab/experiment.h"

@@ -1,4 +1,4 @@
-// What tells the curves of runs apart: a colour, and a tick of another shape for whoever sees fewer colours.
+// What tells the curves of runs apart: a colour, and a tick of another shape for colour-blind users.
 #pragma once
 
 #include <QColor>

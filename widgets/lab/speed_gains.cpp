@@ -31,10 +31,10 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     grid->addWidget(m_kpText, 0, 2);
     grid->addWidget(m_kiText, 1, 2);
     grid->setColumnStretch(2, 1);
-    connect(&model, &RegisterModel::catalogSet, this, &SpeedGains::takeFacts);
+    connect(&model, &RegisterModel::catalogSet, this, &SpeedGains::adoptFacts);
     for (const LiveGain *gain : {m_kp, m_ki})
         connect(gain, &LiveGain::changed, this, &SpeedGains::updateTexts);
-    takeFacts();
+    adoptFacts();
 }
 
 LiveGain *SpeedGains::addGain(QGridLayout *grid, int row, const QString &text, const char *name)
@@ -69,7 +69,7 @@ bool SpeedGains::refresh()
     return news;
 }
 
-void SpeedGains::takeFacts()
+void SpeedGains::adoptFacts()
 {
     m_facts.begin();
     updateTexts();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "motor/gain_plan.h"
-#include "widgets/lab/board_facts.h"
+#include "widgets/lab/shown_motor.h"
 #include "widgets/registers/register_edits.h"
 
 #include <QWidget>
@@ -31,8 +31,8 @@ public:
         bool operator==(const Values &) const = default;
     };
     Values values() const;
-    QString kpText(
-        std::optional<double> value) const; ///< with its unit; as digits where that is not known
+    /// With its unit; as digits where that is not known.
+    QString kpText(std::optional<double> value) const;
     QString kiText(std::optional<double> value) const;
     /// What the loop adds to the current's reference at once: A/rpm. 0: not known.
     double jumpPerRpm(const lab::Subject &subject) const;
@@ -42,13 +42,13 @@ Q_SIGNALS:
 
 private:
     LiveGain *addGain(QGridLayout *grid, int row, const QString &text, const char *name);
-    void takeFacts();
+    void adoptFacts();
     void updateTexts();
     QString textOf(std::optional<double> value, motor::GainId id) const;
 
     RegisterModel &m_model;
     RegisterEdits &m_edits;
-    BoardFacts m_facts;
+    ShownMotor m_facts;
     LiveGain *m_kp, *m_ki;
     QLabel *m_kpText, *m_kiText;
 };

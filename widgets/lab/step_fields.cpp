@@ -19,8 +19,8 @@ namespace {
 constexpr double kAnyRpm = 1e6; ///< where no board has told its limit
 constexpr double kUsualRpm = 4000.0;
 constexpr double kNotch_rpm = 50.0;
-/// Of the limit, offered at first: the step down of a heavy rotor on a supply that takes nothing back raises its bus, and
-/// a step of 550 rpm trips the simulated blower. Twenty digits of the set-point say enough.
+/// Of the limit, offered at first: the step down of a heavy rotor on a supply that takes nothing back raises its bus,
+/// and a step of 550 rpm trips the simulated blower. Twenty digits of the set-point say enough.
 constexpr double kFromShare = 0.25, kToShare = 0.3, kLeastStep_rpm = 120.0;
 /// Above what an observer needs, and a smaller step: the faster a motor turns the more a brake gives back.
 constexpr double kFromObserved = 1.25, kObservedShare = 0.075;

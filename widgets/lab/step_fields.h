@@ -1,5 +1,5 @@
-// StepFields: what is to be stepped, as it is typed: from which speed to which, how long each is held, the ramp to the first
-// one and back, how often.
+// StepFields: what is to be stepped, as it is typed: from which speed to which, how long each is held, the ramp to the
+// first one and back, how often.
 #pragma once
 
 #include "lab/step_plan.h"
@@ -23,7 +23,8 @@ public:
     /// Empty: a speed is not understood, or beyond the limit.
     std::optional<lab::StepPlan> plan() const;
     QString problem() const; ///< why, in a sentence
-    /// Of the motor that is shown: its greatest speed, 0 if it is not known, and what a motor without a sensor has to stay above.
+    /// Of the motor that is shown: its greatest speed, 0 if it is not known, and what a motor without a sensor has to
+    /// stay above.
     void setLimits(double greatestRpm, double leastRpm);
     void focusFirst();
 
@@ -37,7 +38,7 @@ private:
     QGridLayout *m_grid;
     SetpointEdit *m_from, *m_to;
     QSpinBox *m_hold, *m_approach, *m_repeat;
-    bool m_offered = true; ///< the speeds are not a person's
+    bool m_offered = true; ///< the speeds are not the user's
     bool m_offering = false;
 };
 

@@ -1,5 +1,5 @@
-// StepOverlay: the steps of all series over one another, each in the colour and with the tick of its row, from their instants
-// on. The wheel, dragging and keys move the time axis; the speeds fit themselves.
+// StepOverlay: the steps of all series over one another, each in the colour and with the tick of its row, from their
+// instants on. The wheel, dragging and keys move the time axis; the speeds fit themselves.
 #pragma once
 
 #include "widgets/lab/step_result.h"

@@ -197,7 +197,7 @@ Result<ExperimentBar::Run, QString> StepPage::wanted()
 ExperimentBar::Evaluate StepPage::evaluation(const lab::Subject &subject)
 {
     return [this, bus = subject.nameOf(subject.registers.bus), with = m_gains->values()](
-               const Experiments::Record &record) -> ExperimentBar::Show {
+               const Experiments::Run &record) -> ExperimentBar::Show {
         auto result = stepResult(record, bus);
         if (!result || !result->told())
             return {};

@@ -1,8 +1,8 @@
-// StepPage: steps of the speed, again and again: from, to, Run; every series a row and a curve. The gains of the speed loop
-// stand beside and are written as they are turned, so that a changed gain and its new step are two actions.
+// StepPage: steps of the speed, again and again: from, to, Run; every series a row and a curve. The gains of the speed
+// loop stand beside and are written as they are turned, so that a changed gain and its new step are two actions.
 //
-// A series is asked about once; further ones within the same caps are not, until the drive is disarmed. What it lacks is
-// told where it cannot be run.
+// A series is asked about once; further ones within the same caps are not, until the drive is disarmed. What it lacks
+// is told where it cannot be run.
 #pragma once
 
 #include "widgets/base/form.h"

@@ -67,8 +67,7 @@ bool StepResult::told() const
         [](const lab::StepRun &run) { return run.rise_s || run.peakIq_a; });
 }
 
-Result<StepResult, std::string> stepResult(
-    const Experiments::Record &record, const std::string &bus)
+Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus)
 {
     auto series = lab::stepSeries(record.capture, record.happenings);
     if (!series)

@@ -31,7 +31,6 @@ struct StepResult {
 
 /// @param bus  name of the register that tells the bus voltage; empty: there is none
 /// @return  why there is none, in a sentence without a full stop
-Result<StepResult, std::string> stepResult(
-    const Experiments::Record &record, const std::string &bus);
+Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus);
 
 } // namespace widgets

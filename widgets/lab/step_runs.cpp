@@ -121,8 +121,8 @@ void StepRuns::setDark(bool dark)
     cellsChanged(RunColumn, RunColumn);
 }
 
-/// The mean of a series, with half of the interval where it is known, and the difference to the reference where that is of the
-/// same step.
+/// The mean of a series, with half of the interval where it is known, and the difference to the reference where that is
+/// of the same step.
 QString StepRuns::number(const StepResult &result, int column) const
 {
     const Metric *shown = shownIn(column);

@@ -1,5 +1,5 @@
-// The series of steps that were made, one a row: the gains they were made with, what came of them, and the difference to the
-// one that was chosen as reference. It computes none of the numbers.
+// The series of steps that were made, one a row: the gains they were made with, what came of them, and the difference
+// to the one that was chosen as reference. It computes none of the numbers.
 #pragma once
 
 #include "widgets/base/row_table.h"

@@ -190,7 +190,8 @@ Result<ExperimentBar::Run, QString> TourPage::runOf(Step step)
     return run;
 }
 
-/// The next station, and all that follows: it is asked about once. Stations that this board cannot have are passed over.
+/// The next station, and all that follows: it is asked about once. Stations that this board cannot have are passed
+/// over.
 Result<ExperimentBar::Run, QString> TourPage::wholeTour()
 {
     if (auto response = runOf(TourSteps::Response); !response) // the tour is for it

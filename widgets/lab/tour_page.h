@@ -1,6 +1,6 @@
-// TourPage: from an unknown motor to proved gains, station by station: the windings, the mechanics, the response of the speed,
-// gains from it, and their proof. What moves by itself is asked about once, all of it; gains are written when they are
-// wanted, and not before. What is found is where the other pages of the lab have it, too.
+// TourPage: from an unknown motor to proved gains, station by station: the windings, the mechanics, the response of the
+// speed, gains from it, and their proof. What moves by itself is asked about once, all of it; gains are written when
+// they are wanted, and not before. What is found is where the other pages of the lab have it, too.
 #pragma once
 
 #include "widgets/base/form.h"

@@ -1,5 +1,6 @@
-// When a tool that follows the picture may compute again: one job at a time, and then it rests for twice as long as that took. A
-// picture that runs asks for another one with each frame, and a long one would take a whole core for as long as it is seen.
+// When a tool that follows the picture may compute again: one job at a time, and then it rests for twice as long as
+// that took. A picture that runs asks for another one with each frame, and a long one would take a whole core for as
+// long as it is seen.
 #pragma once
 
 #include <QElapsedTimer>
@@ -17,7 +18,7 @@ public:
     }
 
     bool busy() const { return m_busy; }
-    /// @param runs  the picture does; of one that stands another is wanted only because somebody chose it
+    /// @param runs  the picture does; of one that stands another is wanted only because the user chose it
     bool over(bool runs) const
     {
         return !m_busy && (!runs || !m_clock.isValid() || m_clock.elapsed() >= m_rest_ms);
@@ -30,7 +31,7 @@ public:
     void end()
     {
         constexpr int kTimes = 2;
-        constexpr qint64 kMost_ms = 2000; // somebody may have chosen another meanwhile
+        constexpr qint64 kMost_ms = 2000; // the user may have chosen another meanwhile
         m_busy = false;
         const qint64 took_ms = m_clock.restart();
         m_rest_ms = std::max(std::min(kTimes * took_ms, kMost_ms), m_least_ms - took_ms);

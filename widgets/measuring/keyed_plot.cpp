@@ -93,7 +93,7 @@ bool KeyedPlot::event(QEvent *event)
 }
 
 /// A key without a modifier, of the keypad or not. False leaves it to what is around the picture.
-bool KeyedPlot::takeKey(int key)
+bool KeyedPlot::handleKey(int key)
 {
     constexpr double kKeyPan = 0.1;
     switch (key) {
@@ -126,7 +126,7 @@ bool KeyedPlot::takeKey(int key)
 
 void KeyedPlot::keyPressEvent(QKeyEvent *event)
 {
-    if (!isPlain(*event) || !takeKey(event->key()))
+    if (!isPlain(*event) || !handleKey(event->key()))
         QWidget::keyPressEvent(event);
 }
 

@@ -1,6 +1,6 @@
-// KeyedPlot: what pictures with axes have in common: the palette's colours, words in place of what is not there, and keys
-// of their own: + and - zoom, arrows move, F shows everything. The keys are those of the scope, which has them in the
-// whole window: while the picture has the focus they are the picture's.
+// KeyedPlot: what pictures with axes have in common: the palette's colours, words in place of what is not there, and
+// keys of their own: + and - zoom, arrows move, F shows everything. The keys are those of the scope, which has them in
+// the whole window: while the picture has the focus they are the picture's.
 #pragma once
 
 #include <QWidget>
@@ -39,7 +39,7 @@ protected:
     static constexpr double kKeyZoom = 1.5;
 
 private:
-    bool takeKey(int key);
+    bool handleKey(int key);
 
     QCustomPlot *m_plot;
     QLabel *m_why;

@@ -3,23 +3,15 @@
 #include "widgets/base/device_text.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace widgets {
-
-namespace {
-/// What is copied needs no second place for long.
-constexpr std::uint64_t kKept = 65'536;
-constexpr std::size_t kCopiedAtOnce = 512;
-} // namespace
 
 struct MathChannels::Computed {
     Entry entry;
     catalog::RegisterId registerId = 0; ///< its colour and its trigger go by it
     std::vector<capture::ChannelId> inputs; ///< that `math` was made for
     std::optional<scope::MathChannel> math;
-    capture::Index copied = 0; ///< of math's channel
 };
 
 MathChannels::MathChannels(capture::Capture &capture, QObject *parent)
@@ -232,8 +224,7 @@ bool MathChannels::compile(std::size_t index)
         computed.inputs.push_back(m_capture.find(info->registerId).value_or(info->id));
     }
     const std::string unit = formula->unit();
-    computed.math.emplace(std::move(*formula), capture::ChannelInfo(), kKept);
-    computed.copied = computed.math->channel().begin();
+    computed.math.emplace(std::move(*formula));
     makeChannel(computed, unit);
     return true;
 }
@@ -289,30 +280,20 @@ bool MathChannels::step(std::size_t index)
     if (!settled)
         return false;
     const bool rest = computed.math->update(inputs, *settled, kInstantsAtOnce / m_computed.size());
-    copyTo(computed);
-    return rest;
-}
-
-void MathChannels::copyTo(Computed &computed)
-{
-    const capture::Channel &from = computed.math->channel();
-    const capture::ValueColumn &column = *from.values();
+    const scope::MathResults &results = computed.math->results();
     const capture::ChannelId to = computed.entry.channel;
-    std::array<capture::Nanos, kCopiedAtOnce> times{};
-    std::array<double, kCopiedAtOnce> values{};
-    for (capture::Index i = std::max(computed.copied, from.begin()); i < from.end();) {
-        const capture::Run &run = column.runs()[column.runOf(i)];
-        if (run.first == i)
+    std::span<const capture::Nanos> times(results.times);
+    std::span<const double> values(results.values);
+    for (const scope::MathResults::Piece &piece : results.pieces) {
+        if (piece.begins)
             m_capture.breakImported(to);
-        const auto most = std::min<capture::Index>(times.size(), run.end() - i);
-        const std::size_t count =
-            column.read(i, std::span(times).first(static_cast<std::size_t>(most)), values);
-        m_capture.appendImported(to, std::span(times).first(count), std::span(values).first(count),
-            from.holdUntil(i + count - 1));
-        i += count;
+        m_capture.appendImported(
+            to, times.first(piece.count), values.first(piece.count), piece.holdUntil);
+        times = times.subspan(piece.count);
+        values = values.subspan(piece.count);
     }
-    computed.copied = from.end();
     m_capture.keepNewest(to, kMostValues / m_computed.size());
+    return rest;
 }
 
 void MathChannels::advance()

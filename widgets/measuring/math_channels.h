@@ -21,7 +21,8 @@ class MathChannels : public QObject {
 public:
     /// Values kept, of all math channels together: about 540 MB.
     static constexpr std::uint64_t kMostValues = 30'000'000;
-    /// Values that advance() computes, of all of them together: some milliseconds. The rest follows when others had a turn.
+    /// Values that advance() computes, of all of them together: some milliseconds. The rest follows when others had a
+    /// turn.
     static constexpr std::size_t kInstantsAtOnce = 20'000;
 
     struct Entry {
@@ -41,7 +42,7 @@ public:
     explicit MathChannels(capture::Capture &capture, QObject *parent = nullptr);
     ~MathChannels() override;
 
-    /// Who knows which registers are still asked for one by one. Others do not hold a channel back.
+    /// Tells which registers are still asked for one by one. Others do not hold a channel back.
     void setPolled(std::function<std::vector<catalog::RegisterId>()> polled);
 
     /// The names that the formula of the channel `of`, or of a new one, may use now; each once.
@@ -84,7 +85,6 @@ private:
     void makeChannel(Computed &computed, const std::string &unit);
     void dropChannel(Computed &computed);
     bool step(std::size_t index);
-    void copyTo(Computed &computed);
     std::optional<scope::Nanos> until(std::span<const capture::Channel *const> inputs) const;
 
     capture::Capture &m_capture;

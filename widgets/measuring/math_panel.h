@@ -1,4 +1,5 @@
-// The math channels as a tool: those that there are, and one formula at a time to be written, checked while it is typed.
+// The math channels as a tool: those that there are, and one formula at a time to be written, checked while it is
+// typed.
 #pragma once
 
 #include "widgets/base/form.h"

@@ -17,8 +17,8 @@ public:
     MathTraces(MathChannels &channels, const capture::Capture &capture, ScopeView &scope,
         QObject *parent = nullptr);
 
-    static QColor colorOf(
-        const ScopeView &scope, capture::ChannelId channel); ///< not valid: not drawn
+    /// Not valid: not drawn.
+    static QColor colorOf(const ScopeView &scope, capture::ChannelId channel);
 
 private:
     struct Place {

@@ -14,8 +14,8 @@ struct MeasureJob {
     struct Piece {
         std::uint64_t row = 0; ///< its id
         scope::Quantity quantity = scope::Quantity::Mean;
-        const capture::Channel *channel =
-            nullptr; ///< of the capture until detach(), then of `copies`
+        /// Of the capture until detach(), then of `copies`.
+        const capture::Channel *channel = nullptr;
         const capture::Channel *second = nullptr; ///< of a phase; none: there is nothing to measure
     };
     struct Result {

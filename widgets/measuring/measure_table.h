@@ -1,6 +1,6 @@
 // The automatic measurements of the scope as a table: one a row, its value in the picture or between the cursors, and
-// statistics over the records of the trigger. Computes nothing itself; core/scope does, and where that takes long another
-// thread: one job for the picture at a time, and the records one after the other, of which none is left out.
+// statistics over the records of the trigger. Computes nothing itself; core/scope does, and where that takes long
+// another thread: one job for the picture at a time, and the records one after the other, of which none is left out.
 #pragma once
 
 #include "scope/measurement.h"
@@ -55,8 +55,8 @@ public:
     void remove(int row);
     NamedMeasure named(int row) const;
     void clearStatistics();
-    /// Measures in [from, to). Where that is long the values follow; until they have, and for a while after, further calls for
-    /// something long do nothing.
+    /// Measures in [from, to). Where that is long the values follow; until they have, and for a while after, further
+    /// calls for something long do nothing.
     void measure(double from, double to);
     /// Counts a record of the trigger in the statistics of every row, with what lies in [from, to) of it; what is
     /// written as the value stays. A long one is counted later.

@@ -1,5 +1,6 @@
-// One spectrum as a job: a copy of a channel, what is wanted and the mean until then go in, the mean with it and its peaks
-// come out. Touches nothing else, so that it may run in any thread. All that takes longer the more samples there are is here.
+// One spectrum as a job: a copy of a channel, what is wanted and the mean until then go in, the mean with it and its
+// peaks come out. Touches nothing else, so that it may run in any thread. All that takes longer the more samples there
+// are is here.
 #pragma once
 
 #include "capture/capture.h"

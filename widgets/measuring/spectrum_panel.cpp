@@ -245,7 +245,7 @@ void SpectrumPanel::compute()
         const auto answer =
             std::make_shared<const SpectrumAnswer>(computeSpectrum(copy, next, *before));
         QMetaObject::invokeMethod(
-            this, [this, answer, begun] { take(*answer, begun); }, Qt::QueuedConnection);
+            this, [this, answer, begun] { accept(*answer, begun); }, Qt::QueuedConnection);
     });
 }
 
@@ -283,7 +283,7 @@ bool SpectrumPanel::beginsAnew(const SpectrumWanted &stretch) const
     return !continues(stretch) || overlaps(stretch);
 }
 
-void SpectrumPanel::take(const SpectrumAnswer &answer, int begun)
+void SpectrumPanel::accept(const SpectrumAnswer &answer, int begun)
 {
     m_rest.end();
     if (begun != m_begun) {

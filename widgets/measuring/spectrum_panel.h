@@ -56,7 +56,7 @@ private:
     bool overlaps(const SpectrumWanted &stretch) const;
     bool continues(const SpectrumWanted &stretch) const;
     bool waits(const SpectrumWanted &next) const;
-    void take(const SpectrumAnswer &answer, int begun);
+    void accept(const SpectrumAnswer &answer, int begun);
     bool beginsAnew(const SpectrumWanted &stretch) const;
     void showMean();
     void showNote(const scope::Spectrum &spectrum);

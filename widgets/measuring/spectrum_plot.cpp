@@ -227,8 +227,8 @@ void SpectrumPlot::drawPeaks()
         levels.append(levelOf(peak.amplitude));
     }
     m_dots->setData(places, levels);
-    std::vector<QPointF>
-        written; // pixels; of two that would lie on each other the smaller peak's is left out
+    // Pixels; of two that would lie on each other the smaller peak's is left out.
+    std::vector<QPointF> written;
     for (int i = 0; i < int(m_numbers.size()); ++i) {
         QCPItemText *number = m_numbers[i];
         bool visible = i < int(places.size());

@@ -10,8 +10,8 @@ namespace widgets {
 
 namespace {
 constexpr int kRegister = Qt::UserRole + 1;
-constexpr char kSignal[] =
-    "signal"; ///< of the box: the register that was chosen last, shown or not
+/// Of the box: the register that was chosen last, shown or not.
+constexpr char kSignal[] = "signal";
 } // namespace
 
 void fillTraceBox(

@@ -1,5 +1,6 @@
 // A box of the traces that the scope shows. It stays with its signal when that gets another channel: a formula that was
-// changed, another rate, a recording that was cleared. A signal that is gone leaves it empty, and no other takes its place.
+// changed, another rate, a recording that was cleared. A signal that is gone leaves it empty, and no other takes its
+// place.
 #pragma once
 
 #include "capture/capture.h"

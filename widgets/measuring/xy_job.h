@@ -9,8 +9,8 @@ namespace widgets {
 struct XyWanted {
     capture::ChannelId x = 0;
     capture::ChannelId y = 0;
-    bool clarke =
-        false; ///< x and y are the currents of phases A and B; wanted are alpha and beta, as the board counts them
+    /// X and y are the currents of phases A and B; wanted are alpha and beta, as the board counts them.
+    bool clarke = false;
     capture::Nanos from = 0;
     capture::Nanos to = 0;
     std::uint64_t samples = 0; ///< of both in it: more of them are another picture

@@ -292,11 +292,11 @@ void XyPanel::compute()
     m_pool.start([this, copy, next] {
         const auto answer = std::make_shared<const XyAnswer>(computeXy(copy, next));
         QMetaObject::invokeMethod(
-            this, [this, answer] { take(*answer); }, Qt::QueuedConnection);
+            this, [this, answer] { accept(*answer); }, Qt::QueuedConnection);
     });
 }
 
-void XyPanel::take(const XyAnswer &answer)
+void XyPanel::accept(const XyAnswer &answer)
 {
     m_rest.end();
     m_answered = answer.wanted;

@@ -38,8 +38,8 @@ public:
     XyPanel(ScopeView &scope, const capture::Capture &capture, const RegisterModel &registers,
         ChosenMotor motor, QWidget *parent = nullptr);
 
-    std::vector<catalog::RegisterId>
-    watchedRegisters() const override; ///< the bus, where it is drawn
+    /// The bus, where it is drawn.
+    std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.36; } // the traces are what is looked at
     /// Two traces over each other, this one upward.
@@ -67,7 +67,7 @@ private:
     XyWanted wanted() const;
     void kindChosen();
     void compute();
-    void take(const XyAnswer &answer);
+    void accept(const XyAnswer &answer);
     void showAnswer();
     void showNote(const XyPlot::Picture &picture);
     QString missingText() const;

@@ -159,12 +159,12 @@ bool XyPlot::eventFilter(QObject *watched, QEvent *event)
     }
     if (watched == &plot() && event->type() == QEvent::Resize)
         m_glass->setGeometry(plot().rect());
-    if (watched == &plot() && takeMouse(event))
+    if (watched == &plot() && handleMouse(event))
         return true;
     return KeyedPlot::eventFilter(watched, event);
 }
 
-bool XyPlot::takeMouse(QEvent *event)
+bool XyPlot::handleMouse(QEvent *event)
 {
     switch (event->type()) {
     case QEvent::MouseButtonPress:

@@ -44,7 +44,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    bool takeMouse(QEvent *event);
+    bool handleMouse(QEvent *event);
     void shift(double shareX, double shareY);
     void draw() override;
     Ranges wanted() const;

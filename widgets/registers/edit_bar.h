@@ -1,6 +1,6 @@
 // EditBar: what is to be done with the edits of a RegisterModel: how the last write ended, why the next cannot be made,
-// Revert and Apply. Each view that edits registers has one; all of them speak of the same edits. It is always there, and
-// always as high: a link that is lost has something to say, too, and nothing is to move for it.
+// Revert and Apply. Each view that edits registers has one; all of them speak of the same edits. It is always there,
+// and always as high: a link that is lost has something to say, too, and nothing is to move for it.
 #pragma once
 
 #include "widgets/registers/register_edits.h"

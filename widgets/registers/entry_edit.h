@@ -14,8 +14,8 @@ class EntryEdit : public SteppedEdit {
     Q_OBJECT
 public:
     enum class As : std::uint8_t { Shown, Raw };
-    using Rules =
-        std::function<std::optional<EntryRules>()>; ///< asked anew each time: limits change
+    /// Asked anew each time: limits change.
+    using Rules = std::function<std::optional<EntryRules>()>;
 
     explicit EntryEdit(Rules rules, As as = As::Shown, QWidget *parent = nullptr);
 

@@ -206,7 +206,7 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QMode
         static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());
     if (state == RegisterModel::EditState::None)
         return;
-    if (index.column() == RegisterModel::NameColumn) // a colour alone is not seen by everybody
+    if (index.column() == RegisterModel::NameColumn) // not every user sees a colour alone
         option->text = signOf(state) + QLatin1Char(' ') + option->text;
     else
         option->state.setFlag(QStyle::State_Selected, false);

@@ -11,8 +11,8 @@
 
 namespace widgets {
 
-/// The bits of a register as a list of names with check boxes. Space switches one, the arrows go from one to the next; a bit
-/// without a name keeps its value.
+/// The bits of a register as a list of names with check boxes. Space switches one, the arrows go from one to the next;
+/// a bit without a name keeps its value.
 class FlagsEdit : public QListWidget {
     Q_OBJECT
 public:
@@ -55,8 +55,8 @@ protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override;
 
 Q_SIGNALS:
-    void entryRefused(
-        const QString &sentence) const; ///< an editor closed on a text that is not good
+    /// An editor closed on a text that is not good.
+    void entryRefused(const QString &sentence) const;
 
 private:
     QString roundedFor(const QStyleOptionViewItem &option, const QModelIndex &index) const;

@@ -1,8 +1,9 @@
-// RegisterEdits: carries out what was edited in a RegisterModel, as one step that can be taken back. It asks before what
-// can move or harm something, writes only while armed, and keeps in its list only what the board is known to have taken.
+// RegisterEdits: carries out what was edited in a RegisterModel, as one step that can be taken back. It asks before
+// what can move or harm something, writes only while armed, and keeps in its list only what the board is known to have
+// taken.
 //
-// apply(), write(), undo() and redo() are refused while another one is under way. Each may emit asked(); then confirm() or
-// decline() has to follow. The list ends with the connection: a board that was away may have been reset.
+// apply(), write(), undo() and redo() are refused while another one is under way. Each may emit asked(); then confirm()
+// or decline() has to follow. The list ends with the connection: a board that was away may have been reset.
 #pragma once
 
 #include "drive/write_caution.h"
@@ -56,8 +57,8 @@ public:
     QString undoHint() const;
     QString redoHint() const;
 
-    /// Writes these in this order, as one step of the list that is named `text`: for forms and files whose values belong
-    /// together. Asks like apply(); does nothing while writeHint() says why. Edits that wait stay as they are.
+    /// Writes these in this order, as one step of the list that is named `text`: for forms and files whose values
+    /// belong together. Asks like apply(); does nothing while writeHint() says why. Edits that wait stay as they are.
     void write(const QString &text, std::vector<drive::RegisterWrite> writes);
 
 public Q_SLOTS:
@@ -72,8 +73,8 @@ Q_SIGNALS:
     void asked(const QList<widgets::WriteLine> &lines);
     void changed(); ///< one of the hints or counts may be another
     void told(const QString &sentence, bool good); ///< how it ended
-    void reported(
-        const widgets::WriteReport &report); ///< the same of a write, register by register
+    /// The same of a write, register by register.
+    void reported(const widgets::WriteReport &report);
 
 private:
     enum class Stage : std::uint8_t { Idle, Asking, Keeping, Sending };

@@ -1,5 +1,5 @@
-// RegisterField: one register in a form: its value with unit, typed as in the register tree or chosen by name. A view of
-// the RegisterModel: it shows pending edits and their outcome in the same colours, and only makes pending edits.
+// RegisterField: one register in a form: its value with unit, typed as in the register tree or chosen by name. A view
+// of the RegisterModel: it shows pending edits and their outcome in the same colours, and only makes pending edits.
 //
 // What the user is typing stays until Enter or until the focus leaves; what cannot be understood is not taken over and
 // the field says why. Resolves its register anew for each board and motor; hidden if the board has no such register.

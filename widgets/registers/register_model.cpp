@@ -90,7 +90,7 @@ std::optional<catalog::RegisterId> RegisterModel::idOf(std::string_view name) co
     return find(id) ? std::optional(id) : std::nullopt;
 }
 
-void RegisterModel::take(const std::vector<drive::Reading> &readings, Milliseconds now)
+void RegisterModel::accept(const std::vector<drive::Reading> &readings, Milliseconds now)
 {
     std::vector<std::size_t> changed;
     for (const drive::Reading &reading : readings) {
@@ -204,7 +204,7 @@ const RegisterModel::Row *RegisterModel::find(catalog::RegisterId id) const
     return found == m_byId.end() ? nullptr : &m_rows[found->second];
 }
 
-/// One change a group: whoever follows it looks once, however many came together.
+/// One change a group: a view looks once, however many came together.
 void RegisterModel::rowsChanged(const std::vector<std::size_t> &changed)
 {
     const auto hasChanged = [&changed](std::size_t row) {

@@ -55,7 +55,7 @@ public:
     std::optional<catalog::RegisterId> idOf(std::string_view name) const;
 
     /// Takes values in; `now` is any monotonic clock, the same as refresh() gets.
-    void take(const std::vector<drive::Reading> &readings, Milliseconds now);
+    void accept(const std::vector<drive::Reading> &readings, Milliseconds now);
     /// Marks values older than 3 periods as stale. A register's period is the one wished for, or the one at which its
     /// values really come where the link is slower.
     void refresh(Milliseconds now);
@@ -106,8 +106,8 @@ public:
     QStringList pinned() const { return m_pinned; }
     void togglePinned(catalog::RegisterId id);
 
-    QModelIndex indexOf(
-        catalog::RegisterId id, Column column = NameColumn) const; ///< in its own group
+    /// In its own group.
+    QModelIndex indexOf(catalog::RegisterId id, Column column = NameColumn) const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &child) const override;
@@ -123,8 +123,8 @@ public:
     Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
 
 Q_SIGNALS:
-    void
-    catalogSet(); ///< another board or motor, or the same one found anew; a pin is none of these
+    /// Another board or motor, or the same one found anew; a pin is none of these.
+    void catalogSet();
     void editsChanged();
 
 private:

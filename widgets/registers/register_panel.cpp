@@ -100,8 +100,8 @@ void RegisterPanel::makeTree()
     m_tree->setModel(m_proxy);
     m_tree->setUniformRowHeights(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_tree->setEditTriggers(
-        QAbstractItemView::NoEditTriggers); // F2 and a double click go through here
+    // F2 and a double click go through here.
+    m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->setDragEnabled(true);
     m_tree->setDragDropMode(QAbstractItemView::DragOnly);
     m_tree->setIndentation(10);

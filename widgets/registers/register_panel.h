@@ -1,5 +1,5 @@
 // RegisterPanel: the tree of registers with its search box and what is done with edits. Tells which registers can be
-// seen, so that only those are polled, and which ones the person wants on the scope.
+// seen, so that only those are polled, and which ones the user wants on the scope.
 #pragma once
 
 #include "widgets/registers/register_edits.h"

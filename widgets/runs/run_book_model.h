@@ -1,5 +1,5 @@
-// The runs of a run book as a table, the newest first. Notes are typed into it, and stars are ticked; it asks for both to be
-// written.
+// The runs of a run book as a table, the newest first. Notes are typed into it, and stars are ticked; it asks for both
+// to be written.
 #pragma once
 
 #include "session/files/run_book.h"

@@ -1,6 +1,6 @@
-// RunBookPanel: the experiments that were kept in a folder, one a row, with what came of them, a star and a note. What is
-// chosen opens: its registers beside the board's or those of another run, its recording on the scope, or as a reference
-// behind what is live.
+// RunBookPanel: the experiments that were kept in a folder, one a row, with what came of them, a star and a note. What
+// is chosen opens: its registers beside the board's or those of another run, its recording on the scope, or as a
+// reference behind what is live.
 #pragma once
 
 #include "widgets/base/form.h"

@@ -16,7 +16,7 @@ RunKeeper::RunKeeper(Device &device, Experiments &experiments, QWidget *window, 
     , m_reader(device)
 {
     connect(&experiments, &Experiments::ended, this, &RunKeeper::ended);
-    // What the registers were behind the last one nobody could tell any more.
+    // What the registers held behind the last one cannot be read any more.
     connect(&experiments, &Experiments::began, &m_reader, &SnapshotReader::cancel);
     connect(&m_reader, &SnapshotReader::finished, this, [this](const BoardReading &reading) {
         const bool whole = reading.end == BoardReading::End::Whole;
@@ -32,7 +32,7 @@ void RunKeeper::setFolder(const QString &folder)
     Q_EMIT folderChanged();
 }
 
-void RunKeeper::ended(const Experiments::RecordPtr &record)
+void RunKeeper::ended(const Experiments::RunPtr &record)
 {
     constexpr std::size_t kPlanAndEnd = 2;
     if (m_folder.isEmpty() || record->told.size() <= kPlanAndEnd)

@@ -1,5 +1,5 @@
-// RunKeeper: puts every experiment that ends into the run book, with the registers as they are right behind it. It reads
-// them, and it writes files in a thread of a pool; nothing waits for it. Without a folder it does nothing.
+// RunKeeper: puts every experiment that ends into the run book, with the registers as they are right behind it. It
+// reads them, and it writes files in a thread of a pool; nothing waits for it. Without a folder it does nothing.
 #pragma once
 
 #include "session/files/run_book.h"
@@ -25,7 +25,7 @@ Q_SIGNALS:
     void failed(const QString &sentence);
 
 private:
-    void ended(const Experiments::RecordPtr &record);
+    void ended(const Experiments::RunPtr &record);
     void write(std::optional<snapshots::Snapshot> registers);
 
     Device &m_device;

@@ -53,7 +53,7 @@ void CursorActions::toggle()
     m_parts.cursors.setVisible(true);
 }
 
-void CursorActions::take(CursorEnd end)
+void CursorActions::accept(CursorEnd end)
 {
     if (!m_parts.cursors.visible())
         toggle();

@@ -1,5 +1,5 @@
-// CursorActions: what is done with the scope's cursors and markers: brings them into view, hands them to the mouse, moves them
-// sample by sample, sets them.
+// CursorActions: what is done with the scope's cursors and markers: brings them into view, hands them to the mouse,
+// moves them sample by sample, sets them.
 #pragma once
 
 #include "widgets/scope/cursors.h"
@@ -39,7 +39,7 @@ public Q_SLOTS:
     void toggle(); ///< C: shows the cursors, inside the picture, or hides them
     /// 1 and 2: the mouse takes this cursor along until the next click or the same key; without a mouse on the
     /// plots it comes into view. Either way arrow keys move it.
-    void take(widgets::CursorEnd end);
+    void accept(widgets::CursorEnd end);
     /// Moves the active cursor by so many samples of the selected trace, or of the first one.
     void nudge(int samples);
     /// M: sets a marker at the mouse, else at the active cursor, else at the newest sample or in the middle.

@@ -63,8 +63,8 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     layout->addWidget(makeSide());
     layout->addWidget(m_table, 1);
     connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
-    // Once there are too many traces it stays: the place must not come and go with the width of a number. While the panel
-    // is being laid out the columns do not have their places yet: asked when that is over.
+    // Once there are too many traces it stays: the place must not come and go with the width of a number. While the
+    // panel is being laid out the columns do not have their places yet: asked when that is over.
     m_look.setSingleShot(true);
     m_look.setInterval(0);
     connect(&m_look, &QTimer::timeout, this, [this] {

@@ -38,8 +38,8 @@ public:
 public Q_SLOTS:
     void setVisible(bool visible); ///< hiding also lets go of the active end
     void setActive(std::optional<widgets::CursorEnd> end);
-    void move(
-        widgets::CursorEnd end, double seconds); ///< of the current pair; ignores what is no number
+    /// Of the current pair; ignores what is no number.
+    void move(widgets::CursorEnd end, double seconds);
     void shift(double seconds); ///< all pairs
     void setCurrent(int index);
     /// A further pair at these times becomes the current one; nothing if there are kMostPairs.

@@ -44,8 +44,8 @@ std::vector<Stretch> stretchesOf(
     return all;
 }
 
-/// Compressed, big-endian: for each stretch how many samples it has, until when its last one holds, the distance of each from the
-/// one before (the first from 0 s), and the values. Times are whole nanoseconds.
+/// Compressed, big-endian: for each stretch how many samples it has, until when its last one holds, the distance of
+/// each from the one before (the first from 0 s), and the values. Times are whole nanoseconds.
 QByteArray packed(const std::vector<Stretch> &stretches)
 {
     QByteArray bytes;

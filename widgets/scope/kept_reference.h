@@ -1,4 +1,5 @@
-// KeptReference: a reference as plain values, for a workspace: of each trace the samples that stood in the picture, with their gaps.
+// KeptReference: a reference as plain values, for a workspace: of each trace the samples that stood in the picture,
+// with their gaps.
 #pragma once
 
 #include "widgets/scope/drawing/marks.h"

@@ -218,7 +218,7 @@ void PlotStack::add(const capture::ChannelInfo &channel, int index, bool alone)
     const int slot = slotFor(channel);
     ValueAxis &axis = axisFor(target, QString::fromStdString(channel.unit));
     target.traces.push_back({channel.id, channel, axis.axis, slot, false});
-    takeHeldRange(target.traces.back(), axis);
+    adoptHeldRange(target.traces.back(), axis);
     labelAxes(target);
 }
 

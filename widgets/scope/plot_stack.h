@@ -65,13 +65,13 @@ public:
     void setZerosAligned(int plot, bool aligned);
 
     void setGhosts(std::vector<Ghost> ghosts); ///< drawn in every plot that shows their registers
-    void setLeastLeft(
-        int pixels); ///< room left of the plots, at least, for what stands above and below there
+    /// Room left of the plots, at least, for what stands above and below there.
+    void setLeastLeft(int pixels);
     void setGrid(bool visible);
     bool grid() const { return m_grid; }
     void applyPalette(const QPalette &palette);
-    /// As many ticks as there is room for, what is between two of them in the axes' labels, and room above each plot for its
-    /// legend; before each redraw.
+    /// As many ticks as there is room for, what is between two of them in the axes' labels, and room above each plot
+    /// for its legend; before each redraw.
     void layOut();
     void renew(); ///< the traces, with the next picture
     double timeStep() const; ///< seconds between two ticks of the time axis
@@ -87,7 +87,7 @@ private:
     int ticksOf(const ScopePlot &plot) const; ///< of its value axes, at most
     int timeTicks() const;
     ValueAxis &axisFor(ScopePlot &plot, const QString &unit);
-    void takeHeldRange(const Trace &trace, ValueAxis &axis);
+    void adoptHeldRange(const Trace &trace, ValueAxis &axis);
     void dropUnusedAxes(ScopePlot &plot);
     void styleAxis(QCPAxis &axis) const;
     void labelAxes(ScopePlot &plot);
@@ -100,8 +100,8 @@ private:
     QCustomPlot &m_plot;
     const capture::Capture &m_capture;
     std::vector<std::unique_ptr<ScopePlot>> m_plots;
-    std::map<catalog::RegisterId, int>
-        m_slots; ///< a register keeps its colour, even while it is not shown
+    /// A register keeps its colour, even while it is not shown.
+    std::map<catalog::RegisterId, int> m_slots;
     QMap<QString, int> m_chosen; ///< slots that the user chose, by the name of the signal
     QMap<QString, ValueRange> m_held; ///< of axes that wait for their signal, by its name
     QCPMarginGroup *m_margins = nullptr;

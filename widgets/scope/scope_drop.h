@@ -1,5 +1,5 @@
-// ScopeDrop: the scope as a place to drop registers and traces on: reads the drag, marks where it would land, and says where
-// it did.
+// ScopeDrop: the scope as a place to drop registers and traces on: reads the drag, marks where it would land, and says
+// where it did.
 #pragma once
 
 #include "capture/capture.h"

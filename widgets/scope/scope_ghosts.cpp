@@ -78,7 +78,7 @@ std::vector<KeptReference> ScopeGhosts::forWorkspace() const
     return references;
 }
 
-void ScopeGhosts::takeFromWorkspace(const std::vector<KeptReference> &references)
+void ScopeGhosts::adoptFromWorkspace(const std::vector<KeptReference> &references)
 {
     for (const KeptReference &one : references) {
         capture::Snapshot kept = snapshotOf(one.traces);

@@ -1,4 +1,5 @@
-// ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that the user keeps.
+// ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that the user
+// keeps.
 #pragma once
 
 #include "widgets/scope/kept_reference.h"
@@ -53,16 +54,17 @@ public:
     const Instant &instant(Reference which) const; ///< that is laid there; of one from a file
     void nextInstant(Reference which, int by); ///< round and round
 
-    /// What of them stood in the picture when they were made, for a workspace; those that are too long are not among them.
+    /// What of them stood in the picture when they were made, for a workspace; those that are too long are not among
+    /// them.
     std::vector<KeptReference> forWorkspace() const;
     /// Each takes the place of the one that is there; where there is none for it, that one stays.
-    void takeFromWorkspace(const std::vector<KeptReference> &references);
+    void adoptFromWorkspace(const std::vector<KeptReference> &references);
 
 public Q_SLOTS:
     void setRecords(std::vector<Ghost> records); ///< newest first; at most kMost
-    /// R, B: the traces as they are now stay dashed and paler behind those that come, at the same place from the trigger
-    /// or, in a picture that rolls, from the left edge; those of the one are not drawn in the other. With Shift they go, and
-    /// the one that was replaced last is back.
+    /// R, B: the traces as they are now stay dashed and paler behind those that come, at the same place from the
+    /// trigger or, in a picture that rolls, from the left edge; those of the one are not drawn in the other. With Shift
+    /// they go, and the one that was replaced last is back.
     void keep(widgets::Reference which);
     void drop(widgets::Reference which);
 

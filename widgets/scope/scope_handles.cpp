@@ -74,7 +74,7 @@ std::optional<Handle> ScopeHandles::triggerAt(const QPointF &position) const
     return found;
 }
 
-void ScopeHandles::take(Handle handle)
+void ScopeHandles::accept(Handle handle)
 {
     if (handle == Handle::CursorA || handle == Handle::CursorB)
         m_view.cursors().setActive(endOf(handle));

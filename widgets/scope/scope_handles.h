@@ -24,7 +24,7 @@ public:
 
     /// What can be taken at `position` of the plot widget; of several the one drawn last.
     std::optional<Handle> at(const QPointF &position) const;
-    void take(Handle handle); ///< the mouse went down on it
+    void accept(Handle handle); ///< the mouse went down on it
     void move(Handle handle, const QPointF &position);
     Qt::CursorShape shape(Handle handle) const;
 

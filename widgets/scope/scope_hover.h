@@ -1,5 +1,5 @@
-// ScopeHover: time and values under the mouse, beside it, while it is over a plot and nothing is pressed: of each trace of
-// that plot the sample that holds there. Covers the plots and takes no mouse itself.
+// ScopeHover: time and values under the mouse, beside it, while it is over a plot and nothing is pressed: of each trace
+// of that plot the sample that holds there. Covers the plots and takes no mouse itself.
 #pragma once
 
 #include <QPointF>

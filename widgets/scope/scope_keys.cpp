@@ -46,10 +46,10 @@ bool ScopeView::cursorKey(int key, bool shift)
         m_cursorActions->setMarker();
         return true;
     case Qt::Key_1:
-        m_cursorActions->take(CursorEnd::A);
+        m_cursorActions->accept(CursorEnd::A);
         return true;
     case Qt::Key_2:
-        m_cursorActions->take(CursorEnd::B);
+        m_cursorActions->accept(CursorEnd::B);
         return true;
     case Qt::Key_Left:
         m_cursorActions->nudge(-step);

@@ -117,7 +117,7 @@ bool ScopeMouse::takeHandle()
     if (!m_handle)
         return false;
     m_gesture = Gesture::MoveHandle;
-    m_handles.take(*m_handle);
+    m_handles.accept(*m_handle);
     return true;
 }
 

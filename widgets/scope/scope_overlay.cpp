@@ -74,7 +74,8 @@ QRect ScopeOverlay::area() const
     return first.united(last);
 }
 
-/// A vertical line through each plot, but not through what stands between them: it would strike out what is written there.
+/// A vertical line through each plot, but not through what stands between them: it would strike out what is written
+/// there.
 void ScopeOverlay::drawThrough(QPainter &painter, double x) const
 {
     for (int i = 0; i < m_stack.count(); ++i) {

@@ -1,5 +1,6 @@
 // What stands over the traces and moves without them: the cursors, the markers and the trigger. A transparent child of
-// the plot, so that moving a cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
+// the plot, so that moving a cursor repaints some lines and no trace. Takes no mouse; scope_handles.h says where its
+// parts can be taken.
 #pragma once
 
 #include "widgets/scope/drawing/marks.h"

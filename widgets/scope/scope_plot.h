@@ -22,8 +22,8 @@ struct Trace {
     int beats = 0; ///< with the same end
 };
 
-/// Its last value counts no more: for 2.4 s, longer than a polled value is drawn (2 s), none came that was waited for. Beats and
-/// arrivals are counted, not times: a window may stand still, and a board's clock and ours drift apart.
+/// Its last value counts no more: for 2.4 s, longer than a polled value is drawn (2 s), none came that was waited for.
+/// Beats and arrivals are counted, not times: a window may stand still, and a board's clock and ours drift apart.
 bool isOld(const Trace &trace, const capture::Capture &capture);
 
 /// The step in which a trace's values are written out: as long as they keep it, their digits keep their places.

@@ -20,11 +20,11 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
     m_cursors->setCheckable(true);
     setLineIcon(*m_cursors, "cursors");
     QAction *takeA = make(tr("Take cursor &A"), Qt::Key_1, {}, [this] {
-        m_scope.cursorActions().take(CursorEnd::A);
+        m_scope.cursorActions().accept(CursorEnd::A);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     QAction *takeB = make(tr("Take cursor &B"), Qt::Key_2, {}, [this] {
-        m_scope.cursorActions().take(CursorEnd::B);
+        m_scope.cursorActions().accept(CursorEnd::B);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     m_groups.append({m_cursors, takeA, takeB});

@@ -34,7 +34,7 @@ constexpr int kCalmFrameMs = 66; ///< while nothing is driven
 bool isSeen(const QWidget &window)
 {
     const QWindow *screen = window.windowHandle();
-    // One that is not put on a screen is drawn all the same: somebody takes its picture.
+    // One that is not put on a screen is drawn all the same: a picture of it is taken.
     return window.isVisible() && !window.isMinimized()
         && (!screen || !screen->isVisible() || screen->isExposed());
 }
@@ -252,8 +252,8 @@ void ScopeView::drawWithin(int frameMs)
     const qint64 frame = frameMs * kMs;
     const qint64 since = m_lastFrame.isValid() ? m_lastFrame.nsecsElapsed() : frame;
     const qint64 left = std::clamp<qint64>(frame - since, 0, frame);
-    // Rounded down: a frame that waited for the next whole millisecond each time would miss every few batches. There are
-    // fewer calm frames than batches: none is missed there, and they are never too many.
+    // Rounded down: a frame that waited for the next whole millisecond each time would miss every few batches. There
+    // are fewer calm frames than batches: none is missed there, and they are never too many.
     const auto wait = static_cast<int>((frameMs == kFrameMs ? left : left + kMs - 1) / kMs);
     if (!m_frame.isActive() || m_frame.remainingTime() > wait)
         m_frame.start(wait);

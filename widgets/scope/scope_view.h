@@ -89,8 +89,8 @@ public:
     QSize shapesSize() const;
 
 public Q_SLOTS:
-    void
-    captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz, 15 Hz while calm)
+    /// New samples: redraws at the next frame (at most 60 Hz, 15 Hz while calm).
+    void captureChanged();
     /// Five times a second. @param waits  for samples: a trace without new ones is told as such
     void beat(bool waits);
     /// Nothing is driven: new samples need not be drawn so often.
@@ -117,9 +117,9 @@ Q_SIGNALS:
     void triggerPositionMoved(double seconds); ///< by the user
     /// What can be done with a trace is about to be shown: others add what they do with it.
     void traceMenuOpening(QMenu &menu, quint32 channel);
-    void noteWanted(quint32 marker); ///< the person wants to write a marker's note
-    void removeRequested(
-        quint32 channel); ///< the person took a signal off the scope; it is gone already
+    void noteWanted(quint32 marker); ///< the user wants to write a marker's note
+    /// The user took a signal off the scope; it is gone already.
+    void removeRequested(quint32 channel);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -168,9 +168,9 @@ private:
     TriggerMarks m_marks;
     bool m_running = true;
     bool m_calm = false;
-    bool m_owed = false; ///< a frame, to a window that nobody sees
-    QPointer<QWidget>
-        m_top; ///< the window, and what it is on the screen: they tell when they are seen
+    bool m_owed = false; ///< a frame, to a window that is not seen
+    /// The window, and what it is on the screen: they tell when they are seen.
+    QPointer<QWidget> m_top;
     QPointer<QWindow> m_onScreen;
 };
 

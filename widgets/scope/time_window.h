@@ -1,5 +1,5 @@
-// TimeWindow: which time the scope's plots show, where in them a time is, what is called zero, and whether the right edge
-// follows the newest sample. Times are seconds on the session's axis.
+// TimeWindow: which time the scope's plots show, where in them a time is, what is called zero, and whether the right
+// edge follows the newest sample. Times are seconds on the session's axis.
 #pragma once
 
 #include <QObject>

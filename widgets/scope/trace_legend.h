@@ -1,6 +1,6 @@
-// The legend of one plot: a coloured mark, the name, the last value (a dash once it counts no more) and the unit of each
-// trace, in lines above the plot so that it covers no trace. Tells which trace is under the mouse. Includes the slow header:
-// only for the scope's own files.
+// The legend of one plot: a coloured mark, the name, the last value (a dash once it counts no more) and the unit of
+// each trace, in lines above the plot so that it covers no trace. Tells which trace is under the mouse. Includes the
+// slow header: only for the scope's own files.
 #pragma once
 
 #include "widgets/scope/scope_plot.h"

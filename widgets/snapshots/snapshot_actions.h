@@ -1,4 +1,5 @@
-// SnapshotActions: what a window offers about snapshots: menu entries with their keys, and files that are dropped on it.
+// SnapshotActions: what a window offers about snapshots: menu entries with their keys, and files that are dropped on
+// it.
 #pragma once
 
 #include "widgets/snapshots/snapshot_dialog.h"
@@ -15,7 +16,8 @@ class SnapshotPanel;
 class SnapshotActions : public QObject {
     Q_OBJECT
 public:
-    /// All outlive this. The panel knows the folder, and gets files that are dropped; it is asked for when it is needed.
+    /// All outlive this. The panel knows the folder, and gets files that are dropped; it is asked for when it is
+    /// needed.
     SnapshotActions(
         Device &device, FilePrompt &files, std::function<SnapshotPanel &()> panel, QWidget &window);
 

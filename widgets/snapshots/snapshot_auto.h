@@ -11,7 +11,7 @@
 
 namespace widgets {
 
-/// In the person's data folder.
+/// In the user's data folder.
 QString autoSnapshotFolder();
 
 class AutoSnapshots : public KeepBeforeWriting {

@@ -1,5 +1,5 @@
-// SnapshotDialog: reads what a board holds and saves it: as a snapshot, or the tuned values of a motor as a C header. It
-// shows how far it is and can be cancelled; the file appears whole or not at all.
+// SnapshotDialog: reads what a board holds and saves it: as a snapshot, or the tuned values of a motor as a C header.
+// It shows how far it is and can be cancelled; the file appears whole or not at all.
 #pragma once
 
 #include "widgets/snapshots/snapshot_reader.h"

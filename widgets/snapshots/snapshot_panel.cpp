@@ -132,7 +132,7 @@ void SnapshotPanel::chooseSource(Side &side, int index)
     const bool unread = chosen != nullptr && !chosen->snapshot;
     if (unread
         && ((chosen->kind == Kind::Kept && !load(side.key, side))
-            || (chosen->kind == Kind::Recorded && !take(*chosen))))
+            || (chosen->kind == Kind::Recorded && !accept(*chosen))))
         side.key = before;
     const QSignalBlocker quiet(side.box);
     side.box->setCurrentIndex(side.box->findData(side.key));
@@ -184,7 +184,7 @@ bool SnapshotPanel::load(const QString &path, Side &side)
 }
 
 /// Makes sense of what a recording holds. False: it was told why it is none.
-bool SnapshotPanel::take(Source &recorded)
+bool SnapshotPanel::accept(Source &recorded)
 {
     const auto number =
         static_cast<std::size_t>(recorded.key.section(QLatin1Char('#'), -1).toUInt());

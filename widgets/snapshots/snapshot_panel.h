@@ -1,6 +1,6 @@
-// SnapshotPanel: two snapshots beside each other, or one beside the board, as a table of what differs; and the way back:
-// what is chosen of A is written to the board, read back and told register by register. It goes through RegisterEdits
-// like any other edit, so that it needs arming, asks, and can be taken back.
+// SnapshotPanel: two snapshots beside each other, or one beside the board, as a table of what differs; and the way
+// back: what is chosen of A is written to the board, read back and told register by register. It goes through
+// RegisterEdits like any other edit, so that it needs arming, asks, and can be taken back.
 #pragma once
 
 #include "session/recording/recording_reader.h"
@@ -27,7 +27,7 @@ class FilePrompt;
 /// What an opened recording holds of registers, as text: most of it is never looked at.
 struct RecordedSnapshots {
     QString path; ///< of the recording
-    std::vector<session::RecordingReport::At<record::RegisterSnapshot>> all;
+    std::vector<session::RecordingReport::At<recorded::RegisterSnapshot>> all;
 };
 
 class SnapshotPanel : public Form {
@@ -84,7 +84,7 @@ private:
     void askFile(Side &side);
     void sourcesChanged();
     bool load(const QString &path, Side &side);
-    bool take(Source &recorded);
+    bool accept(Source &recorded);
     Source *source(const QString &key);
     std::shared_ptr<const snapshots::Snapshot> snapshotOf(const Side &side) const;
     bool isBoard(const Side &side) const;

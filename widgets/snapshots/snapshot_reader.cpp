@@ -16,7 +16,7 @@ SnapshotReader::SnapshotReader(Device &device, QObject *parent)
     : QObject(parent)
     , m_device(device)
 {
-    connect(&device, &Device::readingsArrived, this, &SnapshotReader::take);
+    connect(&device, &Device::readingsArrived, this, &SnapshotReader::accept);
     connect(&device, &Device::wishEnded, this, &SnapshotReader::end);
     connect(&device, &Device::identityChanged, this, [this] {
         m_absent.clear();
@@ -63,7 +63,7 @@ void SnapshotReader::ask()
         m_device.submit(drive::Read{std::vector(from, from + static_cast<std::ptrdiff_t>(count))});
 }
 
-void SnapshotReader::take(const std::vector<drive::Reading> &readings)
+void SnapshotReader::accept(const std::vector<drive::Reading> &readings)
 {
     if (!m_running)
         return;

@@ -44,7 +44,7 @@ Q_SIGNALS:
 
 private:
     void ask();
-    void take(const std::vector<drive::Reading> &readings);
+    void accept(const std::vector<drive::Reading> &readings);
     void end(const drive::Ended &ended);
     void finish(BoardReading::End how, const QString &reason = {});
 

@@ -48,7 +48,7 @@ void SnapshotRecorder::add(const char *title, const snapshots::Snapshot &snapsho
     if (!m_recording.running())
         return;
     m_recording.add(capture::toNanos(m_now()),
-        record::RegisterSnapshot{title, session::snapshotJson(snapshot).toStdString()});
+        recorded::RegisterSnapshot{title, session::snapshotJson(snapshot).toStdString()});
 }
 
 } // namespace widgets

@@ -150,7 +150,8 @@ void showKeys(QWidget *parent)
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };
-    // In two columns where the screen is wide enough, and to be scrolled where it is low: Close stays on the smallest one.
+    // In two columns where the screen is wide enough, and to be scrolled where it is low: Close stays on the smallest
+    // one.
     auto *area = new QScrollArea(dialog);
     const int bar = area->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     const QSize screen = dialog->screen()->availableSize();

@@ -1,8 +1,9 @@
-// Application: the QApplication of Rotorscope's windows. The Esc key stops the motors, wherever the focus is and whatever
-// loop runs: it is seen in notify(), before any event filter, because the loop of a drag and drop eats the key in one. A
-// shortcut would not fire under dialogs, menus and popups either. Esc still does there what it always does.
+// Application: the QApplication of Rotorscope's windows. The Esc key stops the motors, wherever the focus is and
+// whatever loop runs: it is seen in notify(), before any event filter, because the loop of a drag and drop eats the key
+// in one. A shortcut would not fire under dialogs, menus and popups either. Esc still does there what it always does.
 //
-// Dialogs and menu bars of the desktop live outside this process and would keep the key for themselves: they are never used.
+// Dialogs and menu bars of the desktop live outside this process and would keep the key for themselves: they are never
+// used.
 #pragma once
 
 #include <QApplication>

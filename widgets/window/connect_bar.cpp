@@ -112,7 +112,8 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
         m_connect->setMinimumWidth(
             std::max({kConnectWidth, m_connect->minimumWidth(), m_connect->sizeHint().width()}));
     }
-    // Its place is kept: what is beside it does not move when a board with two motors comes. Names are whole in its list.
+    // Its place is kept: what is beside it does not move when a board with two motors comes. Names are whole in its
+    // list.
     m_motor->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_motor->setMinimumContentsLength(static_cast<int>(tr("Motor %1").size()));
     keepPlace(*m_motor);

@@ -74,7 +74,7 @@ private:
     std::function<void(std::function<void()>)> m_beforeOpening;
     QStringList m_typed;
     QString m_pathBefore; ///< while a recording is shown in its place
-    bool m_wanted = false; ///< the person asked for a connection and has not taken that back
+    bool m_wanted = false; ///< the user asked for a connection and has not taken that back
 };
 
 } // namespace widgets

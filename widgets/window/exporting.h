@@ -1,5 +1,5 @@
-// Exporting: what of the scope goes into files. It asks what is wanted, has it written in a thread, tells what became of it,
-// and asks before the window closes over a file that is not whole yet.
+// Exporting: what of the scope goes into files. It asks what is wanted, has it written in a thread, tells what became
+// of it, and asks before the window closes over a file that is not whole yet.
 #pragma once
 
 #include "widgets/base/banner.h"

@@ -1,6 +1,6 @@
-// FirstSteps: one small card at a time that leads through the first minute. It follows what the person does and goes
-// away for good when it is closed or finished; Help brings it back. All cards are as high as the highest of them, and the place
-// of one that has nothing to say stays free: what is below does not move until then.
+// FirstSteps: one small card at a time that leads through the first minute. It follows what the user does and goes away
+// for good when it is closed or finished; Help brings it back. All cards are as high as the highest of them, and the
+// place of one that has nothing to say stays free: what is below does not move until then.
 #pragma once
 
 #include "widgets/base/device.h"

@@ -32,7 +32,7 @@ Leaving::Leaving(
 void Leaving::watch(const Experiments &experiments)
 {
     m_experiments = &experiments;
-    connect(&experiments, &Experiments::ended, this, [this](const Experiments::RecordPtr &record) {
+    connect(&experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &record) {
         if (!std::exchange(m_ending, false))
             return;
         m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();

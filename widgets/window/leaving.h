@@ -1,7 +1,8 @@
-// Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
-// turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running. Where the
-// evidence comes while the question waits, the question is over. An experiment that is running is always ended by a Stop first,
-// because nothing bounds its motor afterwards; what it leaves on the board is shown, because nobody can write it back then.
+// Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor
+// may turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left
+// running. Where the evidence comes while the question waits, the question is over. An experiment that is running is
+// always ended by a Stop first, because nothing bounds its motor afterwards; what it leaves on the board is shown, as
+// it cannot be written back then.
 #pragma once
 
 #include "widgets/base/question.h"

@@ -64,7 +64,8 @@ void LinkNews::follow()
     const Message now = message();
     const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
     if (!now.sentence.isEmpty()) {
-        // What was read and closed is not told again by the same happening; what is bad comes back from behind other words.
+        // What was read and closed is not told again by the same happening; what is bad comes back from behind other
+        // words.
         if (now.sentence == m_said && (!notOfTheLink || now.kind != Banner::Kind::Bad))
             return;
         m_banner.say(now.kind, now.sentence);

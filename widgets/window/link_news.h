@@ -1,5 +1,5 @@
-// LinkNews: which sentence the banner shows: what was done, what went wrong, or what the link does, and which of them gives
-// way to which. Each happening of the link is told once: who has closed its message has read it.
+// LinkNews: which sentence the banner shows: what was done, what went wrong, or what the link does, and which of them
+// gives way to which. Each happening of the link is told once: who has closed its message has read it.
 #pragma once
 
 #include "widgets/base/banner.h"

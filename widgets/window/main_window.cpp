@@ -19,7 +19,7 @@
 #include "widgets/files/lay_reference.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/files/sample_room.h"
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/lab/lab_text.h"
@@ -69,8 +69,8 @@ constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
 constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
 
-/// The way of the Tab key, where parts are made in another order than they are read in. Puts what lies in `parts` first, part
-/// by part; everything keeps its place within its part, all others come after them.
+/// The way of the Tab key, where parts are made in another order than they are read in. Puts what lies in `parts`
+/// first, part by part; everything keeps its place within its part, all others come after them.
 void orderTabs(QWidget &window, const QList<QWidget *> &parts)
 {
     QList<QWidget *> stops;
@@ -174,9 +174,10 @@ Settings MainWindow::settings() const
 
 void MainWindow::makeFlows()
 {
-    m_record = new RecordControl({m_workbench.recording(), m_device, m_workbench.events(), m_files,
-                                     [this] { return m_workbench.eventRecorder().now(); }},
-        m_settings.recordFolder, this);
+    m_record =
+        new RecordingControl({m_workbench.recording(), m_device, m_workbench.events(), m_files,
+                                 [this] { return m_workbench.eventRecorder().now(); }},
+            m_settings.recordFolder, this);
     m_markers = new MarkerFile(m_workbench.events(), m_files, *m_record, this);
     connect(&m_workbench, &Workbench::noteReplayed, m_markers, &MarkerFile::replayed);
     m_replacing = new Replacing({m_workbench, *m_markers, *m_record, m_questions}, this);
@@ -422,7 +423,7 @@ void MainWindow::connectFlows()
     connect(&m_scope->ghosts(), &ScopeGhosts::replaced, m_news, [this](Reference which, bool back) {
         m_news->say(Banner::Kind::Note, replacedText(which, back));
     });
-    connect(m_record, &RecordControl::said, m_news, &LinkNews::say);
+    connect(m_record, &RecordingControl::said, m_news, &LinkNews::say);
     connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
     connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);
     connect(m_exporting, &Exporting::said, m_news, &LinkNews::say);
@@ -523,7 +524,7 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
     if (progress.word == drive::StopWord::NotConfirmed && !m_leaving->underWay())
         m_alarm->raiseAlarm(progress.motor);
     else
-        m_alarm->take(progress);
+        m_alarm->accept(progress);
 }
 
 void MainWindow::explainFaults()
@@ -599,8 +600,8 @@ void MainWindow::paintEvent(QPaintEvent *event)
     });
 }
 
-/// Qt makes the tabs of docks when it needs them, gives them no name, and cuts the words of many until they are all alike:
-/// they scroll instead.
+/// Qt makes the tabs of docks when it needs them, gives them no name, and cuts the words of many until they are all
+/// alike: they scroll instead.
 void MainWindow::childEvent(QChildEvent *event)
 {
     QMainWindow::childEvent(event);

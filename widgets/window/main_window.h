@@ -30,7 +30,7 @@ class LinkNews;
 class MarkerFile;
 class Opening;
 class RecentFiles;
-class RecordControl;
+class RecordingControl;
 class RegisterPanel;
 class Replacing;
 class SampleRoom;
@@ -120,7 +120,7 @@ private:
 
     // The flows, in the order in which they use each other.
     Leaving *m_leaving;
-    RecordControl *m_record = nullptr;
+    RecordingControl *m_record = nullptr;
     MarkerFile *m_markers = nullptr;
     Replacing *m_replacing = nullptr;
     Exporting *m_exporting = nullptr;

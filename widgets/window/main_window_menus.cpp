@@ -6,7 +6,7 @@
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
 #include "widgets/files/marker_file.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_tools.h"
 #include "widgets/scope/scope_view.h"
@@ -32,8 +32,8 @@ namespace widgets {
 
 namespace {
 
-/// A menu whose entries that can be ticked leave it open: one looks for several of them. It closes as every menu does, by a
-/// click elsewhere or the arrow to the left.
+/// A menu whose entries that can be ticked leave it open: one looks for several of them. It closes as every menu does,
+/// by a click elsewhere or the arrow to the left.
 class TickMenu : public QMenu {
 public:
     using QMenu::QMenu;

@@ -198,8 +198,8 @@ void Opening::read(const QString &path)
         Q_EMIT outlineShown(false);
         if (m_parts.connecting())
             return;
-        m_parts.selection.showFile(
-            capture::Capture()); // it was not read: an outline is no recording
+        // It was not read: an outline is no recording.
+        m_parts.selection.showFile(capture::Capture());
         m_shown.clear();
     });
 }

@@ -1,5 +1,5 @@
-// Opening: what takes the place of a connection and of what it recorded: a recording, a replay, a CSV file, another port. It
-// leaves what is there first, asks about what is in no file, reads, and shows what it read.
+// Opening: what takes the place of a connection and of what it recorded: a recording, a replay, a CSV file, another
+// port. It leaves what is there first, asks about what is in no file, reads, and shows what it read.
 #pragma once
 
 #include "capture/capture.h"
@@ -39,8 +39,8 @@ public:
         QWidget *window; ///< dialogs are over it; tests do without
         /// Lays a recording beside what is shown; a sentence, and in `good` whether it is. None: it cannot.
         std::function<QString(OpenedRecording &, bool &good)> lay = {};
-        qint64 outlineFrom =
-            64'000'000; ///< bytes of a file whose outline is shown until it is read
+        /// Bytes of a file whose outline is shown until it is read.
+        qint64 outlineFrom = 64'000'000;
     };
     explicit Opening(Parts parts, QObject *parent = nullptr);
 
@@ -63,12 +63,12 @@ public Q_SLOTS:
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
     void replayWanted(const QString &path);
-    void disconnectWanted(
-        std::function<void()> goOn); ///< with what whenDisconnected() is to be given
+    /// With what whenDisconnected() is to be given.
+    void disconnectWanted(std::function<void()> goOn);
     void snapshotsChanged();
     void used(const QString &path); ///< was opened
-    void outlineShown(
-        bool there); ///< extremes of what is being read, which are no samples to be kept
+    /// Extremes of what is being read, which are no samples to be kept.
+    void outlineShown(bool there);
 
 private:
     using Opened = std::function<void(const QString &path)>;

@@ -33,7 +33,7 @@ void OwnLimits::load()
                          .arg(file, why)
                    : tr("The file with your own limits, %1, cannot be read (%2). NO limit of your "
                         "own is "
-                        "in force: set them anew in the control panel.")
+                        "in force: set them again in the control panel.")
                          .arg(file, why));
     }
 }

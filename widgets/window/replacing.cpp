@@ -3,7 +3,7 @@
 #include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
 #include "widgets/files/marker_file.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/window/workbench.h"
 
 namespace widgets {
@@ -47,7 +47,7 @@ void Replacing::before(std::function<void()> goOn)
                 "replaceSave"}},
         .usual = 1};
     if (m_parts.markers.changed()) {
-        question.more += QLatin1Char(' ') + tr("Markers that are in no file go with them.");
+        question.more += QLatin1Char(' ') + tr("Markers that are not saved are lost, too.");
         question.answers.append({Kind::Go, tr("Save the &markers"),
             [this] { m_parts.markers.saveThen({}); }, "replaceSaveMarkers"});
     }
@@ -85,7 +85,7 @@ QString Replacing::markersText() const
 {
     switch (m_parts.markers.place()) {
     case MarkerFile::Place::Opened:
-        return tr("Markers of this recording were changed and are in no file.");
+        return tr("Markers of this recording were changed and are not saved.");
     case MarkerFile::Place::Recorded:
         return tr("The recording %1 does not hold all markers as they are now.")
             .arg(fileNameText(m_parts.markers.path()));

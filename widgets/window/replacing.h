@@ -9,7 +9,7 @@
 namespace widgets {
 
 class MarkerFile;
-class RecordControl;
+class RecordingControl;
 class Workbench;
 
 class Replacing : public QObject {
@@ -19,7 +19,7 @@ public:
     struct Parts {
         Workbench &workbench;
         MarkerFile &markers;
-        const RecordControl &record;
+        const RecordingControl &record;
         QuestionPrompt &prompt;
     };
     explicit Replacing(const Parts &parts, QObject *parent = nullptr);
@@ -28,8 +28,8 @@ public:
     void before(std::function<void()> goOn);
     /// Asks before changed markers go; goes on at once if there are none, and once they are saved.
     void beforeMarkersGo(const std::function<void()> &goOn);
-    /// Asks before samples go that are in no file. What happened in a file goes with it; markers of a connection and of a
-    /// replay stay.
+    /// Asks before samples go that are in no file. What happened in a file goes with it; markers of a connection and of
+    /// a replay stay.
     void clear();
     void exported(std::uint64_t revision) { m_exported = revision; } ///< all of the capture
 

@@ -5,7 +5,7 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/spacing.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/scope/cursor_panel.h"
 #include "widgets/scope/scope_tools.h"
@@ -153,7 +153,7 @@ void ScopePage::makeSetPoints()
 {
     Workbench &workbench = m_parts.workbench;
     auto *trace = new SetPointTrace(workbench.capture(), m_parts.scope, this);
-    connect(&workbench.setPoints(), &session::SetPointTap::left, trace, &SetPointTrace::take,
+    connect(&workbench.setPoints(), &session::SetPointTap::left, trace, &SetPointTrace::accept,
         Qt::QueuedConnection);
     connect(&workbench.setPoints(), &session::SetPointTap::ended, trace, &SetPointTrace::finish,
         Qt::QueuedConnection);
@@ -240,7 +240,7 @@ QWidget *ScopePage::makeBar()
             m_runButton = button;
     }
     showSource();
-    keepRoomFor(*put(m_parts.record.toggle(), tr("Record to disk")), RecordControl::signs());
+    keepRoomFor(*put(m_parts.record.toggle(), tr("Record to disk")), RecordingControl::signs());
     put(m_parts.save, tr("Export"));
     flow->setTrailing(2);
     layout->addWidget(buttons, 1);

@@ -1,5 +1,5 @@
-// ScopePage: the scope and what is around it: its bar, what is recorded or replayed, the trigger, the cursors' values, the
-// channels. It owns the actions of the bar.
+// ScopePage: the scope and what is around it: its bar, what is recorded or replayed, the trigger, the cursors' values,
+// the channels. It owns the actions of the bar.
 #pragma once
 
 #include <QWidget>
@@ -11,7 +11,7 @@ class QVBoxLayout;
 namespace widgets {
 
 class ChannelStrip;
-class RecordControl;
+class RecordingControl;
 class ScopeTools;
 class ScopeView;
 class SignalSelection;
@@ -27,7 +27,7 @@ public:
         ScopeView &scope;
         SignalSelection &selection;
         TriggerControl &trigger;
-        RecordControl &record;
+        RecordingControl &record;
         QAction *save; ///< export
         QWidget &window; ///< gets the actions, so that their keys work wherever no text is typed
     };

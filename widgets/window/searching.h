@@ -26,7 +26,8 @@ public:
     QAction *action() { return m_action; }
 
 public Q_SLOTS:
-    /// From the last place on if that is in the picture, else from where the picture begins. One that is under way ends.
+    /// From the last place on if that is in the picture, else from where the picture begins. One that is under way
+    /// ends.
     void next();
 
 Q_SIGNALS:

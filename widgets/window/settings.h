@@ -18,8 +18,8 @@ constexpr qsizetype kMostTyped = 8; ///< ports that were typed
 struct Settings {
     QByteArray geometry; ///< of the window, as Qt saves it
     QString port = QStringLiteral("sim");
-    QStringList
-        typedPorts; ///< that were connected to and that the system does not list, newest first
+    /// That were connected to and that the system does not list, newest first.
+    QStringList typedPorts;
     quint32 baud = 1843200;
     QString protocol = QStringLiteral("auto");
     Theme theme = Theme::System;
@@ -31,11 +31,11 @@ struct Settings {
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
-    QMap<QString, double>
-        currentScales; ///< full scale in A, by board and port, where boards do not tell
+    /// Full scale in A, by board and port, where boards do not tell.
+    QMap<QString, double> currentScales;
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
-    double maxSpeedRpm =
-        0.0; ///< copy of the user's own limits, which have a file of their own; 0: none
+    /// Copy of the user's own limits, which have a file of their own; 0: none.
+    double maxSpeedRpm = 0.0;
     double maxCurrentAmps = 0.0;
     double samplesOnDiskGB = -1.0; ///< negative: what is usual; 0: memory only
     bool firstStepsDone = false;
@@ -49,7 +49,7 @@ QByteArray toJson(const Settings &settings);
 /// Fields that are missing or of the wrong kind keep their defaults.
 Settings settingsFromJson(const QByteArray &json);
 
-QString settingsPath(); ///< in the person's configuration folder
+QString settingsPath(); ///< in the user's configuration folder
 Settings loadSettings(const QString &path);
 bool saveSettings(const Settings &settings, const QString &path);
 

@@ -27,7 +27,7 @@ Shutdown::Shutdown(Device &device, std::function<TimePoint()> clock, QObject *pa
     connect(&device, &Device::wishEnded, this,
         [this](const drive::Ended &ended) { m_rest.ended(ended); });
     connect(&device, &Device::statusChanged, this, [this](int motor) {
-        m_rest.take(m_device.status(motor));
+        m_rest.accept(m_device.status(motor));
         check();
     });
 }

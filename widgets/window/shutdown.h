@@ -1,6 +1,6 @@
-// Shutdown: what goes before a connection is left. It watches what may have set a motor in motion; where one may turn it
-// stops the motors, waits up to two seconds for the evidence and then says whether the connection may be left or the user has
-// to be asked.
+// Shutdown: what goes before a connection is left. It watches what may have set a motor in motion; where one may turn
+// it stops the motors, waits up to two seconds for the evidence and then says whether the connection may be left or the
+// user has to be asked.
 #pragma once
 
 #include "widgets/base/device.h"
@@ -28,8 +28,8 @@ public:
     /// The user's choice: motors that may turn stay as they are. Until the next arming or connection.
     void leaveAsTheyAre() { m_rest.leftAsTheyAre(); }
 
-    /// Stops the motors and waits; ends in one of the signals, at once where no port can carry the stop. Harmless while it
-    /// is under way.
+    /// Stops the motors and waits; ends in one of the signals, at once where no port can carry the stop. Harmless while
+    /// it is under way.
     void begin();
     bool underWay() const { return m_deadline.isActive(); }
 

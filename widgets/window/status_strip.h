@@ -1,6 +1,6 @@
 // StatusStrip: the line at the bottom of the window: link, packet sizes, motor, faults, how full the link is, what was
-// lost. It shows; it asks for nothing. Each part has its place, whatever it says; where there is not room for all of them the
-// least important ones are in the tool tip of the first.
+// lost. It shows; it asks for nothing. Each part has its place, whatever it says; where there is not room for all of
+// them the least important ones are in the tool tip of the first.
 #pragma once
 
 #include "widgets/base/device.h"

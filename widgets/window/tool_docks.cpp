@@ -21,15 +21,16 @@
 namespace widgets {
 namespace {
 
-/// A share of the window's height, but no more than leaves the scope two plots that can be read, with the bars around them.
+/// A share of the window's height, but no more than leaves the scope two plots that can be read, with the bars around
+/// them.
 int toolHeight(const QMainWindow &window, double share)
 {
     constexpr int kForScope = 460; // pixels
     return std::min(int(window.height() * share), window.height() - kForScope);
 }
 
-/// Before it is shown: a tool is made narrow, where its buttons stand in many lines, and a window that has grown for them does
-/// not shrink again.
+/// Before it is shown: a tool is made narrow, where its buttons stand in many lines, and a window that has grown for
+/// them does not shrink again.
 void layOut(QWidget &widget, int width = 0)
 {
     if (width > 0)
@@ -106,8 +107,8 @@ bool ToolDocks::fits(const QDockWidget &dock) const
         || m_window.minimumSizeHint().height() + dock.minimumSizeHint().height() <= m_room.height();
 }
 
-/// At the window's lower edge, where it would stand in it: what is above it has the Stop. There is one such place: what was
-/// put there and not moved since goes.
+/// At the window's lower edge, where it would stand in it: what is above it has the Stop. There is one such place: what
+/// was put there and not moved since goes.
 void ToolDocks::floatBelow(Tool &tool)
 {
     if (m_below != nullptr && m_below != &tool && isWhereItWasPut())
@@ -136,7 +137,8 @@ void ToolDocks::fitBelow()
     m_belowAt = dock.geometry();
 }
 
-/// What is in it needs another height now: a board, another page. Once somebody has moved it or drawn at its edges it stays.
+/// What is in it needs another height now: a board, another page. Once the user has moved it or drawn at its edges it
+/// stays.
 bool ToolDocks::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::LayoutRequest && m_below != nullptr
@@ -249,8 +251,8 @@ void ToolDocks::showOnly(const QStringList &names)
                 continue;
             formOf(tool);
             tool.dock->setFloating(false);
-            m_window.removeDockWidget(
-                tool.dock); // from its tabs, in which it could not be split off
+            // From its tabs, in which it could not be split off.
+            m_window.removeDockWidget(tool.dock);
             m_window.addDockWidget(Qt::BottomDockWidgetArea, tool.dock, Qt::Horizontal);
             if (!shown.isEmpty() && m_window.width() < kSideBySide)
                 m_window.tabifyDockWidget(shown.first(), tool.dock);

@@ -1,6 +1,6 @@
-// ToolDocks: docks below the scope, as tabs of one another, hidden until they are asked for. They can stand side by side, and
-// float: then each has a stop button of its own. What is in one is made when it is first seen, or in turns when nothing else
-// is to be done. It knows no tool by name.
+// ToolDocks: docks below the scope, as tabs of one another, hidden until they are asked for. They can stand side by
+// side, and float: then each has a stop button of its own. What is in one is made when it is first seen, or in turns
+// when nothing else is to be done. It knows no tool by name.
 #pragma once
 
 #include "widgets/base/form.h"

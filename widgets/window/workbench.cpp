@@ -104,7 +104,7 @@ void Workbench::connectSession()
     connect(session, &Session::interrupted, &m_device, &Device::interrupted);
     connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
     connect(&m_device, &Device::samplesArrived, this, [this](const capture::SampleBlock &block) {
-        m_replay->take(capture::samplesOf(block));
+        m_replay->accept(capture::samplesOf(block));
         m_capture.append(block);
         Q_EMIT samplesStored(block);
     });
@@ -143,12 +143,12 @@ void Workbench::connectModels()
     connect(&m_device, &Device::motorChanged, this, showBoard);
     connect(&m_device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) {
-            m_replay->take(readings.size());
-            m_registers.take(readings, now());
-            m_signalPlan.take(readings);
+            m_replay->accept(readings.size());
+            m_registers.accept(readings, now());
+            m_signalPlan.accept(readings);
         });
-    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
-        m_motionLog.take(record, QDateTime::currentDateTime());
+    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionEntry &record) {
+        m_motionLog.accept(record, QDateTime::currentDateTime());
     });
     connect(&m_device, &Device::linkStateChanged, this,
         [this] { m_registers.setBelieved(m_device.answering()); });
@@ -195,9 +195,9 @@ void Workbench::connectReplay()
     connect(m_replay.get(), &session::Replay::happened, this,
         [this, writes = ReplayedWrites()](const session::ReplayedEntry &entry) mutable {
             addReplayed(m_events, entry);
-            if (const auto write = writes.take(entry))
+            if (const auto write = writes.accept(entry))
                 m_trigger.written(write->seconds, write->names);
-            if (std::holds_alternative<record::Note>(entry.entry))
+            if (std::holds_alternative<recorded::Note>(entry.entry))
                 Q_EMIT noteReplayed(entry.seconds);
         });
 }
@@ -209,14 +209,13 @@ void Workbench::connectExperiments()
     connect(session, &session::Session::experimentEnded, &m_experiments, &Experiments::end);
     // A file that is being written holds them as one of the command line does.
     connect(&m_experiments, &Experiments::noted, this,
-        [this](qint64 at, const record::Happening &what) { m_recording.add(at, what); });
+        [this](qint64 at, const recorded::Happening &what) { m_recording.add(at, what); });
     connect(
         &m_experiments, &Experiments::began, &m_motion, [this] { m_motion.setExperiment(true); });
-    connect(
-        &m_experiments, &Experiments::ended, this, [this](const Experiments::RecordPtr &record) {
-            m_motion.setExperiment(false);
-            m_recorder.noteExperiment(record->outcome.at, ExperimentBar::endText(record->outcome));
-        });
+    connect(&m_experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &record) {
+        m_motion.setExperiment(false);
+        m_recorder.noteExperiment(record->outcome.at, ExperimentBar::endText(record->outcome));
+    });
 }
 
 } // namespace widgets

@@ -1,6 +1,7 @@
-// A workspace: what the user has set up to work with, as plain values: which signals are where, how long the picture is, the
-// ranges of axes, the trigger, what is measured and computed, references, colours, notes, where the docks are. As text in JSON it is a file of its own, and
-// the last one is among the settings. Names stand for registers, so that it suits each board that has them.
+// A workspace: what the user has set up to work with, as plain values: which signals are where, how long the picture
+// is, the ranges of axes, the trigger, what is measured and computed, references, colours, notes, where the docks are.
+// As text in JSON it is a file of its own, and the last one is among the settings. Names stand for registers, so that
+// it suits each board that has them.
 #pragma once
 
 #include "base/result.h"
@@ -42,8 +43,8 @@ QJsonObject workspaceJson(const Workspace &workspace);
 Workspace workspaceOf(const QJsonObject &object);
 
 QByteArray toJson(const Workspace &workspace); ///< a file
-/// The workspace, or what is wrong with the file, to be shown. What is missing keeps its default, keys that are not known are
-/// passed over; a value that cannot be is named by its place.
+/// The workspace, or what is wrong with the file, to be shown. What is missing keeps its default, keys that are not
+/// known are passed over; a value that cannot be is named by its place.
 Result<Workspace, QString> readWorkspace(const QByteArray &json);
 
 } // namespace widgets

@@ -74,7 +74,7 @@ void Workspaces::apply(const Workspace &workspace)
     if (m_waitsForSource.isEmpty())
         m_parts.trigger.setSetup(workspace.trigger);
     findTriggerSource();
-    m_parts.scope.ghosts().takeFromWorkspace(workspace.references);
+    m_parts.scope.ghosts().adoptFromWorkspace(workspace.references);
 }
 
 void Workspaces::showSpan(double seconds)

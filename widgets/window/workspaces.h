@@ -1,5 +1,5 @@
-// Workspaces: takes the workspace that the window shows, puts another one in its place, reads and writes them as files, and
-// has three ready arrangements. Nothing of it is sent to a motor: signals are recorded, no register is written.
+// Workspaces: takes the workspace that the window shows, puts another one in its place, reads and writes them as files,
+// and has three ready arrangements. Nothing of it is sent to a motor: signals are recorded, no register is written.
 #pragma once
 
 #include "widgets/base/banner.h"

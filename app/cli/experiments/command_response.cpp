@@ -1,5 +1,5 @@
-// response: lets the speed go to and fro, and says how motor and speed loop, or the current loop, follow each frequency.
-// Afterwards the motor is as it was.
+// response: lets the speed go to and fro, and says how motor and speed loop, or the current loop, follow each
+// frequency. Afterwards the motor is as it was.
 #include "experiments/experiment_run.h"
 
 namespace cli {

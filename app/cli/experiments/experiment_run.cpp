@@ -121,8 +121,8 @@ Outcome<lab::Outcome> ExperimentRun::runAll(
     return m_soFar;
 }
 
-/// Ctrl-C, or the connection broke: the motor is this run's to stop, before anything else. That ends the experiment, which
-/// knows what it leaves behind.
+/// Ctrl-C, or the connection broke: the motor is this run's to stop, before anything else. That ends the experiment,
+/// which reports what it leaves behind.
 Failure ExperimentRun::broken(const Failure &why, ConversationRecording &recording)
 {
     Failure all = stopped(why);

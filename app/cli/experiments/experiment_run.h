@@ -1,4 +1,5 @@
-// An experiment from the command line: recorded, carried out, and evaluated from its recording, as every later evaluation is.
+// An experiment from the command line: recorded, carried out, and evaluated from its recording, as every later
+// evaluation is.
 #pragma once
 
 #include "commands.h"
@@ -15,7 +16,8 @@ public:
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
     Outcome<lab::Subject> subject() const;
-    /// One after the other, each from where the motor was before, as long as nothing is left on the board; in one recording.
+    /// One after the other, each from where the motor was before, as long as nothing is left on the board; in one
+    /// recording.
     /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
     Outcome<int> run(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
     /// The same, without an evaluation. @return  the file of its recording, which lives as long as this
@@ -27,7 +29,7 @@ public:
 private:
     struct Part {
         lab::Experiment experiment;
-        record::Happening entry; ///< the plan, as its recording has it
+        recorded::Happening entry; ///< the plan, as its recording has it
     };
     Outcome<lab::Outcome> carryOut(const std::vector<Part> &parts);
     Outcome<lab::Outcome> runAll(const std::vector<Part> &parts, ConversationRecording &recording);

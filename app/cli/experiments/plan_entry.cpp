@@ -27,7 +27,7 @@ Outcome<std::optional<lab::SpeedLoop>> readSpeedLoop(Desk &desk, const lab::Subj
         facts->speedPeriod_s);
 }
 
-Outcome<record::Happening> entryOf(Desk &desk, const lab::Experiment &experiment)
+Outcome<recorded::Happening> entryOf(Desk &desk, const lab::Experiment &experiment)
 {
     const bool bySpeed = std::holds_alternative<lab::StepPlan>(experiment.plan)
         || std::holds_alternative<lab::ResponsePlan>(experiment.plan);

@@ -7,7 +7,7 @@
 
 namespace cli {
 
-Outcome<record::Happening> entryOf(Desk &desk, const lab::Experiment &experiment);
+Outcome<recorded::Happening> entryOf(Desk &desk, const lab::Experiment &experiment);
 
 /// What closes the speed loop; empty where the board does not tell its gains.
 Outcome<std::optional<lab::SpeedLoop>> readSpeedLoop(Desk &desk, const lab::Subject &subject);

@@ -224,8 +224,8 @@ Outcome<int> evaluate(const QString &path, Output &out, int number)
                 .arg(path, QString::number(number), QString::number(count)));
     if (count > 1 && number == 0)
         return tellAll(path, (*recording)->capture, runs, out);
-    const lab::Happenings &run =
-        count > 1 ? runs[static_cast<std::size_t>(number - 1)] : all; // without any, that is said
+    // Without any, that is said.
+    const lab::Happenings &run = count > 1 ? runs[static_cast<std::size_t>(number - 1)] : all;
     return tell(
         lab::findingIn((*recording)->capture, run), run, {}, path + QStringLiteral(": "), out);
 }

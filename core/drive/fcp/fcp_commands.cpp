@@ -37,7 +37,7 @@ std::string FcpActTask::plan()
         if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
             why = refuseStages(m_board, m_motor, *raw);
         } else if (number && fcpNumber(reading.id) == kControlMode) {
-            if (*number != static_cast<double>(kTorqueModeNumber))
+            if (*number != static_cast<double>(catalog::kTorqueModeNumber))
                 continue;
             if (why = refuseTorqueControl(m_board); !why.empty())
                 return why;

@@ -1,5 +1,5 @@
-// Motor commands and set-points of the older serial protocol as wishes, each one frame that is sent once: if its answer is
-// lost it ends Unknown (NotSent, if the board said that it did not understand), and the state is read instead.
+// Motor commands and set-points of the older serial protocol as wishes, each one frame that is sent once: if its answer
+// is lost it ends Unknown (NotSent, if the board said that it did not understand), and the state is read instead.
 //
 // An acknowledgement here proves nothing: START is acknowledged in any state. What the motor does is read by others.
 // Writes are wishes with rules of their own.
@@ -30,8 +30,8 @@ private:
     std::variant<Command, SetPoint> m_act;
 };
 
-/// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What the
-/// board did not understand goes out once more.
+/// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What
+/// the board did not understand goes out once more.
 class FcpWriteTask final : public StepwiseWrite<FcpProtocol> {
 public:
     using StepwiseWrite::StepwiseWrite;

@@ -1,10 +1,11 @@
-// Drive for boards of the older serial protocol, in both its dialects. It joins the link (fcp::Client) with the pieces of
-// work that want something of the board (Task) and gives the link to the most urgent one whenever it is free:
+// Drive for boards of the older serial protocol, in both its dialects. It joins the link (fcp::Client) with the pieces
+// of work that want something of the board (Task) and gives the link to the most urgent one whenever it is free:
 //
 //   the stop of every motor > identification > state poll > wishes that act > wishes that read > watched registers
 //
-// After every connection the board is identified with reads alone; only then anything else. Every frame names its motor.
-// Boards of this protocol send nothing by themselves: what is drawn is read over and over, as often as the line gives.
+// After every connection the board is identified with reads alone; only then anything else. Every frame names its
+// motor. Boards of this protocol send nothing by themselves: what is drawn is read over and over, as often as the line
+// gives.
 #include "drive/drawn_watch.h"
 #include "drive/fcp/fcp_commands.h"
 #include "drive/fcp/fcp_identification.h"
@@ -44,7 +45,7 @@ public:
 
 private:
     Made taskFor(const Wish &wish) override;
-    std::string takeScale(const CurrentScale &scale) override;
+    std::string acceptScale(const CurrentScale &scale) override;
 
     // what the link tells
     void onLinkEvents(TimePoint now) override
@@ -125,7 +126,7 @@ void FcpDrive::on(const Link::Lost &event, TimePoint now)
 }
 
 /// The board is told anew, so that no units of before are used on; it is asked nothing.
-std::string FcpDrive::takeScale(const CurrentScale &scale)
+std::string FcpDrive::acceptScale(const CurrentScale &scale)
 {
     if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())
         return why;
@@ -135,7 +136,7 @@ std::string FcpDrive::takeScale(const CurrentScale &scale)
     disarm();
     m_board.scales[static_cast<std::size_t>(scale.motor - 1)].ampsPerDigit = perDigit;
     m_board.catalog = std::make_shared<const catalog::Catalog>(
-        m_board.catalog->registers(), m_board.motors, m_board.scales);
+        m_board.catalog->registers(), m_board.motors, m_board.scales, m_board.catalog->start());
     m_identification.addCapabilities();
     tellIdentified();
     return {};

@@ -1,6 +1,7 @@
 #include "drive/fcp/fcp_identification.h"
 
 #include "drive/values.h"
+#include "motor/ramp.h"
 
 namespace drive {
 
@@ -9,7 +10,8 @@ namespace {
 using fcp::Dialect;
 
 using namespace fcp::number;
-constexpr double kRpmPerTenthHz = 6.0;
+constexpr catalog::StartRegisters kStart{
+    {"CONTROL_MODE"}, {}, {"RAMP_FINAL_SPEED", "SPEED_REF"}, {"I_Q_REF"}};
 constexpr int kMostLosses = 4; ///< of one question; the link itself gives up earlier
 constexpr auto kBadMotor = static_cast<std::uint8_t>(fcp::ErrorCode::BadMotor);
 constexpr auto kNoTarget = static_cast<std::uint8_t>(fcp::ErrorCode::NoTargetDrive);
@@ -133,7 +135,8 @@ void FcpIdentification::addLimits()
 {
     for (int motor = 1; motor <= m_board.motors; ++motor) {
         MotorLimits limits;
-        limits.speedStepRpm = kRpmPerTenthHz; // firmware keeps 0.1 Hz
+        limits.speedStepRpm = motor::kSpeedStep_rpm;
+        limits.wireRpm = motor::kMostSpeed_rpm;
         const auto fastest = m_values.find(fcpId(kMaxSpeed, motor));
         if (fastest != m_values.end())
             limits.maxSpeedRpm = asNumber(fastest->second).value_or(0.0);
@@ -202,7 +205,7 @@ void FcpIdentification::finish()
     }
     addLimits();
     m_board.catalog = std::make_shared<const catalog::Catalog>(
-        std::move(registers), m_board.motors, m_board.scales);
+        std::move(registers), m_board.motors, m_board.scales, kStart);
     m_board.streaming.linkBytesPerSecond = m_board.bytesPerSecond;
     constexpr double kBytesOfRead = 4.0 + 7.0; // the question, and an answer of four bytes
     m_board.streaming.readsPerSecond = m_board.bytesPerSecond / kBytesOfRead;

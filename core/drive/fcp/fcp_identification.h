@@ -1,8 +1,8 @@
 // Finds out what board of the older serial protocol is on the other end, with reads only, before anything is written:
 // dialect, version, motors, which registers its build has.
 //
-// GET_FW_VERSION tells the dialects apart: firmware of STM32 boards knows it. Where it is refused, registers that only one
-// of the dialects has are read. If they contradict each other, or the user's choice, the board stays read-only.
+// GET_FW_VERSION tells the dialects apart: firmware of STM32 boards knows it. Where it is refused, registers that only
+// one of the dialects has are read. If they contradict each other, or the user's choice, the board stays read-only.
 #pragma once
 
 #include "drive/fcp/fcp_protocol.h"

@@ -20,7 +20,7 @@ class Client;
 namespace drive {
 
 /// What is known of a board of the older serial protocol, shared by the parts of FcpDrive. Plain data; filled by the
-/// identification, read by everybody else.
+/// identification, read by the other parts.
 struct FcpFacts : BoardFacts {
     fcp::Dialect dialect = fcp::Dialect::Stm32;
     double bytesPerSecond = 11520.0; ///< of the line, in each direction

@@ -1,6 +1,6 @@
 #include "drive/fcp/fcp_registers.h"
 
-#include "drive/control_mode.h"
+#include "catalog/control_mode.h"
 #include "drive/values.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ std::vector<catalog::WireDigits> wireDigits(std::uint8_t number)
 {
     std::vector<catalog::WireDigits> all;
     if (number == kControlMode)
-        all = {{kSpeedModeNumber, kSpeedOnWire}, {kTorqueModeNumber, kTorqueOnWire}};
+        all = {
+            {catalog::kSpeedModeNumber, kSpeedOnWire}, {catalog::kTorqueModeNumber, kTorqueOnWire}};
     for (std::int64_t exponent = 0; isDivisor(number) && exponent <= kGreatestExponent; ++exponent)
         all.push_back({exponent, std::int64_t{1} << exponent});
     return all;
@@ -130,9 +131,9 @@ Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &val
     if (!whole)
         return fail(whole.error());
     if (static_cast<std::uint8_t>(which.info.id) == kControlMode) {
-        if (*whole != kTorqueModeNumber && *whole != kSpeedModeNumber)
+        if (*whole != catalog::kTorqueModeNumber && *whole != catalog::kSpeedModeNumber)
             return fail(std::string("this board controls speed or torque only"));
-        *whole = *whole == kTorqueModeNumber ? kTorqueOnWire : kSpeedOnWire;
+        *whole = *whole == catalog::kTorqueModeNumber ? kTorqueOnWire : kSpeedOnWire;
     }
     // Four bytes for a register of two: firmware reads them all, and a sign has to reach to the end.
     return fcp::encodeValue(which, Value(*whole), which.writeBytes);

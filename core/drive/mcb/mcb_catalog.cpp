@@ -1,7 +1,7 @@
 #include "drive/mcb/mcb_catalog.h"
 
 #include "base/text.h"
-#include "drive/mcb/mcb_protocol.h"
+#include "drive/mcb/mcb_commands.h"
 #include "mcb/dictionary.h"
 #include "mcb/mapping.h"
 
@@ -37,6 +37,9 @@ constexpr Group kGroups[] = {{0x000, "State"}, {0x018, "Set-points"}, {0x030, "M
     {0x590, "Gains"}, {0x5FC, "Inputs and outputs"}, {0x610, "Reactions"}, {0x630, "Protection"},
     {0x640, "Communication"}, {0x64D, "State"}, {0x650, "Communication"}, {0x6DB, "Storage"},
     {0x6E0, "Identity"}, {0x700, "Power stage"}};
+
+constexpr catalog::StartRegisters kStart{
+    {"DRV_OP_CMD"}, {}, {"CL_VEL_SET_POINT_VALUE"}, {"CL_CUR_Q_SET_POINT"}, mcbControlOf};
 
 constexpr std::array<std::uint16_t, 10> kGains{
     0x500, 0x501, 0x505, 0x506, 0x50A, 0x50B, 0x50C, 0x511, 0x512, 0x513};
@@ -123,7 +126,7 @@ std::shared_ptr<const catalog::Catalog> mcbCatalogOf(
         registers.push_back(std::move(info));
     }
     return std::make_shared<const catalog::Catalog>(
-        std::move(registers), 1, std::vector<catalog::Scales>{{}});
+        std::move(registers), 1, std::vector<catalog::Scales>{{}}, kStart);
 }
 
 } // namespace drive

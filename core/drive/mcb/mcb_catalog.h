@@ -1,5 +1,5 @@
-// The registers of an MCB drive for people: what GET INFO says of each, with the names, units and words of the dictionary.
-// Pure functions.
+// The registers of an MCB drive for people: what GET INFO says of each, with the names, units and words of the
+// dictionary. Pure functions.
 #pragma once
 
 #include "catalog/catalog.h"
@@ -10,7 +10,8 @@
 
 namespace drive {
 
-/// What is known of the drive at the other end, shared by the parts of McbDrive. Plain data; filled by the identification.
+/// What is known of the drive at the other end, shared by the parts of McbDrive. Plain data; filled by the
+/// identification.
 struct McbFacts : BoardFacts {
     std::map<std::uint16_t, mcb::Info> infos; ///< what GET INFO said, by address
     mcb::TextOrder order = mcb::TextOrder::HighByteFirst;
@@ -34,8 +35,8 @@ private:
     }
 };
 
-constexpr unsigned kMcbMotorBits =
-    3; ///< of an identifier below the address, as catalogues have them
+/// Of an identifier below the address, as catalogues have them.
+constexpr unsigned kMcbMotorBits = 3;
 
 constexpr RegisterId mcbIdOf(std::uint16_t address)
 {

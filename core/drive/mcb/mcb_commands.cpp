@@ -58,8 +58,9 @@ std::uint16_t mcbSetPointOf(std::uint16_t mode)
     return 0;
 }
 
-ControlMode mcbControlOf(std::int64_t mode)
+catalog::ControlMode mcbControlOf(std::int64_t mode)
 {
+    using catalog::ControlMode;
     const std::uint16_t followed = mcbSetPointOf(static_cast<std::uint16_t>(mode));
     return followed == kVelocity ? ControlMode::Speed
         : followed == kIq        ? ControlMode::Torque
@@ -257,7 +258,7 @@ std::string McbWriteTask::plan(const RegisterWrite &write)
         return "is set by streaming";
     if (address == mcbreg::kControl)
         return "the state machine is walked by start, stop and the acknowledging of faults";
-    if (auto why = refuseWrite(m_board, write, m_reach, mcbControlOf); !why.empty())
+    if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())
         return why;
     // The set-point that comes into force with a mode.
     const std::uint16_t followed = m_board.catalog->find(write.id)->effect == catalog::Effect::Mode

@@ -1,6 +1,6 @@
-// Motor commands and set-points as wishes: first what has to be known is read, then it is judged, then control word, mode
-// and set-points are written, each once. A write whose answer is lost ends the wish Unknown. Writes that
-// are asked for as such have rules of their own.
+// Motor commands and set-points as wishes: first what has to be known is read, then it is judged, then control word,
+// mode and set-points are written, each once. A write whose answer is lost ends the wish Unknown. Writes that are asked
+// for as such have rules of their own.
 //
 // The state machine is walked step by step (shutdown, switch on, enable), each step when the status word shows the one
 // before. Where the mode is another one its own set-point goes first, so that no old one takes effect; where both modes
@@ -8,7 +8,6 @@
 #pragma once
 
 #include "drive/act_task.h"
-#include "drive/control_mode.h"
 #include "drive/mcb/mcb_protocol.h"
 #include "drive/set_point_check.h"
 #include "drive/stepwise_write.h"
@@ -20,7 +19,7 @@ namespace drive {
 /// Which set-point a mode follows; 0: another one.
 std::uint16_t mcbSetPointOf(std::uint16_t mode);
 /// What a mode controls, of those that are started here: positions go by a move, which knows the way.
-ControlMode mcbControlOf(std::int64_t mode);
+catalog::ControlMode mcbControlOf(std::int64_t mode);
 
 using McbAct = std::variant<Command, SpeedRamp, CurrentReference, PositionRamp>;
 

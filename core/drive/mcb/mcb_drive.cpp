@@ -3,10 +3,10 @@
 //
 //   the stop > identification > state poll > wishes that act > wishes that read > watched registers
 //
-// After every connection: which registers there are, who it is, what bounds it; only then anything else. No motion and no
-// write is ever sent that a wish of this session did not ask for, but the return to the config state of a drive that is
-// found cycling. Output is exchanges: as many bytes come in as go out, and handleReady() tells the ready line where there
-// is one.
+// After every connection: which registers there are, who it is, what bounds it; only then anything else. No motion and
+// no write is ever sent that a wish of this session did not ask for, but the return to the config state of a drive that
+// is found cycling. Output is exchanges: as many bytes come in as go out, and handleReady() tells the ready line where
+// there is one.
 #include "drive/mcb/mcb_commands.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"
@@ -24,8 +24,8 @@ namespace {
 
 using Link = mcb::Master;
 
-/// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind that,
-/// or the length of its frames found, without which no STOP may be of use.
+/// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind
+/// that, or the length of its frames found, without which no STOP may be of use.
 constexpr Duration kOwnTurn = std::chrono::milliseconds(130);
 
 LinkReason reasonOf(mcb::Master::Cause cause)
@@ -260,8 +260,8 @@ void McbDrive::prepare(TimePoint now)
 std::vector<Output> McbDrive::stopScript() const
 {
     constexpr Duration kBehindFrame = std::chrono::milliseconds(2); // to be ready again
-    constexpr Duration kBehindWrongFrame =
-        std::chrono::milliseconds(60); // byte streams forget an unfinished frame, see Master::quiet
+    // Byte streams forget an unfinished frame, see Master::quiet.
+    constexpr Duration kBehindWrongFrame = std::chrono::milliseconds(60);
     mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
     std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
     if (const std::size_t words = m_link.mapping().words(); words > 0) {

@@ -1,5 +1,5 @@
-// Requests and answers between the tasks of McbDrive and its link, as bytes: a request is its frames as on the wire in the
-// config state, which is what the motion log keeps; an answer is ours. And how registers are read and values become words.
+// Requests and answers between the tasks of McbDrive and its link, as values: frames of them are made for the motion
+// log alone (mcbChanges). And how registers are read and values become words.
 #pragma once
 
 #include "drive/mcb/mcb_catalog.h"

@@ -1,11 +1,12 @@
-// Set-points that travel in every cyclic frame, instead of as a write of their own: which registers, and the words that go
-// out in them. It sends nothing itself.
+// Set-points that travel in every cyclic frame, instead of as a write of their own: which registers, and the words that
+// go out in them. It sends nothing itself.
 //
-// Only set-points whose zero is rest are mapped, the velocity and the currents: a program that meets a drive that cycles cannot
-// know its mapping and has to send zeros until it has left that state, and a position of zero would be a journey.
+// Only set-points whose zero is rest are mapped, the velocity and the currents: a program that meets a drive that
+// cycles cannot know its mapping and has to send zeros until it has left that state, and a position of zero would be a
+// journey.
 //
 // Before the mapping the words are read from the drive, so that mapping moves nothing. From then on they change by a
-// person's wish alone, but go to zero with a stop and when a fault comes up. Disarming holds them: it is no act on the
+// user's wish alone, but go to zero with a stop and when a fault comes up. Disarming holds them: it is no act on the
 // motor. A reset or a lost link ends all of it, and only the user begins it again.
 #pragma once
 

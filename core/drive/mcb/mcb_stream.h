@@ -1,7 +1,8 @@
-// The stream of signals: the registers of a wish in the cyclic state's mapping, and every good frame a group of samples.
+// The stream of signals: the registers of a wish in the cyclic state's mapping, and every good frame a group of
+// samples.
 //
-// A tick of the layout is a microsecond of the session's clock: samples carry the instant at which their frame left, so a
-// frame that was late is late in the plot, too. A frame that was damaged is a gap.
+// A tick of the layout is a microsecond of the session's clock: samples carry the instant at which their frame left, so
+// a frame that was late is late in the plot, too. A frame that was damaged is a gap.
 #pragma once
 
 #include "drive/mcb/mcb_protocol.h"
@@ -65,8 +66,8 @@ private:
     std::vector<Event> m_events;
 };
 
-/// Into the cyclic state with other signals than before, with set-points or without: types are asked and set-points read,
-/// then it is left where it is, the mapping written, and entered. So what is refused leaves everything as it was.
+/// Into the cyclic state with other signals than before, with set-points or without: types are asked and set-points
+/// read, then it is left where it is, the mapping written, and entered. So what is refused leaves everything as it was.
 class McbStreamTask : public WishTask<McbProtocol> {
 public:
     /// Set-points travel on if they did.

@@ -1,8 +1,8 @@
 #include "drive/mcp/mcp_commands.h"
 
 #include "base/bytes.h"
+#include "catalog/control_mode.h"
 #include "catalog/names.h"
-#include "drive/control_mode.h"
 #include "drive/start_target.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
@@ -23,7 +23,7 @@ constexpr std::string_view kSpeedRamp = "SPEED_RAMP", kTorqueRamp = "TORQUE_RAMP
 
 } // namespace
 
-std::vector<RegisterId> CommandTask::needs() const
+std::vector<RegisterId> McpCommandTask::needs() const
 {
     std::vector<RegisterId> ids;
     if (m_command.action != MotorAction::Start || m_board.user == UserLimits{})
@@ -38,18 +38,19 @@ std::vector<RegisterId> CommandTask::needs() const
     return ids;
 }
 
-std::string CommandTask::refuseStartTarget() const
+std::string McpCommandTask::refuseStartTarget() const
 {
     std::optional<std::int64_t> mode;
     for (const Reading &reading : m_found)
         if (const auto *number = std::get_if<std::int64_t>(&reading.value);
             number != nullptr && (reading.id & ~RegisterId{7}) == mcp::reg::kControlMode.bits)
             mode = *number;
-    const bool torque = mode == kTorqueModeNumber;
+    const bool torque = mode == catalog::kTorqueModeNumber;
     if (torque)
         if (auto why = refuseTorqueControl(m_board); !why.empty())
             return why;
-    if (mode && *mode != kPositionModeNumber && controlModeOf(*mode) == ControlMode::Other)
+    if (mode && *mode != catalog::kPositionModeNumber
+        && catalog::controlModeOf(*mode) == catalog::ControlMode::Other)
         return "in this control mode no limit of your own holds: take yours away first";
     const StartTarget target = startTarget(*m_board.catalog, m_board.limitsOf(m_motor), m_motor,
         [this](RegisterId id) { return held(id); });
@@ -76,7 +77,7 @@ std::string CommandTask::refuseStartTarget() const
 }
 
 /// Of the last torque ramp: firmware keeps 16 bits, which come first in either length that it is read with.
-std::string CommandTask::refuseTorque(const Value &held) const
+std::string McpCommandTask::refuseTorque(const Value &held) const
 {
     const auto *bytes = std::get_if<Bytes>(&held);
     if (bytes == nullptr || bytes->size() < sizeof(std::int16_t))
@@ -85,7 +86,7 @@ std::string CommandTask::refuseTorque(const Value &held) const
     return refuseCurrent(m_board, m_motor, digits * m_board.ampsPerDigit(m_motor));
 }
 
-std::string CommandTask::plan()
+std::string McpCommandTask::plan()
 {
     if (m_command.action == MotorAction::Start)
         if (auto why = refuseStartTarget(); !why.empty())
@@ -94,7 +95,7 @@ std::string CommandTask::plan()
     return {};
 }
 
-void CommandTask::conclude(const McpRequest &asked, AnswerEnd said)
+void McpCommandTask::conclude(const McpRequest &asked, AnswerEnd said)
 {
     if (said.outcome != Outcome::Refused)
         return ActTask::conclude(asked, std::move(said));
@@ -103,7 +104,7 @@ void CommandTask::conclude(const McpRequest &asked, AnswerEnd said)
 }
 
 /// What explains the refusal, as far as it was told.
-void CommandTask::onRead()
+void McpCommandTask::onRead()
 {
     if (m_refusal.empty())
         return;
@@ -118,10 +119,10 @@ void CommandTask::onRead()
     end(Outcome::Refused, m_refusal);
 }
 
-std::string SetPointTask::plan()
+std::string McpSetPointTask::plan()
 {
     const bool speed = m_wanted.feature == Feature::SpeedRamp;
-    const std::int64_t mode = speed ? kSpeedModeNumber : kTorqueModeNumber;
+    const std::int64_t mode = speed ? catalog::kSpeedModeNumber : catalog::kTorqueModeNumber;
     if (const auto now = held(needs().front()); now && *now != Value(mode))
         request(mcpSet(mcp::reg::kControlMode, m_motor, static_cast<std::uint32_t>(mode)));
     const auto digits = [this](double amps) { return digitsOf(m_board, m_motor, amps); };
@@ -143,18 +144,18 @@ std::string SetPointTask::plan()
     return {};
 }
 
-std::string PositionTask::refuse() const
+std::string McpPositionTask::refuse() const
 {
     auto why = refuseMotor(m_board, m_motor);
     return why.empty() ? refusePosition(m_board, m_motor, m_wanted) : why;
 }
 
-std::vector<RegisterId> PositionTask::needs() const
+std::vector<RegisterId> McpPositionTask::needs() const
 {
     return {m_board.catalog->withMotor(*m_board.catalog->find(kPosition), m_motor)};
 }
 
-std::string PositionTask::plan()
+std::string McpPositionTask::plan()
 {
     const auto position_rad = numberHeld(needs().front());
     if (!position_rad) {

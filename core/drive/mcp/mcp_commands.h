@@ -11,12 +11,12 @@
 namespace drive {
 
 /// A command. The user's own limits bound what the board was set to before a START as well: its last ramps, its
-/// references and the stages of its start-up are read first, and a START that would go beyond is refused. In speed control
-/// the last ramp counts, as in drive/start_target.h, and the reference only where the board does not tell that ramp.
-/// Without such limits nothing is read; the board's own limits are the business of its firmware then.
-class CommandTask final : public ActTask<McpProtocol> {
+/// references and the stages of its start-up are read first, and a START that would go beyond is refused. In speed
+/// control the last ramp counts, as in drive/start_target.h, and the reference only where the board does not tell that
+/// ramp. Without such limits nothing is read; the board's own limits are the business of its firmware then.
+class McpCommandTask final : public ActTask<McpProtocol> {
 public:
-    CommandTask(WishId id, const Command &command, const McpFacts &board)
+    McpCommandTask(WishId id, const Command &command, const McpFacts &board)
         : ActTask(id, command, board)
         , m_command(command)
     {
@@ -37,9 +37,9 @@ private:
 };
 
 /// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.
-class SetPointTask final : public ActTask<McpProtocol> {
+class McpSetPointTask final : public ActTask<McpProtocol> {
 public:
-    SetPointTask(WishId id, const SetPoint &wanted, const McpFacts &board)
+    McpSetPointTask(WishId id, const SetPoint &wanted, const McpFacts &board)
         : ActTask(id, wanted, board)
         , m_wanted(wanted)
     {
@@ -57,11 +57,11 @@ private:
     SetPoint m_wanted;
 };
 
-/// A move of the shaft to an angle. Where the shaft is now is read first, because the speed on the way follows from it; then
-/// the raw register is set, which also makes the firmware control the position. Sent once.
-class PositionTask final : public ActTask<McpProtocol> {
+/// A move of the shaft to an angle. Where the shaft is now is read first, because the speed on the way follows from it;
+/// then the raw register is set, which also makes the firmware control the position. Sent once.
+class McpPositionTask final : public ActTask<McpProtocol> {
 public:
-    PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board)
+    McpPositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board)
         : ActTask(id, ramp, board)
         , m_wanted{ramp.radians, toSeconds(ramp.duration)}
     {

@@ -1,7 +1,8 @@
 // Drive for boards that speak MCP over ASPEP. It joins the link (aspep::Controller) with the pieces of work that want
 // something of the board (Task) and gives the link to the most urgent one whenever it is free:
 //
-//   the stop of every motor > identification > heartbeat > state poll > wishes that act > wishes that read > watched registers
+//   the stop of every motor > identification > heartbeat > state poll > wishes that act > wishes that read > watched
+//   registers
 //
 // After every connection: version, state of every motor, datalog stopped, the rest of the identification; only then
 // anything else. No motion, no write and no acknowledgement is ever sent that a wish of this session did not ask for;
@@ -22,7 +23,8 @@ namespace {
 
 using Link = aspep::Controller;
 
-/// Where another protocol is tried next a second of Beacons into silence is enough: a third of a second each at 115200 baud.
+/// Where another protocol is tried next a second of Beacons into silence is enough: a third of a second each at 115200
+/// baud.
 constexpr int kHastyOffers = 3;
 
 LinkReason reasonOf(Link::LostReason reason)
@@ -66,7 +68,8 @@ public:
     {
         TaskDrive::remember(memory);
         if (memory.agreed)
-            m_link.remember(*memory.agreed);
+            if (const auto header = aspep::decodeHeader(*memory.agreed))
+                m_link.remember(std::get<aspep::Beacon>(*header));
     }
     Duration gathersFor() const override;
 
@@ -113,14 +116,14 @@ private:
     TimePoint stopMayLeave() const override
     {
         if (m_link.urgentWaits())
-            return TimePoint::max(); // the last one is still to leave, and the link knows when
+            return TimePoint::max(); // the last one is still to leave, when the link says
         return m_stopUnderWay ? m_stopSince + m_stop.turn() : TimePoint{};
     }
     Duration closingTime() const override { return std::chrono::milliseconds(500); }
     void leave() override
     {
         if (m_stream.wanted() && connected() && m_board.identified)
-            m_wishes.add(std::make_unique<StreamTask>(0, Stream{}, m_stream));
+            m_wishes.add(std::make_unique<McpStreamTask>(0, Stream{}, m_stream));
     }
     void closeLink() override
     {
@@ -132,8 +135,8 @@ private:
     std::optional<TimePoint> nextOwn() const override { return m_stream.nextTimeout(); }
     std::optional<TimePoint> nextWork() const override { return m_heartbeat.due(); }
 
-    Heartbeat m_heartbeat{m_board};
-    StreamControl m_stream{m_board};
+    McpHeartbeat m_heartbeat{m_board};
+    McpStreamControl m_stream{m_board};
 };
 
 /// Less comes meanwhile than the 4 kB that a system keeps of what was not read. An answer comes between samples.
@@ -150,20 +153,20 @@ Duration McpDrive::gathersFor() const
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
     if (const auto setPoint = setPointOf(wish.what))
-        return std::make_unique<SetPointTask>(wish.id, *setPoint, m_board);
+        return std::make_unique<McpSetPointTask>(wish.id, *setPoint, m_board);
     if (const auto *command = std::get_if<Command>(&wish.what))
-        return std::make_unique<CommandTask>(wish.id, *command, m_board);
+        return std::make_unique<McpCommandTask>(wish.id, *command, m_board);
     if (const auto *position = std::get_if<PositionRamp>(&wish.what))
-        return std::make_unique<PositionTask>(wish.id, *position, m_board);
+        return std::make_unique<McpPositionTask>(wish.id, *position, m_board);
     if (const auto *stream = std::get_if<Stream>(&wish.what))
-        return std::make_unique<StreamTask>(wish.id, *stream, m_stream);
+        return std::make_unique<McpStreamTask>(wish.id, *stream, m_stream);
     return nullptr;
 }
 
 void McpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
-    m_memory.agreed = event.agreed;
+    m_memory.agreed = aspep::encodeHeader(event.agreed);
     if (event.afterReset)
         disarm();
     m_board.linkId = m_link.linkId();
@@ -178,7 +181,7 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
 void McpDrive::on(const Link::Response &event, TimePoint now)
 {
     if (m_task == &m_identification
-        && m_identification.phase() == Identification::Phase::StopDatalog)
+        && m_identification.phase() == McpIdentification::Phase::StopDatalog)
         m_stream.stopSent();
     passAnswer(event.payload, now);
 }
@@ -187,7 +190,7 @@ void McpDrive::onIdentified(TimePoint)
 {
     m_stream.restart();
     if (m_stream.wanted() && m_mode == Mode::Open)
-        m_wishes.addFirst(std::make_unique<StreamTask>(0, m_stream.wish(), m_stream));
+        m_wishes.addFirst(std::make_unique<McpStreamTask>(0, m_stream.wish(), m_stream));
 }
 
 void McpDrive::prepare(TimePoint now)
@@ -223,7 +226,7 @@ void McpDrive::sendStop(int motor, TimePoint now)
 
 bool McpDrive::sendFirst(TimePoint now)
 {
-    using Phase = Identification::Phase;
+    using Phase = McpIdentification::Phase;
     if (m_identification.phase() == Phase::States) {
         if (m_vitals.complete())
             m_identification.statesRead();

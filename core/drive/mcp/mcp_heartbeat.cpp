@@ -29,13 +29,13 @@ std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareNam
     return std::chrono::milliseconds(*time_ms);
 }
 
-std::optional<TimePoint> Heartbeat::due() const
+std::optional<TimePoint> McpHeartbeat::due() const
 {
     const bool asked = m_wanted && m_board.identified && m_board.identity.watchdog;
     return asked && !givenUp() ? std::optional<TimePoint>(m_due) : std::nullopt;
 }
 
-std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
+std::optional<McpRequest> McpHeartbeat::nextRequest(TimePoint now)
 {
     const auto at = due();
     if (!at || now < *at)
@@ -45,7 +45,7 @@ std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
         ByteWriter().u16(static_cast<std::uint32_t>(m_board.identity.watchdog->count())).take()};
 }
 
-void Heartbeat::onResponse(const ByteView &response, TimePoint)
+void McpHeartbeat::onResponse(const ByteView &response, TimePoint)
 {
     const bool ok =
         response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);

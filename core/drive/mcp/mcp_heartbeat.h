@@ -1,6 +1,6 @@
-// The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while the user has the drive
-// armed: who only looks on keeps no motor alive. It starts nothing. It is never sent to firmware whose name does not ask for it,
-// because user commands mean something else elsewhere (HSO builds write and read flash with them).
+// The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while the user has the
+// drive armed: who only looks on keeps no motor alive. It starts nothing. It is never sent to firmware whose name does
+// not ask for it, because user commands mean something else elsewhere (HSO builds write and read flash with them).
 // Contract: docs/drive-watchdog.md.
 #pragma once
 
@@ -14,11 +14,11 @@ namespace drive {
 /// The time-out that a firmware's name ends in (" RSWD500"), 100 ms to 60 s; nothing for any other name.
 std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareName);
 
-class Heartbeat : public Task<McpProtocol> {
+class McpHeartbeat : public Task<McpProtocol> {
 public:
     static constexpr int kRefusals = 3; ///< in a row, then it is sent no more
 
-    explicit Heartbeat(const McpFacts &board)
+    explicit McpHeartbeat(const McpFacts &board)
         : m_board(board)
     {
     }

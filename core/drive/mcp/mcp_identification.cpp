@@ -18,6 +18,9 @@ constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
 constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4,
                        kSensorHso = 5, kSensorZest = 6;
 
+constexpr catalog::StartRegisters kStart{{"CONTROL_MODE"}, {"SPEED_RAMP"},
+    {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}};
+
 std::string versionText(std::uint32_t version)
 {
     return std::to_string(version >> 16 & 0xFF) + "." + std::to_string(version >> 8 & 0xFF) + "."
@@ -34,7 +37,7 @@ bool decidesSomething(const Reading &reading)
 }
 
 /// The speed of the sensor that closes the loops, where it can be streamed.
-std::string speedSignalOf(const MotorDescription &motor, const catalog::Catalog &catalog)
+std::string speedSignalOf(const McpMotorDescription &motor, const catalog::Catalog &catalog)
 {
     if (!motor.firmware || motor.firmware->sixStep)
         return {};
@@ -50,7 +53,7 @@ std::string speedSignalOf(const MotorDescription &motor, const catalog::Catalog 
 
 } // namespace
 
-void Identification::restart()
+void McpIdentification::restart()
 {
     m_phase = Phase::Count;
     m_values.clear();
@@ -67,7 +70,7 @@ void Identification::restart()
     m_reader.start({mcp::reg::kGlobalConfig.bits});
 }
 
-std::optional<McpRequest> Identification::nextRequest(TimePoint)
+std::optional<McpRequest> McpIdentification::nextRequest(TimePoint)
 {
     if (m_phase == Phase::StopDatalog)
         return datalogRequest(m_board.linkId, mcp::datalogStop());
@@ -76,7 +79,7 @@ std::optional<McpRequest> Identification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void Identification::onResponse(const ByteView &response, TimePoint now)
+void McpIdentification::onResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped
@@ -85,7 +88,7 @@ void Identification::onResponse(const ByteView &response, TimePoint now)
         afterRound();
 }
 
-void Identification::onNoResponse(std::optional<bool>, TimePoint)
+void McpIdentification::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (m_phase == Phase::StopDatalog) {
         if (++m_stopLosses >= McpProtocol::kAttempts)
@@ -97,7 +100,7 @@ void Identification::onNoResponse(std::optional<bool>, TimePoint)
         afterRound();
 }
 
-void Identification::onReadings(std::vector<Reading> readings)
+void McpIdentification::onReadings(std::vector<Reading> readings)
 {
     for (Reading &reading : readings) {
         m_unanswered.erase(reading.id);
@@ -113,7 +116,7 @@ void Identification::onReadings(std::vector<Reading> readings)
     }
 }
 
-void Identification::afterRound()
+void McpIdentification::afterRound()
 {
     // What a busy line swallowed is no hole in the board: without its scales all would be shown in digits.
     std::set<RegisterId> again = m_doubtful;
@@ -121,14 +124,14 @@ void Identification::afterRound()
     if (!again.empty() && ++m_rounds < kMostRounds)
         return m_reader.start({again.begin(), again.end()});
     for (const RegisterId id : m_doubtful)
-        m_values.erase(id); // never the same twice: rather unknown than wrong
+        m_values.erase(id); // never the same twice: it stays unknown
     m_doubtful.clear();
     m_unanswered.clear();
     m_rounds = 0;
     m_phase == Phase::Count ? afterCount() : finish();
 }
 
-void Identification::afterCount()
+void McpIdentification::afterCount()
 {
     if (const auto global = structure(mcp::decodeGlobalConfig, mcp::reg::kGlobalConfig, 0))
         m_global = *global;
@@ -138,7 +141,7 @@ void Identification::afterCount()
     m_phase = Phase::States;
 }
 
-void Identification::describe()
+void McpIdentification::describe()
 {
     m_phase = Phase::Describe;
     std::vector<RegisterId> ids{mcp::reg::kFwName.bits, mcp::reg::kCtrlStageName.bits};
@@ -151,7 +154,7 @@ void Identification::describe()
     m_reader.start(ids);
 }
 
-std::string Identification::text(mcp::RegisterId id, int motor) const
+std::string McpIdentification::text(mcp::RegisterId id, int motor) const
 {
     const auto at = m_values.find(idOf(id, motor));
     const auto *found = at == m_values.end() ? nullptr : std::get_if<std::string>(&at->second);
@@ -160,7 +163,7 @@ std::string Identification::text(mcp::RegisterId id, int motor) const
 
 /// A structure that is there but has no known size shows a firmware that we do not know.
 template <class T>
-std::optional<T> Identification::structure(
+std::optional<T> McpIdentification::structure(
     Result<T, mcp::CodecError> (*decode)(ByteView), mcp::RegisterId id, int motor)
 {
     const auto at = m_values.find(idOf(id, motor));
@@ -172,12 +175,12 @@ std::optional<T> Identification::structure(
     return decoded ? std::optional<T>(std::move(*decoded)) : std::nullopt;
 }
 
-void Identification::finish()
+void McpIdentification::finish()
 {
     Identity &identity = m_board.identity;
-    std::vector<MotorDescription> motors;
+    std::vector<McpMotorDescription> motors;
     for (int motor = 1; motor <= m_board.motors; ++motor) {
-        MotorDescription found;
+        McpMotorDescription found;
         found.motor = structure(mcp::decodeMotorConfig, mcp::reg::kMotorConfig, motor);
         found.application =
             structure(mcp::decodeApplicationConfig, mcp::reg::kApplicationConfig, motor);
@@ -198,7 +201,7 @@ void Identification::finish()
     m_board.hso = first && !first->sixStep
         && (first->primarySensor == kSensorHso || first->primarySensor == kSensorZest);
 
-    for (const MotorDescription &motor : motors) {
+    for (const McpMotorDescription &motor : motors) {
         m_board.scales.push_back(
             m_board.knownFirmware ? scalesOf(motor, m_board.version) : catalog::Scales{});
         m_board.limits.push_back(limitsOf(motor));
@@ -215,7 +218,7 @@ void Identification::finish()
     if (!m_board.knownFirmware)
         makeRaw(registers);
     m_board.catalog = std::make_shared<const catalog::Catalog>(
-        std::move(registers), m_board.motors, m_board.scales);
+        std::move(registers), m_board.motors, m_board.scales, kStart);
     addCapabilities(m_board, motors.front());
 
     identity.version = versionText(m_board.version);
@@ -223,7 +226,7 @@ void Identification::finish()
     identity.firmware = text(mcp::reg::kFwName, 0);
     identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
     identity.watchdog = watchdogIn(identity.firmware);
-    for (const MotorDescription &motor : motors)
+    for (const McpMotorDescription &motor : motors)
         identity.speedSignals.push_back(speedSignalOf(motor, *m_board.catalog));
     m_board.identified = true;
 }

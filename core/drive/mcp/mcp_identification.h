@@ -16,9 +16,9 @@
 
 namespace drive {
 
-class Identification : public Task<McpProtocol> {
+class McpIdentification : public Task<McpProtocol> {
 public:
-    explicit Identification(McpFacts &board)
+    explicit McpIdentification(McpFacts &board)
         : m_board(board)
     {
     }

@@ -11,8 +11,8 @@
 
 namespace drive {
 
-/// Why this must not be written, as far as it can be told without a look at the board; empty if it may: the rules of all
-/// protocols (drive/write_check.h), and the bytes of raw registers.
+/// Why this must not be written, as far as it can be told without a look at the board; empty if it may: the rules of
+/// all protocols (drive/write_check.h), and the bytes of raw registers.
 std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Reach reach);
 
 constexpr const char *kPosition = "CURRENT_POSITION"; ///< the register of where a shaft is

@@ -15,6 +15,7 @@ namespace drive {
 
 namespace {
 
+/// By StructureView::Of.
 constexpr std::array kStructures{
     "MOTOR_CONFIG", "APPLICATION_CONFIG", "FOCFW_CONFIG", "SCALE_CONFIG", "GLOBAL_CONFIG"};
 constexpr const char *kInertia = "SC_J";
@@ -136,7 +137,7 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
     const auto structure = [&](const char *name) {
         return bytesOf(catalog, name, motor, known).value_or(Bytes{});
     };
-    MotorDescription board;
+    McpMotorDescription board;
     if (const auto config = mcp::decodeMotorConfig(structure("MOTOR_CONFIG"))) {
         board.motor = *config;
         facts.motor = {.polePairs = config->polePairs,
@@ -215,12 +216,13 @@ std::vector<StructureView> motorStructures(
 {
     const MotorFacts facts = motorFacts(catalog, motor, known);
     std::vector<StructureView> views;
-    for (const char *name : kStructures) {
-        const auto *info = readable(catalog, name);
+    for (std::size_t i = 0; i < kStructures.size(); ++i) {
+        const auto *info = readable(catalog, kStructures[i]);
         if (info == nullptr)
             continue;
-        StructureView view{catalog.withMotor(*info, motor), info->name, info->writable(), {}, {}};
-        if (const auto bytes = bytesOf(catalog, name, motor, known)) {
+        StructureView view{static_cast<StructureView::Of>(i), catalog.withMotor(*info, motor),
+            info->name, info->writable(), {}, {}};
+        if (const auto bytes = bytesOf(catalog, kStructures[i], motor, known)) {
             view.bytes = bytes->size();
             for (const mcp::Field &field :
                 mcp::fieldsOf({static_cast<std::uint16_t>(info->id)}, *bytes)) {

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kMaxRaw = 4096; // more than any request holds
 constexpr std::size_t kIdBytes = 2, kCommandBytes = 2, kStatusBytes = 1;
 
-/// Whether a structure has the size that this board's has, or one that it has in a firmware we know. An answer that came
-/// too late, and now stands where another one is due, is mostly found out by that.
+/// Whether a structure has the size that this board's has, or one that it has in a firmware we know. An answer that
+/// came too late, and now stands where another one is due, is mostly found out by that.
 bool sizeFits(const McpFacts &board, RegisterId id, const Value &value)
 {
     const auto *raw = std::get_if<Bytes>(&value);
@@ -122,8 +122,8 @@ McpRequest McpReads::request(std::span<const RegisterId> ids, std::size_t &count
     for (const RegisterId id : ids) {
         const std::size_t width = wireWidth(id);
         const auto *info = m_board.catalog->find(id);
-        const bool alone =
-            width == 0 || (info != nullptr && info->stub); // a stub answers without a value
+        // A stub answers without a value.
+        const bool alone = width == 0 || (info != nullptr && info->stub);
         if (count > 0
             && (alone || width > room
                 || kCommandBytes + (count + 1) * kIdBytes > m_board.requestBytes))
@@ -160,8 +160,8 @@ std::optional<std::vector<Reading>> McpReads::readings(
         readings.push_back({id, ReadStatus::Ok, std::move(value), now});
     }
     const bool ok = status == static_cast<std::uint8_t>(mcp::Status::Ok);
-    const bool silent =
-        ok && ids.size() == 1 && answer.size() == kStatusBytes; // a stub without a value
+    // A stub without a value.
+    const bool silent = ok && ids.size() == 1 && answer.size() == kStatusBytes;
     const bool all = readings.size() == ids.size();
     if (!values.ok() || values.left() > 0 || (ok ? !all && !silent : all))
         return std::nullopt;

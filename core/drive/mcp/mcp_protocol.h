@@ -1,6 +1,6 @@
-// What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a status.
-// Register values between the wire's bytes and the neutral Value, with the range checks that keep nonsense from being
-// encoded, and how registers are read. Reasons are short words for the Ended event.
+// What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a
+// status. Register values between the wire's bytes and the neutral Value, with the range checks that keep nonsense from
+// being encoded, and how registers are read. Reasons are short words for the Ended event.
 #pragma once
 
 #include "base/result.h"
@@ -23,8 +23,8 @@ class Controller;
 
 namespace drive {
 
-/// What is known of the MCP board at the other end, shared by the parts of McpDrive. Plain data; filled by the identification,
-/// read by everybody else.
+/// What is known of the MCP board at the other end, shared by the parts of McpDrive. Plain data; filled by the
+/// identification, read by the other parts.
 struct McpFacts : BoardFacts {
     bool hso = false; ///< register family: HSO/ZeST instead of the standard one
     std::uint32_t version = 0; ///< 0xMMmmpp
@@ -35,7 +35,7 @@ struct McpFacts : BoardFacts {
     std::uint8_t linkId = 0; ///< decides which datalog register is ours
 };
 
-class Identification;
+class McpIdentification;
 class McpReads;
 class McpVitals;
 class McpWatch;
@@ -67,7 +67,7 @@ struct McpProtocol {
     using Answer = ByteView;
     using Facts = McpFacts;
     using Link = aspep::Controller;
-    using Identification = drive::Identification;
+    using Identification = McpIdentification;
     using Vitals = McpVitals;
     using Watch = McpWatch;
     using Writes = McpWriteTask;

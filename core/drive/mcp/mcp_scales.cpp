@@ -2,6 +2,7 @@
 
 #include "drive/motion_limits.h"
 #include "motor/motor_constants.h"
+#include "motor/ramp.h"
 
 #include <cmath>
 
@@ -12,10 +13,9 @@ namespace {
 // Beyond these a number is a misread structure, not a motor.
 constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0;
 
-constexpr double kRpmPerTenthHz = 6.0;
 constexpr std::uint32_t kVersion64 = 0x060400;
 
-bool isSixStep(const MotorDescription &motor)
+bool isSixStep(const McpMotorDescription &motor)
 {
     constexpr std::uint8_t kSixStep = 1;
     return (motor.application && motor.application->driveType == kSixStep)
@@ -24,7 +24,7 @@ bool isSixStep(const MotorDescription &motor)
 
 } // namespace
 
-catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
+catalog::Scales scalesOf(const McpMotorDescription &motor, std::uint32_t version)
 {
     catalog::Scales scales;
     if (isSixStep(motor))
@@ -36,7 +36,7 @@ catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
         scales.hertzPerDigit = plausible(motor.scale->frequency, kMaxFactor);
         if (version < kVersion64)
             scales.rpmPerReadDigit =
-                scales.hertzPerDigit > 0.0 ? scales.hertzPerDigit : kRpmPerTenthHz;
+                scales.hertzPerDigit > 0.0 ? scales.hertzPerDigit : motor::kSpeedStep_rpm;
     } else if (motor.application) {
         scales.ampsPerDigit =
             plausible(motor.application->maxReadableAmps, kHighestAmps) / kFullScaleDigits;
@@ -50,10 +50,11 @@ catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
     return scales;
 }
 
-MotorLimits limitsOf(const MotorDescription &motor)
+MotorLimits limitsOf(const McpMotorDescription &motor)
 {
     MotorLimits limits;
-    limits.speedStepRpm = kRpmPerTenthHz; // firmware keeps 0.1 Hz
+    limits.speedStepRpm = motor::kSpeedStep_rpm;
+    limits.wireRpm = motor::kMostSpeed_rpm;
     if (motor.application) {
         limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
         limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);
@@ -68,14 +69,14 @@ MotorLimits limitsOf(const MotorDescription &motor)
     return limits;
 }
 
-StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
+StreamLimits streamLimitsOf(const std::vector<McpMotorDescription> &motors, unsigned streams,
     std::size_t maxPacket, std::uint32_t baud)
 {
     constexpr double kBitsPerByte = 10.0; // 8N1
     StreamLimits limits;
     limits.linkBytesPerSecond = baud / kBitsPerByte;
     limits.maxPacket = maxPacket;
-    for (const MotorDescription &motor : motors)
+    for (const McpMotorDescription &motor : motors)
         if (motor.firmware && !motor.firmware->sixStep && motor.firmware->focRate > 0)
             limits.tickHz += plausible(
                 static_cast<double>(motor.firmware->pwmHz) / motor.firmware->focRate, kMaxTickHz);
@@ -86,7 +87,7 @@ StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigne
     return limits;
 }
 
-void addCapabilities(McpFacts &board, const MotorDescription &first)
+void addCapabilities(McpFacts &board, const McpMotorDescription &first)
 {
     const std::string readOnly =
         board.knownFirmware ? "" : "This firmware is not known; it is shown read-only.";

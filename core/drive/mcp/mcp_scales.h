@@ -11,7 +11,7 @@
 namespace drive {
 
 /// What one motor's structures said; empty where the build does not have one.
-struct MotorDescription {
+struct McpMotorDescription {
     std::optional<mcp::MotorConfig> motor;
     std::optional<mcp::ApplicationConfig> application;
     std::optional<mcp::FirmwareConfig> firmware;
@@ -20,16 +20,16 @@ struct MotorDescription {
 
 /// From SCALE_CONFIG, or (firmware 6.0 and 6.1) from APPLICATION_CONFIG. Six-step: all unknown, its scales mean
 /// something else. @param version 0xMMmmpp
-catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version);
+catalog::Scales scalesOf(const McpMotorDescription &motor, std::uint32_t version);
 
 /// Zero for what is missing, not finite, not positive or beyond a hard ceiling.
-MotorLimits limitsOf(const MotorDescription &motor);
+MotorLimits limitsOf(const McpMotorDescription &motor);
 
 /// The tick counter advances for the control periods of every motor.
-StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
+StreamLimits streamLimitsOf(const std::vector<McpMotorDescription> &motors, unsigned streams,
     std::size_t maxPacket, std::uint32_t baud);
 
-void addCapabilities(McpFacts &board, const MotorDescription &first);
+void addCapabilities(McpFacts &board, const McpMotorDescription &first);
 
 /// For unknown firmware: nothing is writable, numbers stay digits.
 void makeRaw(std::vector<catalog::RegisterInfo> &registers);

@@ -46,7 +46,7 @@ McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config)
     return {{{mcp::datalogRegister(linkId), mcp::encodeDatalog(config).value_or(Bytes())}}};
 }
 
-void StreamControl::restart()
+void McpStreamControl::restart()
 {
     if (m_announced != 0)
         m_events.emplace_back(StreamStarted{});
@@ -60,7 +60,7 @@ void StreamControl::restart()
     m_decoder.emplace(std::max(m_board.streaming.tickHz, 1.0));
 }
 
-void StreamControl::close()
+void McpStreamControl::close()
 {
     restart();
     m_decoder.reset();
@@ -68,7 +68,7 @@ void StreamControl::close()
     m_stopNeeded = true;
 }
 
-std::string StreamControl::refuse(const Stream &stream) const
+std::string McpStreamControl::refuse(const Stream &stream) const
 {
     if (auto why = m_board.reasonAgainst(stream, "control period"); !why.empty())
         return why;
@@ -81,7 +81,7 @@ std::string StreamControl::refuse(const Stream &stream) const
     return {};
 }
 
-Result<mcp::DatalogConfig, std::string> StreamControl::configure(const Stream &stream)
+Result<mcp::DatalogConfig, std::string> McpStreamControl::configure(const Stream &stream)
 {
     mcp::DatalogConfig config;
     config.fastRate = static_cast<std::uint8_t>(stream.fastEvery - 1);
@@ -101,7 +101,7 @@ Result<mcp::DatalogConfig, std::string> StreamControl::configure(const Stream &s
     return config;
 }
 
-void StreamControl::sending(const Stream &stream, const mcp::DatalogConfig &config)
+void McpStreamControl::sending(const Stream &stream, const mcp::DatalogConfig &config)
 {
     Active next{config, {}};
     next.layout.id = ++m_lastStream;
@@ -123,7 +123,7 @@ void StreamControl::sending(const Stream &stream, const mcp::DatalogConfig &conf
     m_stoppedAt.reset();
 }
 
-void StreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now)
+void McpStreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now)
 {
     m_wanted = stream;
     m_load = loadOf(config, m_board.streaming.tickHz);
@@ -131,7 +131,7 @@ void StreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &confi
         m_stoppedAt = now + wireTime(2 * m_board.streamBytes, m_board.baud) + kStopGrace;
 }
 
-void StreamControl::handleTimeout(TimePoint now)
+void McpStreamControl::handleTimeout(TimePoint now)
 {
     if (!m_stoppedAt || now < *m_stoppedAt)
         return;
@@ -141,7 +141,7 @@ void StreamControl::handleTimeout(TimePoint now)
         m_events.emplace_back(StreamStarted{});
 }
 
-void StreamControl::receive(ByteView packet, TimePoint now)
+void McpStreamControl::receive(ByteView packet, TimePoint now)
 {
     if (!m_decoder || m_sent.empty()) {
         ++m_skipped; // left over from before the stop that opens every connection
@@ -152,8 +152,8 @@ void StreamControl::receive(ByteView packet, TimePoint now)
     if (!block)
         return;
     if (m_decoder->epoch() != m_epoch) {
-        m_epoch =
-            m_decoder->epoch(); // the board's count began anew: another axis, so another stream
+        // The board's count began anew: another axis, so another stream.
+        m_epoch = m_decoder->epoch();
         m_origin.reset();
         m_announced = 0;
     }
@@ -164,7 +164,7 @@ void StreamControl::receive(ByteView packet, TimePoint now)
     m_events.emplace_back(std::move(*block));
 }
 
-bool StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
+bool McpStreamControl::announce(const capture::SampleBlock &block, TimePoint now)
 {
     const auto at = std::ranges::find_if(
         m_sent, [&](const Active &sent) { return sent.layout.id == block.stream; });
@@ -186,7 +186,7 @@ bool StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
     return true;
 }
 
-void StreamControl::addStats()
+void McpStreamControl::addStats()
 {
     const mcp::DatalogDecoder::Stats &now = m_decoder->stats();
     m_packets += now.packets - m_seen.packets;
@@ -195,14 +195,14 @@ void StreamControl::addStats()
     m_seen = now;
 }
 
-StreamTask::StreamTask(WishId id, const Stream &stream, StreamControl &control)
+McpStreamTask::McpStreamTask(WishId id, const Stream &stream, McpStreamControl &control)
     : WishTask(id, Permission::Always)
     , m_control(control)
     , m_stream(stream)
 {
 }
 
-std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
+std::optional<McpRequest> McpStreamTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
@@ -226,7 +226,7 @@ std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
     return datalogRequest(m_control.m_board.linkId, m_config);
 }
 
-void StreamTask::onResponse(const ByteView &response, TimePoint now)
+void McpStreamTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (response.empty() || response.size() > 2)
         return onNoResponse(std::nullopt, now);
@@ -243,7 +243,7 @@ void StreamTask::onResponse(const ByteView &response, TimePoint now)
     end(Outcome::Ok);
 }
 
-void StreamTask::onNoResponse(std::optional<bool>, TimePoint)
+void McpStreamTask::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (++m_losses >= McpProtocol::kAttempts)
         end(Outcome::Unknown, "no answer");

@@ -18,9 +18,9 @@ namespace drive {
 /// The SET that configures the datalog of our link.
 McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config);
 
-class StreamControl {
+class McpStreamControl {
 public:
-    explicit StreamControl(const McpFacts &board)
+    explicit McpStreamControl(const McpFacts &board)
         : m_board(board)
     {
     }
@@ -51,7 +51,7 @@ public:
     std::uint64_t skipped() const { return m_skipped; }
 
 private:
-    friend class StreamTask;
+    friend class McpStreamTask;
 
     struct Active {
         mcp::DatalogConfig config;
@@ -66,8 +66,8 @@ private:
 
     const McpFacts &m_board;
     std::optional<mcp::DatalogDecoder> m_decoder;
-    std::deque<Active>
-        m_sent; ///< configurations whose packets may come, oldest first; the first is the active one
+    /// Configurations whose packets may come, oldest first; the first is the active one.
+    std::deque<Active> m_sent;
     capture::StreamId m_lastStream = 0;
     capture::StreamId m_announced = 0; ///< 0: none
     std::optional<double> m_origin; ///< seconds of tick 0
@@ -75,8 +75,8 @@ private:
     std::uint8_t m_lastMark = 0;
     Stream m_wanted;
     bool m_stopNeeded = true;
-    std::optional<TimePoint>
-        m_stoppedAt; ///< when what was on its way at a stop has certainly arrived
+    /// When what was on its way at a stop has certainly arrived.
+    std::optional<TimePoint> m_stoppedAt;
     double m_load = 0.0;
     mcp::DatalogDecoder::Stats m_seen; ///< of the decoder, as far as they are added up below
     std::uint64_t m_packets = 0, m_lost = 0, m_skipped = 0;
@@ -85,16 +85,16 @@ private:
 
 /// A stream wish. Sent again, with another mark, if its answer is lost, and once if it is refused, for payloads are not
 /// protected: a configuration moves nothing.
-class StreamTask : public WishTask<McpProtocol> {
+class McpStreamTask : public WishTask<McpProtocol> {
 public:
-    StreamTask(WishId id, const Stream &stream, StreamControl &control);
+    McpStreamTask(WishId id, const Stream &stream, McpStreamControl &control);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    StreamControl &m_control;
+    McpStreamControl &m_control;
     Stream m_stream;
     bool m_stopping = false; ///< the stop that comes before a configuration is on its way
     mcp::DatalogConfig m_config;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::int64_t kInrushWait = 12;
 constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
-    // ALIGNMENT, OFFSET_CALIB, CHARGE_BOOT_CAP, ICLWAIT, OTF_DETECTION, OTF_BRAKE, a resistance estimate; START; SWITCH_OVER
+    // ALIGNMENT, OFFSET_CALIB, CHARGE_BOOT_CAP, ICLWAIT, OTF_DETECTION, OTF_BRAKE, a resistance estimate; START;
+    // SWITCH_OVER
     {MotorState::Starting, {2, 17, 16, kInrushWait, 21, 22, 30}}, {MotorState::Starting, {4}},
     {MotorState::Starting, {19}}, {MotorState::Running, {6}}, {MotorState::Stopping, {8, 20}},
     {MotorState::FaultNow, {10}}, {MotorState::FaultOver, {11}}};
@@ -20,8 +21,8 @@ constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
 // and a line that is full to the brim makes the board drop samples.
 constexpr double kSharePolling = 0.5;
 constexpr std::size_t kPacketOverhead = 5; // header and status of an answer
-constexpr double kLeastBytesPerSecond =
-    100.0; // so that even on a full line values get older, but never dead
+// So that even on a full line values get older, but never dead.
+constexpr double kLeastBytesPerSecond = 100.0;
 
 } // namespace
 

@@ -277,8 +277,8 @@ void McpWriteTask::onNoResponse(std::optional<bool> executed, TimePoint)
         return;
     }
     for (Item *item : open()) {
-        const bool raw =
-            wireWidth(item->write.id) == 0; // raw registers may be ramps, which are never repeated
+        // Raw registers may be ramps, which are never repeated.
+        const bool raw = wireWidth(item->write.id) == 0;
         if (executed != false)
             item->state = State::Doubtful;
         else if (!raw && !std::exchange(item->repeated, true))

@@ -1,9 +1,11 @@
-// SetPointTimes: when set-points left for a board, on the axis of its samples, and from when on a motor does not follow them.
-// It listens to a drive and its line, from outside: what is wished, when bytes leave and come, what the drive tells.
+// SetPointTimes: when set-points left for a board, on the axis of its samples, and from when on a motor does not follow
+// them. It listens to a drive and its line, from outside: what is wished, when bytes leave and come, what the drive
+// tells.
 //
-// The instant is that of the last bytes before the answer; the board had it between then and the answer, and nothing tells
-// more. The samples' axis is the board's own count, put once on the clock here; a packet comes some time after its last
-// sample, never before, so that of the packets of the last seconds the promptest tells how both stand to each other.
+// The instant is that of the last bytes before the answer; the board had it between then and the answer, and nothing
+// tells more. The samples' axis is the board's own count, put once on the clock here; a packet comes some time after
+// its last sample, never before, so that of the packets of the last seconds the promptest tells how both stand to each
+// other.
 #pragma once
 
 #include "drive/event.h"
@@ -42,7 +44,7 @@ struct SentSetPoint {
     double seconds = 0.0; ///< its bytes left, on the axis of the samples
     double within_s = 0.0; ///< it was there within so long after that
     double ahead_s = 0.0; ///< of the axis, before the clock here
-    bool sure = true; ///< the board answered; else nobody knows whether it has it
+    bool sure = true; ///< the board answered; else it is unknown whether it has it
     bool runs = true; ///< it goes there now; else the motor stands, and it waits for the next start
 };
 
@@ -50,8 +52,8 @@ struct SentSetPoint {
 struct SetPointsEnd {
     WishId wish = 0; ///< 0: none told it
     int motor = 0; ///< 0: of every motor
-    bool held =
-        false; ///< its ramp stays where it is; else nothing that was sent tells what it follows
+    /// Its ramp stays where it is; else nothing that was sent tells what it follows.
+    bool held = false;
     double seconds = 0.0; ///< on the axis of the samples
     double within_s = 0.0;
 };

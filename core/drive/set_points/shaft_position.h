@@ -1,5 +1,5 @@
-// Where the shaft of a motor is, by what its board holds: under whatever name and in whatever unit the board has it. Pure
-// functions; reading the registers is left to the caller.
+// Where the shaft of a motor is, by what its board holds: under whatever name and in whatever unit the board has it.
+// Pure functions; reading the registers is left to the caller.
 #pragma once
 
 #include "catalog/catalog.h"

@@ -32,7 +32,7 @@ struct Span {
     Nanos changed = std::numeric_limits<Nanos>::max(); ///< when the gains were, first
     std::string reason; ///< why it ended early
 
-    void take(Nanos at, const record::Happening &what, const Recorded<ResponsePlan> &plan)
+    void accept(Nanos at, const recorded::Happening &what, const Recorded<ResponsePlan> &plan)
     {
         const bool ramp = what.name == "speed ramp";
         const bool step =
@@ -58,8 +58,8 @@ struct Span {
 
 /// Frequencies that say nothing of the loop.
 struct Mask {
-    double electrical_hz =
-        0.0; ///< 1 of it: offsets of the currents; 2: their gains; each 6: the dead time
+    /// 1 of it: offsets of the currents; 2: their gains; each 6: the dead time
+    double electrical_hz = 0.0;
     double spread = 0.0; ///< of these, to either side: the speed was not one
     double turn_hz = 0.0; ///< and its multiples: of the speed loop
     double bin_hz = 0.0;
@@ -127,7 +127,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         return fail(std::string("it holds no samples of the signals that it needs"));
     Span span;
     for (auto at = after.begin(); at != after.end() && !span.over; ++at)
-        span.take(at->first, at->second, *plan);
+        span.accept(at->first, at->second, *plan);
     if (!span.any)
         return fail(std::string("the set-point was never moved in it"));
     if (span.changed <= span.to)

@@ -17,13 +17,13 @@ public:
         : m_plan(plan)
     {
     }
-    void take(Nanos at, const record::Happening &what)
+    void accept(Nanos at, const recorded::Happening &what)
     {
         if (const auto amps = current(what))
-            return takeCurrent(at, *amps);
+            return acceptCurrent(at, *amps);
         const bool ended = what.name == kEndEntry;
         if (what.name == "motion")
-            return takeAnswer(what);
+            return acceptAnswer(what);
         if (!ended && what.name != "speed ramp" && what.name != "command" && what.name != "stop"
             && !endsLink(what))
             return;
@@ -40,7 +40,7 @@ public:
 
 private:
     /// Of the kind that is stepped.
-    std::optional<double> current(const record::Happening &what) const
+    std::optional<double> current(const recorded::Happening &what) const
     {
         const bool flux = m_plan.plan.flux != 0;
         if (what.name != (flux ? "current reference" : "torque ramp")
@@ -48,7 +48,7 @@ private:
             return std::nullopt;
         return numberOf(what, flux ? "Id A" : "A");
     }
-    void takeCurrent(Nanos at, double amps)
+    void acceptCurrent(Nanos at, double amps)
     {
         constexpr int kSteps = 2;
         end(at);
@@ -63,7 +63,7 @@ private:
         m_last = amps;
     }
     /// The motion log has when it was asked and answered, on the clock of the link.
-    void takeAnswer(const record::Happening &motion)
+    void acceptAnswer(const recorded::Happening &motion)
     {
         const std::string act = motion.field("act");
         const auto asked = numberOf(motion, "asked s");
@@ -98,8 +98,8 @@ StepRun evaluate(const capture::Channel &reference, const capture::Channel &resp
     run.at = instant ? instant->at : asked.asked;
     run.instantError_s =
         capture::toSeconds(instant ? instant->error : asked.answered - asked.asked);
-    const Nanos until =
-        std::min(asked.until, run.at + hold); // the same of each, however late the host was
+    // The same of each, however late the host was.
+    const Nanos until = std::min(asked.until, run.at + hold);
     if (current != nullptr)
         run.peakIq_a = peakOf(*current, run.at, until);
     if (run.found)
@@ -149,7 +149,7 @@ Result<MeasuredSteps, std::string> currentSteps(
         return fail(std::string("it is no recording of a series of current steps"));
     CurrentStepFinder finder(*plan);
     for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
-        finder.take(at->first, at->second);
+        finder.accept(at->first, at->second);
     const bool flux = plan->plan.flux != 0;
     const capture::Channel *reference =
         fastChannel(capture, flux ? plan->referenceD : plan->reference);

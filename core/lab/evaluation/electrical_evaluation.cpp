@@ -19,8 +19,8 @@ namespace {
 constexpr double kVoltageScale = 0.015;
 /// And what a bridge loses grows a little with the current.
 constexpr double kScaleAtRest = 0.02;
-/// Of the inductances, beside what the rows leave open: a jump of the current lasts a few samples, and Lq is told by those alone.
-/// Less well where the angle, too, is known in jumps. Source: simulated motors (docs/experiments.md).
+/// Of the inductances, beside what the rows leave open: a jump of the current lasts a few samples, and Lq is told by
+/// those alone. Less well where the angle, too, is known in jumps. Source: simulated motors (docs/experiments.md).
 constexpr double kAlong = 0.02, kAlongByHall = 0.035, kJump = 0.04, kJumpByHall = 0.1;
 constexpr std::size_t kCurrentQ = 0, kCurrentD = 1, kVoltageQ = 2, kVoltageD = 3, kReference = 4;
 
@@ -67,7 +67,7 @@ public:
         , m_seen(seen)
     {
     }
-    void take(const Segment &segment)
+    void accept(const Segment &segment)
     {
         const std::vector<double> &reference = segment.values[kReference];
         for (std::size_t from = 0; from < reference.size();) {
@@ -167,8 +167,9 @@ Estimate withLength(const Estimate &found, const Estimate &coarse)
     return withScale(found, 2.0 * std::abs(coarse.value / found.value - 1.0));
 }
 
-/// An encoder that was aligned against friction: the magnets make a voltage along d, too, and inductances that differ are mixed.
-void takeAside(Electrics &found, double aside_rad)
+/// An encoder that was aligned against friction: the magnets make a voltage along d, too, and inductances that differ
+/// are mixed.
+void applyAside(Electrics &found, double aside_rad)
 {
     constexpr double kNoticed_deg = 8.0; // 1 % of the flux
     constexpr double kMost_deg = 60.0; // there a degree changes the flux by 3 %, and beyond by more
@@ -221,7 +222,7 @@ std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
     const Nanos to = at == end ? std::numeric_limits<Nanos>::max() : at->first;
     Plateaus plateaus(rest.nominalAmps, byEncoder(rest.angle) || byHall(rest.angle));
     for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
-        plateaus.take(segment);
+        plateaus.accept(segment);
     constexpr double kLeastRatio = 1.3;
     if (!(plateaus.strongest_a >= kLeastRatio * plateaus.weakest_a))
         return plateaus.turning > 0 ? "the rotor turned where it was to rest: neither its "
@@ -287,7 +288,7 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
         found.notes.push_back(seldomSeenNote(turn_rad));
     }
     if (byEncoder(spin.angle))
-        takeAside(found, fine.aside_rad);
+        applyAside(found, fine.aside_rad);
     constexpr double kTold = 0.5; // of its value: less is as good as nothing
     if (!(*found.ld_h->low > kTold * found.ld_h->value)) {
         found.ld_h.reset();
@@ -305,8 +306,8 @@ void takeSwingOut(Parts &parts)
 {
     const TurningFit &turning = *parts.turning;
     Electrics &found = parts.found;
-    const double perSwing =
-        16.0 * turning.ld_h.value / parts.period_s; // volts of the bus an ampere
+    // Volts of the bus an ampere.
+    const double perSwing = 16.0 * turning.ld_h.value / parts.period_s;
     constexpr double kFarBeyond = 1.5;
     if (parts.bus_v * kFarBeyond > perSwing * parts.rest->strongest_a) {
         // Resistance and dead time are one: td / T of the bus over the current up to which it swings.

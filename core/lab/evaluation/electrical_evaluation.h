@@ -22,7 +22,8 @@ struct Electrics {
     std::vector<std::string> notes; ///< sentences without a full stop
 };
 
-/// The first experiments of both kinds in a recording; or why there is none, or nothing follows from it, without a full stop.
+/// The first experiments of both kinds in a recording; or why there is none, or nothing follows from it, without a full
+/// stop.
 Result<Electrics, std::string> evaluateElectrics(
     const capture::Capture &capture, const Happenings &all);
 

@@ -35,7 +35,7 @@ struct PlanKind {
     bool rests = false, turns = false; ///< of an electrical identification
 };
 
-PlanKind kindOf(const record::Happening &what)
+PlanKind kindOf(const recorded::Happening &what)
 {
     if (const auto steps = recordedPlan<StepPlan>(what))
         return {"step speed", speedSteps, steps->motor};
@@ -61,7 +61,7 @@ PlanKind kindOf(const record::Happening &what)
 
 } // namespace
 
-bool RunStarts::take(const record::Happening &what)
+bool RunStarts::accept(const recorded::Happening &what)
 {
     if (what.name == kEndEntry && what.field("outcome") != "complete")
         m_rested = 0; // what would have turned it was not begun
@@ -78,7 +78,7 @@ std::vector<Happenings> runsIn(const Happenings &all)
     std::vector<Happenings> runs;
     RunStarts starts;
     for (const auto &one : all) {
-        if (starts.take(one.second))
+        if (starts.accept(one.second))
             runs.emplace_back();
         if (!runs.empty())
             runs.back().push_back(one);

@@ -13,16 +13,16 @@ namespace lab {
 /// A response that is not of the speed is of a current.
 using Finding = std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse>;
 
-/// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment, or the two
-/// of an electrical identification, at rest and turning, which say one thing together.
+/// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment,
+/// or the two of an electrical identification, at rest and turning, which say one thing together.
 class RunStarts {
 public:
     /// In the order of the recording. @return  it is the plan that begins a run
-    bool take(const record::Happening &what);
+    bool accept(const recorded::Happening &what);
 
 private:
-    int m_rested =
-        0; ///< the motor of the plan before, which was one at rest and did not end early; 0: none
+    /// The motor of the plan before, which was one at rest and did not end early; 0: none.
+    int m_rested = 0;
 };
 
 /// Of each run what happened from its plan to that of the next one, in their order.

@@ -55,7 +55,8 @@ std::optional<FluxFit> fitFlux(std::span<const Segment> segments, double window_
     for (const Segment &segment : segments)
         for (const FluxWindow &window : windowsOf(segment, window_s)) {
             const double amps = window.amps, speed = window.speed;
-            // Voltages hold for half a period longer than the angle that they are told for, or shorter: that grows as speed^2.
+            // Voltages hold for half a period longer than the angle that they are told for, or shorter: that grows as
+            // speed^2.
             d.cluster.push_back(d.known.size() / kCluster);
             d.known.push_back({speed, speed * amps, speed * speed, amps});
             d.wanted.push_back(window.d_v);

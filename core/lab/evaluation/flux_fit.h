@@ -1,10 +1,11 @@
 // The flux of the magnets as the drive meets it, from voltages at many speeds:
 //   vq = R iq + D + we flux_q
 //   vd = -we Lq iq + we flux_d + ...
-// over windows of 20 ms or more in which enough current flows for the voltage that dead times take to be a constant D. Where the
-// board takes the rotor for elsewhere than it is, flux_q is the flux times the cosine of that angle, which its torque follows,
-// and flux_d its sine. Dead times take nothing from vd, as no current flows along it, so that flux_d is the surer one.
-// R, D and Lq only take up what is not the flux's: two levels of current do not tell them apart.
+// over windows of 20 ms or more in which enough current flows for the voltage that dead times take to be a constant D.
+// Where the board takes the rotor for elsewhere than it is, flux_q is the flux times the cosine of that angle, which
+// its torque follows, and flux_d its sine. Dead times take nothing from vd, as no current flows along it, so that
+// flux_d is the surer one. R, D and Lq only take up what is not the flux's: two levels of current do not tell them
+// apart.
 #pragma once
 
 #include "lab/evaluation/segments.h"
@@ -39,8 +40,8 @@ struct Aside {
 /// @param told_wb  the flux of the magnets as the board knows it
 Aside asideOf(const Estimate &d_wb, double told_wb);
 
-/// Iq becomes what flows across the magnets as they stand. While the speed changes some current flows along the board's d axis,
-/// too: its loop follows a voltage that grows.
+/// Iq becomes what flows across the magnets as they stand. While the speed changes some current flows along the board's
+/// d axis, too: its loop follows a voltage that grows.
 /// @param segments  with all four values
 void turnCurrents(std::span<Segment> segments, const Aside &aside);
 

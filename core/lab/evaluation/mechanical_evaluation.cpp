@@ -18,16 +18,16 @@ namespace {
 constexpr double kEdge_s = 5e-3; ///< to either side of an instant, for its speed
 constexpr std::size_t kUnknowns = 5;
 constexpr double kLeastTime_s = 3.0;
-/// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and scales to
-/// a few parts in a thousand.
+/// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and
+/// scales to a few parts in a thousand.
 constexpr double kTorqueScale = 5e-3;
 constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than its voltages are off
-/// What Hall sensors make of a torque is unsure by this share of hallLag(): the most that was seen of simulated motors, 36 that
-/// differ in speed, poles, inertia and brake. Nothing is told where it is more than a few percent.
+/// What Hall sensors make of a torque is unsure by this share of hallLag(): the most that was seen of simulated motors,
+/// 36 that differ in speed, poles, inertia and brake. Nothing is told where it is more than a few percent.
 constexpr double kByLag = 0.5, kMostUnsure = 0.1;
 
-/// To either side of an instant. Steps of the angle by Hall sensors are in no window shorter than an electrical turn; whole halves
-/// of a row's distance, so that windows meet.
+/// To either side of an instant. Steps of the angle by Hall sensors are in no window shorter than an electrical turn;
+/// whole halves of a row's distance, so that windows meet.
 double edgeOf(const Recorded<SpinPlan> &spin)
 {
     constexpr double kHalf = 30.0; // of a minute, in s
@@ -35,8 +35,9 @@ double edgeOf(const Recorded<SpinPlan> &spin)
     return byHall(spin.angle) ? kEdge_s * std::ceil(kHalf / turns / kEdge_s) : kEdge_s;
 }
 
-/// How far Hall sensors are behind, as a share of the speed: root mean square. Between two of their edges the angle runs on by a
-/// speed that was, the mean over six edges, as firmware has it of itself; so it lags by half of an electrical turn.
+/// How far Hall sensors are behind, as a share of the speed: root mean square. Between two of their edges the angle
+/// runs on by a speed that was, the mean over six edges, as firmware has it of itself; so it lags by half of an
+/// electrical turn.
 double hallLag(
     const Recorded<SpinPlan> &spin, std::span<const MechanicalInstant> instants, const Fit &fit)
 {
@@ -62,7 +63,8 @@ void grow(Estimate &one, double by)
     one.high = one.value + std::hypot(*one.high - one.value, by);
 }
 
-/// What is unsure of all torques, by a share, is so of what it follows from, too; most of all of what tells two frictions apart.
+/// What is unsure of all torques, by a share, is so of what it follows from, too; most of all of what tells two
+/// frictions apart.
 void widen(Mechanics &found, const Recorded<SpinPlan> &spin, double share)
 {
     const double toRad = 2.0 * std::numbers::pi / 60.0;
@@ -117,7 +119,8 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
     Mechanics found;
     const Fit &plain = fits.plain, &fan = fits.fan;
     const double fastest = fits.fastest, digit_nm = fits.digit_nm, unsure = fits.unsure;
-    // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is none.
+    // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is
+    // none.
     const bool impossible = plain.unknowns < kUnknowns - 1;
     // Torques that are off by some share bend a friction as a fan does, by a few times as much.
     constexpr double kNoticeable = 0.05, kBends = 10.0;
@@ -161,7 +164,7 @@ std::array<Estimate *, 4> numbersOf(Mechanics &of)
 }
 
 /// The torques were counted with it already.
-void take(Mechanics &found, const Aside &aside)
+void allowFor(Mechanics &found, const Aside &aside)
 {
     for (Estimate *one : numbersOf(found))
         grow(*one, aside.unsure * one->value);
@@ -179,7 +182,7 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
     const double ratio = measured_wb.value / told_wb;
     const double unsure = (*measured_wb.high - *measured_wb.low) / 2.0 / told_wb;
     if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure) {
-        // Nobody knows which of them is right, and voltages have a scale of their own.
+        // Which of them is right is unknown, and voltages have a scale of their own.
         constexpr double kBoth = 2.0;
         for (Estimate *one : numbersOf(found))
             grow(*one, kBoth * (ratio - 1.0) * one->value);
@@ -199,7 +202,8 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
           "alignment against friction");
 }
 
-/// Whether the first torque was asked for when the runner waited for a speed at rest no longer. @param from  when that was
+/// Whether the first torque was asked for when the runner waited for a speed at rest no longer. @param from  when that
+/// was
 bool beganSwinging(const Happenings &asked, int motor, Nanos from)
 {
     constexpr double kNanosPerMs = 1e6;
@@ -262,7 +266,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s,
         byHall(plan->angle) ? kHallStretch_s : kStretch_s});
     for (const Segment &segment : segments)
-        stretches.take(segment);
+        stretches.accept(segment);
     const Rows &rows = stretches.rows;
     if (stretches.time_s < kLeastTime_s)
         return fail("the motor turned for only " + decimalText(stretches.time_s, 2)
@@ -283,7 +287,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     if (unsure > lag)
         found.notes.push_back(seldomSeenNote(turn_rad));
     const Fit &chosen = found.fan ? *fan : *plain;
-    take(found, aside);
+    allowFor(found, aside);
     if (flux)
         compareFlux(found, flux->q, told_wb * aside.cosine);
     double squares = 0.0;

@@ -13,8 +13,8 @@ constexpr double kLeastStretch_s = 0.1; ///< between two gaps
 
 } // namespace
 
-/// Integrals over a segment from its beginning, and the means of these over a window around a sample. Its speed is the mean
-/// over that window, too: what the window hides of one side of the equation it hides of the other.
+/// Integrals over a segment from its beginning, and the means of these over a window around a sample. Its speed is the
+/// mean over that window, too: what the window hides of one side of the equation it hides of the other.
 class MechanicalRows::Integrals {
 public:
     Integrals(const Segment &segment, double polePairs, std::size_t edge)
@@ -70,7 +70,7 @@ private:
     std::vector<double> m_turned, m_impulses, m_cubes, m_turnedSum, m_impulseSum, m_cubeSum;
 };
 
-void MechanicalRows::take(const Segment &segment)
+void MechanicalRows::accept(const Segment &segment)
 {
     const auto edge =
         static_cast<std::size_t>(std::max(1L, std::lround(m_facts.edge_s / segment.step_s)));

@@ -31,7 +31,7 @@ public:
     }
 
     /// @param segment  with Iq as its first value
-    void take(const Segment &segment);
+    void accept(const Segment &segment);
 
     Rows rows;
     std::vector<MechanicalInstant> instants; ///< of the rows

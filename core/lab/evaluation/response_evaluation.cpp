@@ -5,7 +5,7 @@
 #include "lab/happenings.h"
 #include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
-#include "record/gain_stretches.h"
+#include "recorded/gain_stretches.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +17,10 @@ namespace lab {
 namespace {
 
 constexpr double kSample_s = 1e-3;
-constexpr std::size_t kTransform =
-    2048; ///< shorter ones leak from below, where the speed moves most
-constexpr double kBand =
-    0.25; ///< of a frequency: bins this near are taken together, at most so many:
+/// Shorter ones leak from below, where the speed moves most.
+constexpr std::size_t kTransform = 2048;
+/// Of a frequency: bins this near are taken together, at most so many:
+constexpr double kBand = 0.25;
 constexpr std::size_t kMostBins = 4;
 constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
 constexpr double kObserved_hz = 10.0; ///< beyond it an observed speed says little of the shaft's
@@ -41,7 +41,7 @@ public:
         , m_reference(reference)
     {
     }
-    void take(Nanos at, const record::Happening &what)
+    void accept(Nanos at, const recorded::Happening &what)
     {
         if (what.name == "speed ramp" && numberOf(what, "motor") == m_plan.motor
             && numberOf(what, "ms") == 0.0) {
@@ -119,8 +119,8 @@ double sinc(double x)
     return std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
 }
 
-/// Signals once a millisecond: the set-point, then those of Signal. A sample is the mean over a millisecond around its time,
-/// the speed of the shaft over two.
+/// Signals once a millisecond: the set-point, then those of Signal. A sample is the mean over a millisecond around its
+/// time, the speed of the shaft over two.
 std::array<std::vector<double>, kSignals + 1> resampled(
     const Segment &segment, const std::vector<Edge> &edges, double polePairs)
 {
@@ -206,7 +206,7 @@ void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoin
 
 } // namespace
 
-bool changesGains(int motor, const record::Happening &what)
+bool changesGains(int motor, const recorded::Happening &what)
 {
     if (what.name != "ended")
         return false;
@@ -218,7 +218,7 @@ bool changesGains(int motor, const record::Happening &what)
         name = name.substr(0, at);
         if (name.ends_with(kDivisor))
             name.remove_suffix(kDivisor.size());
-        if (of != motor || !record::isGain(name))
+        if (of != motor || !recorded::isGain(name))
             return false;
         const std::string_view is = toldBehind(field.second, ", is ");
         return is.empty() ? field.second.starts_with("unknown")
@@ -284,7 +284,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(std::string("it holds no samples of the signals that it needs"));
     Edges edges(*plan, *others[0]);
     for (auto at = after.begin(); at != after.end() && !edges.over; ++at)
-        edges.take(at->first, at->second);
+        edges.accept(at->first, at->second);
     edges.settle();
     if (edges.edges.empty())
         return fail(std::string("the set-point was never moved in it"));

@@ -1,9 +1,9 @@
 // The frequency response of a motor and of its speed loop, from a recording in which the set-point went to and fro
 // (lab/response_plan.h). Pure.
 //
-// In a closed loop noise goes round, and the ratio of speed to current is biased by it; the ratio of what both share with the
-// set-point is not: G = Sry / Sru. A constant delay of the set-point cancels. Source: the instrument of H. Akaike, Ann.
-// Inst. Stat. Math. 18 (1966); errors: Bendat and Piersol, Random Data, ch. 9.
+// In a closed loop noise goes round, and the ratio of speed to current is biased by it; the ratio of what both share
+// with the set-point is not: G = Sry / Sru. A constant delay of the set-point cancels. Source: the instrument of H.
+// Akaike, Ann. Inst. Stat. Math. 18 (1966); errors: Bendat and Piersol, Random Data, ch. 9.
 #pragma once
 
 #include "lab/experiment.h"
@@ -19,10 +19,10 @@ namespace lab {
 
 struct ResponsePoint {
     double hz = 0.0;
-    std::complex<double>
-        plant; ///< speed of the shaft by Iq: (rad/s)/A; of a current loop Iq by its reference
-    bool plantKnown =
-        true; ///< else the speed is observed, and follows the current in other ways, too
+    /// Speed of the shaft by Iq: (rad/s)/A; of a current loop Iq by its reference.
+    std::complex<double> plant;
+    /// Else the speed is observed, and follows the current in other ways, too.
+    bool plantKnown = true;
     double relative = 0.0; ///< standard error of its gain, and of its phase in rad
     double coherence = 0.0; ///< the smaller one of both signals with the set-point
     std::complex<double> loop; ///< as the regulator closes it; 0: its gains are not known
@@ -38,8 +38,8 @@ struct FrequencyResponse {
 };
 struct SpeedResponse : FrequencyResponse {
     SpeedRegulator regulator; ///< that closed it
-    double referenceNoise_a =
-        0.0; ///< rms of the current's reference that does not follow the set-point
+    /// Rms of the current's reference that does not follow the set-point.
+    double referenceNoise_a = 0.0;
 };
 
 /// From which on points count for the margins of a speed loop.
@@ -52,8 +52,9 @@ double varianceOf(double coherence, int averages);
 /// What a regulator makes of an error, with the hold of its output: A/rpm.
 std::complex<double> regulatorAt(const SpeedRegulator &regulator, double hz);
 
-/// Whether it is the end of a write by which a gain of this motor, or what its digits weigh, became or may have become another.
-bool changesGains(int motor, const record::Happening &what);
+/// Whether it is the end of a write by which a gain of this motor, or what its digits weigh, became or may have become
+/// another.
+bool changesGains(int motor, const recorded::Happening &what);
 /// Then the loop is neither the one before nor the one behind, and nothing follows.
 inline constexpr const char *kGainsChanged = "the gains were changed while it was measured";
 

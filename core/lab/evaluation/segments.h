@@ -12,8 +12,8 @@ namespace lab {
 struct Segment {
     capture::Nanos at = 0; ///< its first sample
     double step_s = 0.0; ///< between two samples
-    double period_s =
-        0.0; ///< of the board's control loops, of which not each may have been recorded
+    /// Of the board's control loops, of which not each may have been recorded.
+    double period_s = 0.0;
     double first_deg = 0.0; ///< the angle at its beginning
     std::vector<double> turned_deg; ///< electrical, since its beginning, turns included
     std::vector<std::vector<double>> values; ///< one list a channel, as long
@@ -26,15 +26,16 @@ struct Segment {
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to);
 
-/// What of it the rotor turned through, in pieces of one direction: friction holds a rotor that stands by whatever it takes,
-/// and no equation of a motor that turns is true of it.
+/// What of it the rotor turned through, in pieces of one direction: friction holds a rotor that stands by whatever it
+/// takes, and no equation of a motor that turns is true of it.
 /// @param least_degPerS  electrical; slower is as good as standing
 /// @param edge_s  to either side of a sample, for its speed
 std::vector<Segment> whileTurning(
     std::vector<Segment> segments, double least_degPerS, double edge_s = 5e-3);
 
-/// What the current does within a control period is not seen: where the rotor turns far in one, and the inductance is small, its
-/// mean is beside its samples. As a share of what follows from it, the square of that angle; next to nothing up to 17 degrees.
+/// What the current does within a control period is not seen: where the rotor turns far in one, and the inductance is
+/// small, its mean is beside its samples. As a share of what follows from it, the square of that angle; next to nothing
+/// up to 17 degrees.
 double seldomSeen(double turn_rad);
 std::string seldomSeenNote(double turn_rad); ///< without a full stop
 

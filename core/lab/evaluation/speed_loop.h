@@ -1,5 +1,6 @@
-// The speed loop of a board in the units of experiments: what its registers hold, what a digit of them is worth, how gains
-// are written into them, and by which steps they are proved. The command line and the window take all of it from here.
+// The speed loop of a board in the units of experiments: what its registers hold, what a digit of them is worth, how
+// gains are written into them, and by which steps they are proved. The command line and the window take all of it from
+// here.
 #pragma once
 
 #include "drive/wish.h"
@@ -29,7 +30,8 @@ std::optional<SpeedLoop> speedLoopOf(
 /// With other gains.
 SpeedLoop withGains(SpeedLoop loop, int proportional, int integral);
 
-/// The same response with a quarter of the gains, of its own or else of the board's: a loop that swings by itself tells nothing.
+/// The same response with a quarter of the gains, of its own or else of the board's: a loop that swings by itself tells
+/// nothing.
 /// @return  empty: they are as small as they get
 std::optional<ResponsePlan> calmer(ResponsePlan plan, const SpeedLoop &loop);
 
@@ -37,7 +39,8 @@ std::optional<ResponsePlan> calmer(ResponsePlan plan, const SpeedLoop &loop);
 std::vector<drive::RegisterWrite> gainWrites(
     const Subject &subject, int proportional, int integral);
 
-/// Steps that prove gains: around where the response is measured, and small, so that no limit of the current is in them.
+/// Steps that prove gains: around where the response is measured, and small, so that no limit of the current is in
+/// them.
 StepPlan proofStepsFor(const Subject &subject, const drive::UserLimits &caps);
 
 } // namespace lab

@@ -14,12 +14,14 @@ namespace {
 
 constexpr Nanos kMilli = 1'000'000;
 constexpr Nanos kBefore = 100 * kMilli; ///< of the speed before the step, for its mean
-/// A sample's time is that of its board, set to our clock by the packet that came soonest: it is late by what that took.
+/// A sample's time is that of its board, set to our clock by the packet that came soonest: it is late by what that
+/// took.
 constexpr Nanos kEarly = 5 * kMilli, kLate = 25 * kMilli;
-/// A mean over T makes a rise longer by (T / rise)^2 / 4; over an eighth of it, by 0.4 %. Encoders of few lines need more.
+/// A mean over T makes a rise longer by (T / rise)^2 / 4; over an eighth of it, by 0.4 %. Encoders of few lines need
+/// more.
 constexpr double kSpeedWindow_s = 5e-3, kLeastWindow_s = 2e-3, kWindowsPerRise = 8.0;
-constexpr double kLikeExpected =
-    0.25; ///< a jump may differ by so much from the one that the gain tells
+/// A jump may differ by so much from the one that the gain tells.
+constexpr double kLikeExpected = 0.25;
 constexpr double kAlone = 4.0; ///< without a gain: so much larger than every other one
 constexpr double kMinute_s = 60.0, kTurn_deg = 360.0;
 
@@ -80,8 +82,8 @@ double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, boo
         return 0.0;
     const auto ends = range.extremes();
     const double end = up ? ends.max : ends.min;
-    constexpr int kTurnSamples =
-        64; // a loop that turns once a millisecond holds each value for less
+    // A loop that turns once a millisecond holds each value for less.
+    constexpr int kTurnSamples = 64;
     int row = 0, held = 0;
     range.visit([&](double, double value, bool) {
         row = value == end ? row + 1 : 0;
@@ -109,8 +111,8 @@ std::optional<StepInstant> stepInstant(
                            : largest(std::move(jumps));
     if (jumps.empty())
         return std::nullopt;
-    // Where several could be it, the first is taken, because the loop answers to its own step; how far the others are says
-    // how sure that is.
+    // Where several could be it, the first is taken, because the loop answers to its own step; how far the others are
+    // says how sure that is.
     const Nanos sample = range.end() - range.begin() > 1
         ? reference.timeOf(range.begin() + 1) - reference.timeOf(range.begin())
         : kMilli;
@@ -189,7 +191,8 @@ void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nan
 
 namespace {
 
-/// The values of parabolas through as many neighbours, without the ends. Source: A. Savitzky, M. Golay, Anal. Chem. 36 (1964) 1627.
+/// The values of parabolas through as many neighbours, without the ends. Source: A. Savitzky, M. Golay, Anal. Chem. 36
+/// (1964) 1627.
 std::vector<double> smoothed(const std::vector<double> &values, std::size_t half)
 {
     const double m = double(half), all = (2 * m - 1) * (2 * m + 1) * (2 * m + 3);
@@ -203,13 +206,15 @@ std::vector<double> smoothed(const std::vector<double> &values, std::size_t half
     return smooth;
 }
 
-/// Overshoot of a speed with noise, whose peak is the noise's, too: smoothed over a part of its rise, less what noise like that
-/// of its end adds to such a peak on average (the bootstrap's estimate of a bias: B. Efron, Ann. Statist. 7 (1979) 1).
+/// Overshoot of a speed with noise, whose peak is the noise's, too: smoothed over a part of its rise, less what noise
+/// like that of its end adds to such a peak on average (the bootstrap's estimate of a bias: B. Efron, Ann. Statist. 7
+/// (1979) 1).
 std::optional<double> overshootOf(
     const capture::Channel &speed, const StepRun &run, Nanos until, const scope::StepResponse &step)
 {
     constexpr double kShareOfRise = 0.35, kTail = 0.2;
-    // Samples; the speed is a mean over a window already, so that more of them smooth hardly better, and they cost their square.
+    // Samples; the speed is a mean over a window already, so that more of them smooth hardly better, and they cost
+    // their square.
     constexpr std::size_t kMostHalf = 32;
     const scope::SampleRange range(speed, run.at, until);
     if (range.end() < range.begin() + 3 || range.gapInside())
@@ -304,8 +309,8 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
         measureStep(run, *channels.speed, run.at - kBefore, asked.until);
         return run;
     }
-    // Between two edges of Hall sensors the angle runs on by a speed that was, and it jumps at each: a whole electrical turn has
-    // all of them alike. Of a slow motor that would be longer than what is measured.
+    // Between two edges of Hall sensors the angle runs on by a speed that was, and it jumps at each: a whole electrical
+    // turn has all of them alike. Of a slow motor that would be longer than what is measured.
     constexpr double kLongestTurn_s = 20e-3;
     const double turn_s = kMinute_s
         / (std::max(1.0, std::min(std::abs(asked.from), std::abs(asked.to))) * facts.polePairs);

@@ -1,10 +1,12 @@
-// One speed step as its samples tell it: when it began, and how the speed followed. A pure function of what was recorded.
+// One speed step as its samples tell it: when it began, and how the speed followed. A pure function of what was
+// recorded.
 //
-// The instant of a step is in the data: when the set-point jumps, the speed loop's proportional part makes the reference of
-// Iq jump by gain times step at its next turn. Found, it is known to a sample; clocks of board and computer play no part.
-// The speed is taken from the electrical angle where that was recorded, as the difference over 2 to 5 ms, the shorter the faster
-// the step, by Hall sensors over an electrical turn: the speed signals of boards count in steps of 6 rpm and are averaged already.
-// Definitions of rise and settling: scope/step_response.h; of overshoot, too, but of a speed by the angle without its noise.
+// The instant of a step is in the data: when the set-point jumps, the speed loop's proportional part makes the
+// reference of Iq jump by gain times step at its next turn. Found, it is known to a sample; clocks of board and
+// computer play no part. The speed is taken from the electrical angle where that was recorded, as the difference over 2
+// to 5 ms, the shorter the faster the step, by Hall sensors over an electrical turn: the speed signals of boards count
+// in steps of 6 rpm and are averaged already. Definitions of rise and settling: scope/step_response.h; of overshoot,
+// too, but of a speed by the angle without its noise.
 #pragma once
 
 #include "capture/capture.h"
@@ -60,8 +62,8 @@ struct StepInstant {
 std::optional<StepInstant> stepInstant(
     const capture::Channel &reference, const StepAsked &asked, double jumpPerUnit);
 
-/// A run of which nothing is told, because the step was held, or recorded, for less than nine tenths of `hold`: what overshoots
-/// or settles comes later. Empty: it was held.
+/// A run of which nothing is told, because the step was held, or recorded, for less than nine tenths of `hold`: what
+/// overshoots or settles comes later. Empty: it was held.
 std::optional<StepRun> cutShort(
     const StepAsked &asked, const capture::Channel &response, Nanos hold);
 
@@ -72,8 +74,8 @@ std::optional<double> peakOf(const capture::Channel &channel, Nanos from, Nanos 
 
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
 
-/// The speed in rpm over [from, to) but for half a window at both ends, from the electrical angle in degrees: one channel.
-/// No channel if samples are missing in between, or too few: no difference is taken across a gap.
+/// The speed in rpm over [from, to) but for half a window at both ends, from the electrical angle in degrees: one
+/// channel. No channel if samples are missing in between, or too few: no difference is taken across a gap.
 /// @param window_s  of each difference; a value stands in its middle
 capture::Capture speedOf(
     const capture::Channel &angle, double polePairs, double window_s, Nanos from, Nanos to);

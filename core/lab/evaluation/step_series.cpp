@@ -18,14 +18,14 @@ public:
         : m_plan(plan)
     {
     }
-    void take(Nanos at, const record::Happening &what)
+    void accept(Nanos at, const recorded::Happening &what)
     {
         if (what.name == "speed ramp")
-            takeRamp(at, what);
+            acceptRamp(at, what);
         else if (what.name == "motion" && what.field("act") == "SPEED_RAMP")
-            takeAnswer(what);
+            acceptAnswer(what);
         else if (what.name == kEndEntry)
-            takeEnd(at, what);
+            acceptEnd(at, what);
         else if (what.name == "command" || what.name == "stop" || endsLink(what))
             leave(at);
     }
@@ -34,7 +34,7 @@ public:
     bool over = false;
 
 private:
-    void takeRamp(Nanos at, const record::Happening &what)
+    void acceptRamp(Nanos at, const recorded::Happening &what)
     {
         const auto motor = numberOf(what, "motor");
         const auto rpm = numberOf(what, "rpm");
@@ -53,7 +53,7 @@ private:
         m_open = true;
     }
     /// The motion log has when it was asked and answered, on the clock of the link.
-    void takeAnswer(const record::Happening &motion)
+    void acceptAnswer(const recorded::Happening &motion)
     {
         const auto asked = numberOf(motion, "asked s");
         const auto took = numberOf(motion, "took ms");
@@ -65,7 +65,7 @@ private:
             return;
         step.answered = std::max(step.asked, at + capture::toNanos(*took * 1e-3));
     }
-    void takeEnd(Nanos at, const record::Happening &what)
+    void acceptEnd(Nanos at, const recorded::Happening &what)
     {
         end(at);
         over = true;
@@ -184,7 +184,7 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         return fail(std::string("it is no recording of a series of steps"));
     StepFinder finder(*plan);
     for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
-        finder.take(at->first, at->second);
+        finder.accept(at->first, at->second);
     const StepChannels channels{fastChannel(capture, plan->reference),
         fastChannel(capture, plan->current), fastChannel(capture, plan->speed),
         fastChannel(capture, plan->angle)};

@@ -1,9 +1,10 @@
-// Gains of a speed loop from the measured response of its motor: the greatest integral gain whose loop keeps a distance from
-// instability, with what its step would look like. Pure; it proposes, and writes nothing.
+// Gains of a speed loop from the measured response of its motor: the greatest integral gain whose loop keeps a distance
+// from instability, with what its step would look like. Pure; it proposes, and writes nothing.
 //
-// The distance is Ms, the largest of 1 / |1 + loop|, together with the phase margin, held at the worst end of each measured
-// point's error. Below and above the measured points a motor K exp(-s T) / (s + a), fitted to them, stands in. Source: K.
-// Astrom and T. Hagglund, Advanced PID Control (2006), ch. 4 and 6: integral gain under a bound on the sensitivity.
+// The distance is Ms, the largest of 1 / |1 + loop|, together with the phase margin, held at the worst end of each
+// measured point's error. Below and above the measured points a motor K exp(-s T) / (s + a), fitted to them, stands in.
+// Source: K. Astrom and T. Hagglund, Advanced PID Control (2006), ch. 4 and 6: integral gain under a bound on the
+// sensitivity.
 #pragma once
 
 #include "lab/evaluation/response_evaluation.h"
@@ -34,7 +35,7 @@ struct LoopForecast {
     int proportional = 0, integral = 0; ///< digits
     double crossover_hz = 0.0, phaseMargin_deg = 0.0, ms = 0.0; ///< as measured points tell them
     double rise_s = 0.0, overshoot_pct = 0.0; ///< of a small step
-    bool stable = true; ///< else Ms and step are those of no loop that anybody could run
+    bool stable = true; ///< else the loop cannot be run, and Ms and step mean nothing
 };
 struct GainCandidate : LoopForecast {
     Goal goal = Goal::Medium;
@@ -46,7 +47,7 @@ struct GainCandidate : LoopForecast {
 Result<std::vector<GainCandidate>, std::string> proposeGains(
     const SpeedResponse &measured, const GainDigits &digits, double nominalAmps);
 
-/// The same for gains of somebody's own, by proportional and integral digits; each call takes some milliseconds.
+/// The same for gains of the user's own, by proportional and integral digits; each call takes some milliseconds.
 using Forecaster = std::function<LoopForecast(int, int)>;
 Result<Forecaster, std::string> forecasterOf(
     const SpeedResponse &measured, const GainDigits &digits);

@@ -13,8 +13,8 @@ namespace {
 
 enum Unknown : std::size_t { kRs, kLoss, kAlongD, kAlongQ, kMagnets, kAside };
 
-/// From which change on a current jumps: 0.6 of what thirty exceed, or as far as noise does not go. Smaller ones move with what
-/// the angle is off by.
+/// From which change on a current jumps: 0.6 of what thirty exceed, or as far as noise does not go. Smaller ones move
+/// with what the angle is off by.
 double leastJump(const std::vector<TurningSlices> &slices)
 {
     constexpr double kFar = 3.0, kDeviation = 1.4826; // of a normal distribution, from its median
@@ -69,8 +69,8 @@ void setSwing(
             rows.known[row][kLoss] = rows.instruments[row][kLoss] = one.lossAlongQ(at, swing_a);
 }
 
-/// Rows take a current for a straight line from sample to sample, where it goes to its end as e^(-R t / L). Of an inductance L
-/// they find R T / 2 / tanh(R T / (2 L)). @return  L
+/// Rows take a current for a straight line from sample to sample, where it goes to its end as e^(-R t / L). Of an
+/// inductance L they find R T / 2 / tanh(R T / (2 L)). @return  L
 double bent(double found, double rs_ohm, double period_s)
 {
     const double half = rs_ohm * period_s / 2.0;
@@ -79,15 +79,16 @@ double bent(double found, double rs_ohm, double period_s)
 
 Estimate bent(const Estimate &found, double rs_ohm, double period_s)
 {
-    constexpr double kUnsure =
-        1.0 / 3.0; // of the difference: how much of a dead time acts as a resistance
+    // Of the difference: how much of a dead time acts as a resistance.
+    constexpr double kUnsure = 1.0 / 3.0;
     const double value = bent(found.value, rs_ohm, period_s);
     const double share = value / found.value, unsure = kUnsure * (found.value - value);
     return {value, *found.low * share - unsure, *found.high * share + unsure};
 }
 
-/// What the dead time adds to the resistance within a control period: it acts as one in the phases that swing through zero. Of
-/// each slice as much as it tells of Ld. Where those swing so far that the currents at rest do, too, the resistance holds it already.
+/// What the dead time adds to the resistance within a control period: it acts as one in the phases that swing through
+/// zero. Of each slice as much as it tells of Ld. Where those swing so far that the currents at rest do, too, the
+/// resistance holds it already.
 double ohmBySwing(const std::vector<TurningSlices> &slices, const Bridge &bridge, double swing_a,
     const Estimate &lost_v)
 {
@@ -119,9 +120,9 @@ struct BestFit {
     double swing_a = 0.0;
 };
 
-/// How far a phase's current swings within a PWM period follows from the inductance, bus T / (16 L), which in turn depends on what
-/// the dead time takes: swings are tried, shares of the nominal current, and those that fit the inductance count. The loops may
-/// run once in several PWM periods.
+/// How far a phase's current swings within a PWM period follows from the inductance, bus T / (16 L), which in turn
+/// depends on what the dead time takes: swings are tried, shares of the nominal current, and those that fit the
+/// inductance count. The loops may run once in several PWM periods.
 std::optional<BestFit> bestFit(const std::vector<TurningSlices> &slices, const Bridge &bridge,
     std::optional<double> rs_ohm, bool allTellLq)
 {
@@ -170,8 +171,9 @@ std::optional<BestFit> bestFit(const std::vector<TurningSlices> &slices, const B
     return found;
 }
 
-/// The change by the coordinates that stand aside is in its interval: they are known from currents and angle alone. So is, in that of
-/// Ld, which slow turns tell badly, that what the fit leaves might go with the current along the magnets.
+/// The change by the coordinates that stand aside is in its interval: they are known from currents and angle alone. So
+/// is, in that of Ld, which slow turns tell badly, that what the fit leaves might go with the current along the
+/// magnets.
 Estimate unknownOf(const BestFit &found, std::size_t unknown)
 {
     const Estimate own = found.fit.estimate(unknown);

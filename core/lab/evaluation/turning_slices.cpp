@@ -59,8 +59,8 @@ double straighten(std::span<double> values)
     return slope;
 }
 
-/// A stretch as columns: what accelerates, integrated once (the mean of each slice) and twice (where it begins), and what
-/// the angle stands aside.
+/// A stretch as columns: what accelerates, integrated once (the mean of each slice) and twice (where it begins), and
+/// what the angle stands aside.
 constexpr std::size_t kAccelerations = 7, kColumns = kAccelerations + 2;
 struct Stretch {
     std::span<TurningSlice> slices;

@@ -1,5 +1,5 @@
-// A turning motor in slices of some samples, in the coordinates of the rotor as its board sees it: what the equations of its
-// voltages are solved with. Pure.
+// A turning motor in slices of some samples, in the coordinates of the rotor as its board sees it: what the equations
+// of its voltages are solved with. Pure.
 #pragma once
 
 #include "lab/evaluation/segments.h"
@@ -13,8 +13,9 @@ namespace lab {
 
 /// The currents of three phases, and what the dead time of a bridge takes of its voltages for them.
 ///
-/// Each phase loses some tenths of a volt against its own current. Where that current swings through zero within a PWM period,
-/// because it is smaller than bus T / (16 L), it loses as much less as it is smaller: there the dead time acts as a resistance.
+/// Each phase loses some tenths of a volt against its own current. Where that current swings through zero within a PWM
+/// period, because it is smaller than bus T / (16 L), it loses as much less as it is smaller: there the dead time acts
+/// as a resistance.
 class PhaseCurrents {
 public:
     /// @param angle_rad  electrical, of the coordinates of q_a and d_a
@@ -78,13 +79,13 @@ struct TurningSlices {
 /// @param slice_s  as long as that, or a sample less or more
 TurningSlices slicesOf(const Segment &segment, double slice_s);
 
-/// Fills in how fast the rotor itself turned. What a board observes of its rotor lags behind when the torque jumps, and so
-/// do the coordinates; the rotor does what its inertia and its friction allow: within stretches of 50 ms its angle is
-///   a Int(Int(iq)) + friction + b id, iq id, id^2, integrated twice + a straight line,
-/// and what it is seen to stand aside with each current is kept apart from that. They are told by least squares over all
-/// stretches; where they cannot be, the speed is that of the coordinates.
-/// @return  how far coordinates that do not follow currents stand aside for good, electrical rad: what flows along d makes torque
-///          then. Simulated encoders: within 0.2 degrees
+/// Fills in how fast the rotor itself turned. What a board observes of its rotor lags behind when the torque jumps, and
+/// so do the coordinates; the rotor does what its inertia and its friction allow: within stretches of 50 ms its angle
+/// is a Int(Int(iq)) + friction + b id, iq id, id^2, integrated twice + a straight line, and what it is seen to stand
+/// aside with each current is kept apart from that. They are told by least squares over all stretches; where they
+/// cannot be, the speed is that of the coordinates.
+/// @return  how far coordinates that do not follow currents stand aside for good, electrical rad: what flows along d
+///          makes torque then. Simulated encoders: within 0.2 degrees
 double rotorSpeeds(std::vector<TurningSlices> &slices);
 
 } // namespace lab

@@ -1,10 +1,12 @@
 // Linear least squares of a few unknowns over many rows, with rows that stand apart left out. Pure.
 //
-// A column that is known with errors of its own would be told too small: the noise counts as if it had moved the motor. Another
-// one that moves with it and has none of these errors, its instrument, takes its place on one side of the equations then.
+// A column that is known with errors of its own would be told too small: the noise counts as if it had moved the motor.
+// Another one that moves with it and has none of these errors, its instrument, takes its place on one side of the
+// equations then.
 //
-// Errors are those of rows that hang together in clusters: what disturbs a motor lasts longer than from one row to the next,
-// and rows that are not independent would promise too much. Source: C. Cameron and D. Miller, J. Human Resources 50 (2015).
+// Errors are those of rows that hang together in clusters: what disturbs a motor lasts longer than from one row to the
+// next, and rows that are not independent would promise too much. Source: C. Cameron and D. Miller, J. Human Resources
+// 50 (2015).
 #pragma once
 
 #include "lab/maths/statistics.h"

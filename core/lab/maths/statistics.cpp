@@ -16,7 +16,8 @@ double lastPlaceOf(const Estimate &estimate)
 }
 
 /// Two-sided 95 % of Student's distribution: a table up to 30 degrees of freedom, behind it the series of Cornish and
-/// Fisher, exact to 0.001 there. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5 and table 26.10.
+/// Fisher, exact to 0.001 there. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5 and table
+/// 26.10.
 double studentOf(std::size_t freedom)
 {
     constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,

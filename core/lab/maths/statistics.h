@@ -1,4 +1,5 @@
-// What a few repeated measurements say together. Pure functions; values that are no numbers are the caller's to leave out.
+// What a few repeated measurements say together. Pure functions; values that are no numbers are the caller's to leave
+// out.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ struct Estimate {
     bool operator==(const Estimate &) const = default;
 };
 
-/// The last decimal place that a person is shown of it, e.g. 0.001: that of the second digit of half of the interval. 0: the
+/// The last decimal place that is shown of it, e.g. 0.001: that of the second digit of half of the interval. 0: the
 /// interval is not known, or has no width.
 double lastPlaceOf(const Estimate &estimate);
 
@@ -25,8 +26,8 @@ double studentOf(std::size_t freedom);
 /// Mean with its 95 % interval by Student's t. Empty for no value; without an interval for one.
 std::optional<Estimate> meanOf(std::span<const double> values);
 
-/// The middle between the means of two kinds of measurement, such as steps up and down, which differ by more than chance:
-/// its interval tells of the spread inside each kind alone. As meanOf() where one kind is empty.
+/// The middle between the means of two kinds of measurement, such as steps up and down, which differ by more than
+/// chance: its interval tells of the spread inside each kind alone. As meanOf() where one kind is empty.
 std::optional<Estimate> meanOfBoth(std::span<const double> one, std::span<const double> other);
 
 double medianOf(std::vector<double> values); ///< of at least one

@@ -1,9 +1,9 @@
 // DiskArchive: the archive of a capture on a disk. What is handed over is written in a thread of its own into files
 // without a name, so that nothing is left behind however the program ends, and can then be read from there as if it
 // were memory. It never writes to a page that is mapped: neither the window nor the link waits for a disk that is slow
-// to write. Reading samples that the system has put out of memory waits for the disk: milliseconds.
-// On a disk that fails while it is read the archive gives itself up: its budget is 0 until the user sets another, so that
-// the capture lets go of what lies there. What was read meanwhile may be zeros.
+// to write. Reading samples that the system has put out of memory waits for the disk: milliseconds. On a disk that
+// fails while it is read the archive gives itself up: its budget is 0 until the user sets another, so that the capture
+// lets go of what lies there. What was read meanwhile may be zeros.
 #pragma once
 
 #include "capture/sample_archive.h"
@@ -65,7 +65,7 @@ private:
     std::shared_ptr<ArchiveWriter> m_writer; ///< works in m_thread; what is stored holds it
 };
 
-/// A folder for samples on this person's disk.
+/// A folder for samples on this user's disk.
 QString archiveFolder();
 
 /// The lesser of 16 GB and half of what is free on the disk of the folder; 0 if that is no disk but memory.

@@ -1,6 +1,6 @@
-// Pieces of files that are read as if they were memory. A disk that fails, or a file that has become shorter, is no death of
-// the program: what cannot be read any more is zeros from then on, and a flag says that it happened, so that nobody goes
-// on to show them. Where the system cannot do that the program ends as it did before.
+// Pieces of files that are read as if they were memory. A disk that fails, or a file that has become shorter, is no
+// death of the program: what cannot be read any more is zeros from then on, and a flag says that it happened, so that
+// they are not shown any more. Where the system cannot do that the program ends as it did before.
 #pragma once
 
 #include <atomic>

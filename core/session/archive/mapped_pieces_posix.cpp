@@ -1,5 +1,5 @@
-// The system tells by SIGBUS that a page of a mapped file cannot be read. The handler looks the place up and puts a page of
-// zeros there. It takes no lock: pieces come and go in the archive's thread alone, readers fail in any.
+// The system tells by SIGBUS that a page of a mapped file cannot be read. The handler looks the place up and puts a
+// page of zeros there. It takes no lock: pieces come and go in the archive's thread alone, readers fail in any.
 #include "session/archive/mapped_pieces.h"
 
 #include <array>

@@ -63,23 +63,25 @@ constexpr ExportFormat kFormats[] = {
         QT_TRANSLATE_NOOP("ExportFormat", "CSV, decimal comma and semicolons"), "",
         Holds::RowsOfTheFastest, writeCsv<CsvDialect::Continental>},
     {"mat", "mat", QT_TRANSLATE_NOOP("ExportFormat", "MATLAB file"),
-        QT_TRANSLATE_NOOP("ExportFormat", "2 GiB of numbers"), Holds::EverySample, writeMat},
+        QT_TRANSLATE_NOOP("FileProblem", "2 GiB of numbers"), Holds::EverySample, writeMat},
     {"npy", "npy", QT_TRANSLATE_NOOP("ExportFormat", "NumPy array"),
-        QT_TRANSLATE_NOOP("ExportFormat", "2 GiB of numbers"), Holds::EverySample, writeNpy},
+        QT_TRANSLATE_NOOP("FileProblem", "2 GiB of numbers"), Holds::EverySample, writeNpy},
     {"wav", "wav", QT_TRANSLATE_NOOP("ExportFormat", "WAV, the fast signals as sound"),
-        QT_TRANSLATE_NOOP("ExportFormat", "64 signals and 4 GiB"), Holds::FastSignals, writeWav},
+        QT_TRANSLATE_NOOP("FileProblem", "64 signals and 4 GiB"), Holds::FastSignals, writeWav},
 };
 
 } // namespace
 
 std::span<const ExportFormat> exportFormats() { return kFormats; }
 
-const ExportFormat *exportFormatOf(const QString &path)
+const ExportFormat *exportFormatOf(const QString &path, bool decimalComma)
 {
-    const auto format = std::ranges::find_if(kFormats, [&path](const ExportFormat &each) {
-        return path.endsWith(QLatin1Char('.') + QLatin1String(each.suffix), Qt::CaseInsensitive);
-    });
-    return format == std::end(kFormats) ? nullptr : format;
+    const ExportFormat *found = nullptr;
+    for (const ExportFormat &each : kFormats)
+        if ((found == nullptr || decimalComma)
+            && path.endsWith(QLatin1Char('.') + QLatin1String(each.suffix), Qt::CaseInsensitive))
+            found = &each;
+    return found;
 }
 
 const ExportFormat *exportFormatNamed(std::string_view name)

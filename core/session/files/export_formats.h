@@ -28,20 +28,20 @@ struct ExportFormat {
         FastSignals,
     };
     const char *name = ""; ///< one word
-    const char *suffix =
-        ""; ///< of the file, without a point; the first row of a suffix is the usual one
-    /// For a choice. This and the next one can be translated, in the context "ExportFormat".
-    const char *title = "";
-    const char *mostText = ""; ///< how much fits, where something is TooLong or are TooManySignals
+    /// Of the file, without a point. The first row of a suffix is the usual one, a further one has a decimal comma.
+    const char *suffix = "";
+    const char *title = ""; ///< for a choice; can be translated, in the context "ExportFormat"
+    const char *mostText = ""; ///< how much fits: a piece of exportProblemText() (file_problems.h)
     Holds holds = Holds::EverySample;
     /// Writes the whole file, or none. @param proceed  told 0..1; false cancels
     ExportOutcome (*write)(const QString &path, const ExportWanted &wanted,
         const std::function<bool(double)> &proceed) = nullptr;
 };
 
-std::span<const ExportFormat> exportFormats();
-/// The usual one for this name of a file, whatever the case; nullptr if none has its ending.
-const ExportFormat *exportFormatOf(const QString &path);
+std::span<const ExportFormat> exportFormats(); ///< the first one is plain CSV
+/// The one for this name of a file, whatever the case; nullptr if none has its ending.
+/// @param decimalComma  where the format has a dialect with one
+const ExportFormat *exportFormatOf(const QString &path, bool decimalComma = false);
 const ExportFormat *exportFormatNamed(std::string_view name);
 
 } // namespace session

@@ -26,7 +26,8 @@ constexpr std::pair<const char *, bool FcpRig::*> kFeatures[] = {
     {"flux_weakening", &FcpRig::fluxWeakening}, {"feed_forward", &FcpRig::feedForward},
     {"pfc", &FcpRig::pfc}, {"profiler", &FcpRig::profiler}, {"dac", &FcpRig::dac}};
 
-/// Reads members of objects; what an object does not have stays as it is. The first thing that is wrong stays in `problem`.
+/// Reads members of objects; what an object does not have stays as it is. The first thing that is wrong stays in
+/// `problem`.
 class Reader {
 public:
     std::string problem;
@@ -36,7 +37,7 @@ public:
 private:
     /// A whole number within the range.
     template <class Number>
-    void take(const QJsonValue &value, const std::string &place, Number &into,
+    void assign(const QJsonValue &value, const std::string &place, Number &into,
         double least = std::numeric_limits<Number>::min(),
         double most = std::numeric_limits<Number>::max())
     {
@@ -48,14 +49,14 @@ private:
                     + " to " + std::to_string(static_cast<std::int64_t>(most)));
     }
 
-    void take(const QJsonValue &value, const std::string &place, bool &into)
+    void assign(const QJsonValue &value, const std::string &place, bool &into)
     {
         if (!value.isUndefined() && !value.isBool())
             wrong(place, "must be true or false");
         into = value.toBool(into);
     }
 
-    void take(const QJsonValue &value, const std::string &place, std::string &into)
+    void assign(const QJsonValue &value, const std::string &place, std::string &into)
     {
         if (value.isString())
             into = value.toString().toStdString();
@@ -81,7 +82,7 @@ void Reader::readRegisters(const QJsonObject &from, FcpMotor &motor)
         const uint id = at.key().toUInt(&isNumber, 0);
         if (!isNumber || id > 0xFF)
             return wrong(at.key().toStdString(), "is no number of a register such as \"0x04\"");
-        take(at.value(), at.key().toStdString(), motor.registers[static_cast<std::uint8_t>(id)],
+        assign(at.value(), at.key().toStdString(), motor.registers[static_cast<std::uint8_t>(id)],
             INT32_MIN, UINT32_MAX);
     }
 }
@@ -94,21 +95,21 @@ void Reader::readRevUp(const QJsonArray &from, FcpMotor &motor)
         const QJsonArray stage = value.toArray();
         if (stage.size() != 3)
             return wrong("revup", "each stage is [rpm, torque, ms]");
-        fcp::RevUpStage &read = motor.revUp.emplace_back();
-        take(stage[0], "revup rpm", read.speed_rpm);
-        take(stage[1], "revup torque", read.torque);
-        take(stage[2], "revup ms", read.duration_ms);
+        fcp::StageFields &read = motor.revUp.emplace_back();
+        assign(stage[0], "revup rpm", read.speed_rpm);
+        assign(stage[1], "revup torque", read.torque);
+        assign(stage[2], "revup ms", read.duration_ms);
     }
 }
 
 FcpMotor Reader::motor(const QJsonObject &from)
 {
     FcpMotor motor;
-    take(from[keyOf("state")], "state", motor.state);
-    take(from[keyOf("control_mode")], "control_mode", motor.controlMode);
-    take(from[keyOf("faults")], "faults", motor.faults);
+    assign(from[keyOf("state")], "state", motor.state);
+    assign(from[keyOf("control_mode")], "control_mode", motor.controlMode);
+    assign(from[keyOf("faults")], "faults", motor.faults);
     std::string sensing = "pll";
-    take(from[keyOf("sensing")], "sensing", sensing);
+    assign(from[keyOf("sensing")], "sensing", sensing);
     if (const auto *known = findWord(kSensings, sensing))
         motor.sensing = *known;
     else
@@ -122,21 +123,21 @@ FcpRig Reader::rig(const QJsonObject &from)
 {
     FcpRig rig;
     std::string dialect;
-    take(from[keyOf("dialect")], "dialect", dialect);
+    assign(from[keyOf("dialect")], "dialect", dialect);
     if (dialect == "powerpc")
         rig.dialect = fcp::Dialect::PowerPc;
     else if (dialect != "stm32")
         wrong("dialect", "must be stm32 or powerpc");
-    take(from[keyOf("rig")], "rig", rig.name);
-    take(from[keyOf("firmware_string")], "firmware_string", rig.firmware);
-    take(from[keyOf("speed_step")], "speed_step", rig.speedStep_rpm, 1, INT16_MAX);
+    assign(from[keyOf("rig")], "rig", rig.name);
+    assign(from[keyOf("firmware_string")], "firmware_string", rig.firmware);
+    assign(from[keyOf("speed_step")], "speed_step", rig.speedStep_rpm, 1, INT16_MAX);
     const QJsonObject features = from[keyOf("features")].toObject();
     for (const auto &[name, feature] : kFeatures)
-        take(features[keyOf(name)], name, rig.*feature);
+        assign(features[keyOf(name)], name, rig.*feature);
     const QJsonValue timer = from[keyOf("frame_timer")];
     if (!timer.isUndefined() && timer.toString() != keyOf("dead")) {
         std::int64_t time_ms = 0;
-        take(timer, "frame_timer", time_ms, 1, kMostFrameTimer_ms);
+        assign(timer, "frame_timer", time_ms, 1, kMostFrameTimer_ms);
         rig.frameTimer = std::chrono::milliseconds(time_ms);
     }
     const QJsonArray motors = from[keyOf("motors")].toArray();

@@ -1,5 +1,5 @@
-// Rigs of the older serial protocol from JSON files: what a static simulated board is and holds. A file is taken whole or
-// not at all; keys that are not known are passed over.
+// Rigs of the older serial protocol from JSON files: what a static simulated board is and holds. A file is taken whole
+// or not at all; keys that are not known are passed over.
 #pragma once
 
 #include "base/result.h"

@@ -1,5 +1,6 @@
-// The user's own limits, in a file of their own: nothing that happens to other settings takes them away. The window writes
-// it, and the command line reads it, too. It appears whole or not at all; what cannot be read is an error, never "no limit".
+// The user's own limits, in a file of their own: nothing that happens to other settings takes them away. The window
+// writes it, and the command line reads it, too. It appears whole or not at all; what cannot be read is an error, never
+// "no limit".
 #pragma once
 
 #include "base/result.h"
@@ -11,7 +12,7 @@
 
 namespace session {
 
-QString limitsPath(); ///< in the person's configuration folder
+QString limitsPath(); ///< in the user's configuration folder
 
 /// The limits; nothing if there is no such file. @return  else why it cannot be read, in the system's words or ours
 Result<std::optional<drive::UserLimits>, QString> loadLimits(const QString &path);

@@ -1,5 +1,6 @@
-// A capture as a MATLAB file (version 5, which MATLAB, Octave and SciPy read), whole or not at all. docs/mat.md describes
-// what is in it: a structure for each rate, with the time and a column for each signal, NaN where nothing is known.
+// A capture as a MATLAB file (version 5, which MATLAB, Octave and SciPy read), whole or not at all. docs/mat.md
+// describes what is in it: a structure for each rate, with the time and a column for each signal, NaN where nothing is
+// known.
 #pragma once
 
 #include "capture/capture.h"

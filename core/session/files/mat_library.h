@@ -1,5 +1,5 @@
-// libmatio, loaded when the first file of MATLAB is asked for: it brings HDF5, OpenSSL and thirty other libraries along,
-// which would double what the system loads before main() of every one of our programs. Nothing else calls it.
+// libmatio, loaded when the first file of MATLAB is asked for: it brings HDF5, OpenSSL and thirty other libraries
+// along, which would double what the system loads before main() of every one of our programs. Nothing else calls it.
 #pragma once
 
 #include <matio.h>

@@ -23,14 +23,14 @@ qint64 apart(const LoggedMotion &one)
 
 } // namespace
 
-LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now)
+LoggedMotion loggedNow(drive::MotionEntry record, const QDateTime &now)
 {
     const auto took =
         std::chrono::duration_cast<std::chrono::milliseconds>(record.ended - record.asked);
     return {std::move(record), now.toUTC().addMSecs(-took.count())};
 }
 
-bool WallClock::take(const LoggedMotion &one)
+bool WallClock::accept(const LoggedMotion &one)
 {
     const qint64 own = apart(one);
     const auto at = m_aparts.insert(own);
@@ -56,7 +56,7 @@ QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &wh
     QByteArray text = QByteArray::fromStdString(drive::motionLogHeading()) + '\n';
     WallClock clock;
     for (const LoggedMotion &one : log)
-        clock.take(one);
+        clock.accept(one);
     std::vector<LoggedMotion> inOrder = log;
     for (LoggedMotion &one : inOrder)
         one.asked = clock.at(one, one.record.asked);

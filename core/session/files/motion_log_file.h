@@ -1,7 +1,7 @@
 // The motion log as a file: CSV beside a capture, or on its own. Who it was is the user of the system and the program.
 #pragma once
 
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 
 #include <QByteArray>
 #include <QDateTime>
@@ -14,19 +14,20 @@ namespace session {
 
 /// A record and when it was asked, by the clock on the wall.
 struct LoggedMotion {
-    drive::MotionRecord record;
+    drive::MotionEntry record;
     QDateTime asked; ///< UTC: a local time costs its zone each time that it is compared
 };
 
 /// A record that came just now: it was asked as much earlier as it took to end.
-LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now);
+LoggedMotion loggedNow(drive::MotionEntry record, const QDateTime &now);
 
-/// The clock on the wall beside the program's own. A record is noted some time after its end, more or less late: the one that
-/// was noted soonest tells best how the two go together. More than a second apart are two settings, as after a sleep.
+/// The clock on the wall beside the program's own. A record is noted some time after its end, more or less late: the
+/// one that was noted soonest tells best how the two go together. More than a second apart are two settings, as after a
+/// sleep.
 class WallClock {
 public:
     /// @return  whether those before may have another time now: none was noted as soon
-    bool take(const LoggedMotion &one);
+    bool accept(const LoggedMotion &one);
     /// @param time  of a record that was taken: when it was asked, or ended. @return  UTC
     QDateTime at(const LoggedMotion &one, TimePoint time) const;
 

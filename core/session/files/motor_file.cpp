@@ -116,11 +116,11 @@ public:
     {
         m_file.machine = simulation::presets().front().parameters;
         if (object.contains(QLatin1String("preset"))
-            && !takePreset(object[QLatin1String("preset")]))
+            && !parsePreset(object[QLatin1String("preset")]))
             return fail(m_error);
         for (auto at = object.begin(); at != object.end(); ++at)
             if (at.key() != QLatin1String("preset")
-                && !takeSection(at.key().toStdString(), at.value()))
+                && !parseSection(at.key().toStdString(), at.value()))
                 return fail(m_error);
         if (!settleBus(m_file))
             return fail(
@@ -147,7 +147,7 @@ private:
         return false;
     }
 
-    bool takePreset(const QJsonValue &value)
+    bool parsePreset(const QJsonValue &value)
     {
         const auto *preset = simulation::findPreset(value.toString().toStdString());
         if (preset == nullptr)
@@ -159,7 +159,7 @@ private:
         return true;
     }
 
-    bool takeSection(const std::string &section, const QJsonValue &value)
+    bool parseSection(const std::string &section, const QJsonValue &value)
     {
         if (namesIn(section).empty())
             return complain({.kind = Kind::UnknownKey, .place = section, .detail = sectionNames()});
@@ -168,12 +168,12 @@ private:
                 {.kind = Kind::NotAnObject, .place = section, .detail = namesIn(section)});
         const QJsonObject object = value.toObject();
         for (auto at = object.begin(); at != object.end(); ++at)
-            if (!takeValue(section, at.key().toStdString(), at.value()))
+            if (!parseValue(section, at.key().toStdString(), at.value()))
                 return false;
         return true;
     }
 
-    bool takeValue(const std::string &section, const std::string &name, const QJsonValue &value)
+    bool parseValue(const std::string &section, const std::string &name, const QJsonValue &value)
     {
         const ParameterInfo *row = rowOf(section, name);
         if (row == nullptr)

@@ -1,5 +1,5 @@
-// Motors from JSON files, and back: our own form, which the simulator turns into a machine and the window compares with a
-// board, and what ST's tools save of a motor. docs/motor-file.md describes both. A file is taken whole or not at all.
+// Motors from JSON files, and back: our own form, which the simulator turns into a machine and the window compares with
+// a board, and what ST's tools save of a motor. docs/motor-file.md describes both. A file is taken whole or not at all.
 #pragma once
 
 #include "base/result.h"

@@ -21,8 +21,8 @@ struct Run {
     QString board; ///< its firmware
     QString motorName;
     int motor = 1;
-    QString
-        experiment; ///< as a recording names its plan, e.g. "step plan"; kStretch: part of a recording
+    /// As a recording names its plan, e.g. "step plan"; kStretch: part of a recording.
+    QString experiment;
     QList<std::pair<QString, QString>> plan; ///< its fields as the recording has them
     QString end; ///< "complete", "refused", "aborted", "interrupted", "lost"
     QString reason;

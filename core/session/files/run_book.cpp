@@ -42,11 +42,11 @@ Result<Run, QString> keepRun(const QString &folder, const EndedRun &ended)
         return fail(why);
     bool good = true;
     for (const ToldPtr &told : ended.told)
-        for (const record::Entry &entry : told->entries)
+        for (const recorded::Entry &entry : told->entries)
             good = good && writer.add(told->at, entry);
     if (good && ended.registers && !ended.told.empty())
         (void)writer.add(ended.told.back()->at,
-            record::RegisterSnapshot{
+            recorded::RegisterSnapshot{
                 "behind the run", snapshotJson(*ended.registers).toStdString()});
     return writer.end(ended.registers); // which says why, if it is over
 }

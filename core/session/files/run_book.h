@@ -1,6 +1,7 @@
-// A run book: a folder that keeps every experiment as a run, in three files that stand for themselves: "run-0007.pcapng", its
-// recording; "run-0007-registers.json", what could be tuned right behind it, a snapshot; and "run-0007.json", what it was and
-// what came of it (docs/run-book.md). All of it looks at a disk, so it belongs into a job.
+// A run book: a folder that keeps every experiment as a run, in three files that stand for themselves:
+// "run-0007.pcapng", its recording; "run-0007-registers.json", what could be tuned right behind it, a snapshot; and
+// "run-0007.json", what it was and what came of it (docs/run-book.md). All of it looks at a disk, so it belongs into a
+// job.
 #pragma once
 
 #include "lab/experiment.h"
@@ -17,9 +18,9 @@ namespace session {
 
 /// What is to be kept of an experiment that has ended.
 struct EndedRun {
-    record::Begin begin;
+    recorded::Begin begin;
     std::vector<ToldPtr> told; ///< all of it, plans and ends too
-    record::Happening plan; ///< the first
+    recorded::Happening plan; ///< the first
     lab::Outcome outcome;
     QString board, motorName;
     int motor = 1;
@@ -27,7 +28,8 @@ struct EndedRun {
     std::optional<snapshots::Snapshot> registers; ///< empty: they could not be read
 };
 
-/// Writes its files and evaluates its recording; it gets the next number. Or says why not, and then nothing of it stays.
+/// Writes its files and evaluates its recording; it gets the next number. Or says why not, and then nothing of it
+/// stays.
 Result<Run, QString> keepRun(const QString &folder, const EndedRun &ended);
 
 struct RunBook {

@@ -2,7 +2,7 @@
 
 #include "drive/values.h"
 #include "lab/evaluation/finding.h"
-#include "record/gain_stretches.h"
+#include "recorded/gain_stretches.h"
 #include "session/files/run_writer.h"
 #include "session/files/snapshot_json.h"
 #include "session/recording/recording_reader.h"
@@ -18,22 +18,22 @@
 namespace session {
 namespace {
 
-using record::GainStretch;
+using recorded::GainStretch;
 using Proceed = std::function<bool(double)>;
 
-QString seconds(record::Nanos at) { return QString::number(capture::toSeconds(at), 'f', 3); }
+QString seconds(recorded::Nanos at) { return QString::number(capture::toSeconds(at), 'f', 3); }
 
 /// What a recording says at first, which each of its parts has to say again.
 class Heads {
 public:
-    void take(const record::Entry &entry)
+    void accept(const recorded::Entry &entry)
     {
         if (const auto *layout = std::get_if<capture::StreamLayout>(&entry))
             m_layout = *layout;
-        else if (const auto *polled = std::get_if<record::PolledRegister>(&entry))
+        else if (const auto *polled = std::get_if<recorded::PolledRegister>(&entry))
             m_polled[polled->id] = *polled;
     }
-    bool write(RunWriter &writer, record::Nanos at) const
+    bool write(RunWriter &writer, recorded::Nanos at) const
     {
         bool good = !m_layout || writer.add(at, *m_layout);
         for (const auto &[id, polled] : m_polled)
@@ -43,7 +43,7 @@ public:
 
 private:
     std::optional<capture::StreamLayout> m_layout;
-    std::map<record::RegisterId, record::PolledRegister> m_polled;
+    std::map<recorded::RegisterId, recorded::PolledRegister> m_polled;
 };
 
 /// With the gains of a stretch, as far as the snapshot has them.
@@ -70,45 +70,45 @@ snapshots::Snapshot withGains(
 
 /// What the first pass over a recording finds.
 struct Survey {
-    record::GainStretches parts;
+    recorded::GainStretches parts;
     lab::RunStarts experiments;
     std::size_t withOne = 0; ///< the stretch of the last of these, counted from 1; 0: none yet
     bool measures = false; ///< it has not ended
-    std::vector<record::Happening> meanwhile; ///< gains that were written, such as those it lends
+    std::vector<recorded::Happening> meanwhile; ///< gains that were written, such as those it lends
     std::optional<snapshots::Snapshot> registers; ///< the first that it has
 };
 
-bool writesGains(const record::Happening &what)
+bool writesGains(const recorded::Happening &what)
 {
     return what.name == "ended" && std::ranges::any_of(what.fields, [](const auto &field) {
-        return record::isGain(field.first);
+        return recorded::isGain(field.first);
     });
 }
 
 /// An experiment stays whole: what is written meanwhile counts from its end.
-void takeStretch(Survey &survey, const record::Item &item)
+void acceptStretch(Survey &survey, const recorded::Item &item)
 {
-    const auto *happening = std::get_if<record::Happening>(&item.entry);
-    const bool begins = happening != nullptr && survey.experiments.take(*happening);
+    const auto *happening = std::get_if<recorded::Happening>(&item.entry);
+    const bool begins = happening != nullptr && survey.experiments.accept(*happening);
     if (begins && survey.withOne == survey.parts.all().size())
         survey.parts.part(item.at);
     if (begins || (happening != nullptr && happening->name == lab::kEndEntry)) {
-        for (const record::Happening &written : std::exchange(survey.meanwhile, {}))
-            survey.parts.take(item.at, written);
+        for (const recorded::Happening &written : std::exchange(survey.meanwhile, {}))
+            survey.parts.accept(item.at, written);
         survey.measures = begins;
     }
     if (survey.measures && happening != nullptr && writesGains(*happening))
         survey.meanwhile.push_back(*happening);
     else
-        survey.parts.take(item.at, item.entry);
+        survey.parts.accept(item.at, item.entry);
     if (begins)
         survey.withOne = survey.parts.all().size();
 }
 
-void take(Survey &survey, const record::Item &item)
+void accept(Survey &survey, const recorded::Item &item)
 {
-    takeStretch(survey, item);
-    const auto *held = std::get_if<record::RegisterSnapshot>(&item.entry);
+    acceptStretch(survey, item);
+    const auto *held = std::get_if<recorded::RegisterSnapshot>(&item.entry);
     if (held == nullptr || survey.registers)
         return;
     if (auto read = readSnapshotJson(QByteArray::fromStdString(held->json)))
@@ -119,7 +119,7 @@ void take(Survey &survey, const record::Item &item)
 class StretchWriter {
 public:
     StretchWriter(
-        QString folder, const QString &recording, const Survey &survey, record::Begin begin)
+        QString folder, const QString &recording, const Survey &survey, recorded::Begin begin)
         : m_folder(std::move(folder))
         , m_name(QFileInfo(recording).fileName())
         , m_survey(survey)
@@ -127,11 +127,11 @@ public:
     {
     }
 
-    void take(record::Item &&item)
+    void accept(recorded::Item &&item)
     {
-        m_heads.take(item.entry);
-        if (std::holds_alternative<record::Begin>(item.entry)
-            || std::holds_alternative<record::End>(item.entry))
+        m_heads.accept(item.entry);
+        if (std::holds_alternative<recorded::Begin>(item.entry)
+            || std::holds_alternative<recorded::End>(item.entry))
             return;
         const auto &all = m_survey.parts.all();
         while (m_next < all.size() && item.at > all[m_next].to) {
@@ -166,7 +166,7 @@ private:
 
     QString m_folder, m_name;
     const Survey &m_survey;
-    record::Begin m_begin;
+    recorded::Begin m_begin;
     Heads m_heads;
     std::size_t m_next = 0; ///< the stretch that is written or looked for
     std::unique_ptr<RunWriter> m_writer;
@@ -176,12 +176,12 @@ private:
 
 void StretchWriter::beginRun(const GainStretch &stretch)
 {
-    constexpr record::Nanos kSecond = 1'000'000'000;
+    constexpr recorded::Nanos kSecond = 1'000'000'000;
     Run run;
     run.experiment = QString::fromLatin1(kStretch);
     run.plan = {{QStringLiteral("from s"), seconds(stretch.from)},
         {QStringLiteral("recording"), m_name}, {QStringLiteral("to s"), seconds(stretch.to)}};
-    constexpr std::int64_t kFarthest = 100'000'000'000; // a file may be anyone's
+    constexpr std::int64_t kFarthest = 100'000'000'000; // a file may hold any number
     run.at = std::clamp(m_begin.startSeconds, -kFarthest, kFarthest) + stretch.to / kSecond;
     run.end = QStringLiteral("complete");
     if (const auto &held = m_survey.registers) {
@@ -222,12 +222,12 @@ Result<KeptStretches, QString> keepStretches(
 {
     Survey survey;
     const auto report = readRecording(
-        recording, [&survey](record::Item &&item) { take(survey, item); }, half(proceed, 0.0));
+        recording, [&survey](recorded::Item &&item) { accept(survey, item); }, half(proceed, 0.0));
     if (!report)
         return fail(report.error());
     StretchWriter writer(folder, recording, survey, report->begin);
     const auto second = readRecording(
-        recording, [&writer](record::Item &&item) { writer.take(std::move(item)); },
+        recording, [&writer](recorded::Item &&item) { writer.accept(std::move(item)); },
         half(proceed, 0.5));
     if (!second)
         return fail(second.error());

@@ -1,6 +1,6 @@
 // A recording as runs of a run book: one for each stretch in which its gains stayed as they were, with its part of the
-// recording and the registers that the recording has, with these gains. A stretch with several experiments is parted where
-// each but the first begins; none is parted itself.
+// recording and the registers that the recording has, with these gains. A stretch with several experiments is parted
+// where each but the first begins; none is parted itself.
 #pragma once
 
 #include "session/files/run.h"

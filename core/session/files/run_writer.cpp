@@ -2,7 +2,7 @@
 
 #include "drive/values.h"
 #include "lab/evaluation/finding.h"
-#include "record/gain_stretches.h"
+#include "recorded/gain_stretches.h"
 #include "session/files/finding_json.h"
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
@@ -32,7 +32,7 @@ QMap<QString, double> gainsOf(const snapshots::Snapshot &registers, int motor)
     QMap<QString, double> gains;
     for (const snapshots::Entry &entry : registers.entries)
         if (const auto number = drive::asNumber(entry.value);
-            number && entry.motor == motor && record::isGain(entry.name))
+            number && entry.motor == motor && recorded::isGain(entry.name))
             gains[QString::fromStdString(entry.name)] = *number;
     return gains;
 }
@@ -59,7 +59,7 @@ RunWriter::~RunWriter()
             QFile::remove(path(m_folder, m_run.number));
 }
 
-QString RunWriter::begin(const record::Begin &begin)
+QString RunWriter::begin(const recorded::Begin &begin)
 {
     if (!QDir().mkpath(m_folder))
         return QStringLiteral("there is no such folder");

@@ -1,5 +1,5 @@
-// Writes one run into a run book: its recording entry by entry, then the registers, then what came of it. A run that cannot be
-// written whole leaves no file, and nothing that is there is overwritten.
+// Writes one run into a run book: its recording entry by entry, then the registers, then what came of it. A run that
+// cannot be written whole leaves no file, and nothing that is there is overwritten.
 //
 // Call order: begin(), add() as long as it succeeds, end().
 #pragma once
@@ -20,8 +20,11 @@ public:
     ~RunWriter(); ///< of one that did not come to its end nothing stays
 
     /// The next number, and the file of the recording. @return  empty, or why not
-    QString begin(const record::Begin &begin);
-    bool add(record::Nanos at, record::Entry entry) { return m_file->add(at, std::move(entry)); }
+    QString begin(const recorded::Begin &begin);
+    bool add(recorded::Nanos at, recorded::Entry entry)
+    {
+        return m_file->add(at, std::move(entry));
+    }
     /// Evaluates the recording, too. @return  the run, or why not
     Result<Run, QString> end(const std::optional<snapshots::Snapshot> &registers);
 

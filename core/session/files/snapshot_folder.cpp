@@ -117,8 +117,9 @@ void SnapshotFolder::save(const QDateTime &at, const snapshots::Snapshot &snapsh
         m_writer,
         [this, writer = m_writer, at, snapshot] {
             const SnapshotWriter::Told told = writer->write(at, snapshot);
+            // The destructor waits for this thread.
             QMetaObject::invokeMethod(
-                this, // the destructor waits for this thread
+                this,
                 [this, told] {
                     told.systemText.isEmpty() ? Q_EMIT saved(told.file)
                                               : Q_EMIT failed(told.file, told.systemText);

@@ -19,8 +19,8 @@ QString keptSnapshotName(const QDateTime &at);
 class SnapshotFolder : public QObject {
     Q_OBJECT
 public:
-    static constexpr qsizetype kMostFiles =
-        50; ///< of the folder's own names; the user's files are not touched
+    /// Of the folder's own names; the user's files are not touched.
+    static constexpr qsizetype kMostFiles = 50;
 
     explicit SnapshotFolder(const QString &path, QObject *parent = nullptr);
     ~SnapshotFolder() override; ///< waits until what was asked for is written

@@ -1,5 +1,5 @@
-// Files that appear whole or not at all: what was there before stays until then. Small ones are made at once and read with a
-// bound, others are made piece by piece.
+// Files that appear whole or not at all: what was there before stays until then. Small ones are made at once and read
+// with a bound, others are made piece by piece.
 #pragma once
 
 #include "base/result.h"

@@ -116,7 +116,8 @@ BatchPtr Batcher::take(TimePoint now)
 {
     if (m_waiting.empty() || behind() || now < m_notBefore)
         return nullptr;
-    // A timer fires late by up to a millisecond: were that added each time, the pace would fall behind that of a screen.
+    // A timer fires late by up to a millisecond: were that added each time, the pace would fall behind that of a
+    // screen.
     const Duration late = now - m_notBefore;
     const Duration period = m_calm ? m_config.calmPeriod : m_config.period;
     m_notBefore = now + period - (late <= period / 4 ? late : Duration::zero());

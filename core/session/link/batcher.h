@@ -20,8 +20,8 @@ namespace session {
 /// What a session tells at one go, in order. A complete value that may cross threads.
 struct Batch {
     std::vector<drive::Event> events;
-    std::uint64_t droppedForDisplay =
-        0; ///< samples since the session began that only the display did not get
+    /// Samples since the session began that only the display did not get.
+    std::uint64_t droppedForDisplay = 0;
 };
 using BatchPtr = std::shared_ptr<const Batch>;
 
@@ -32,8 +32,8 @@ public:
         Duration period = std::chrono::milliseconds(16);
         Duration calmPeriod = std::chrono::milliseconds(66); ///< while nothing moves
         int maxUnacknowledged = 2;
-        std::size_t maxWaitingValues =
-            2'000'000; ///< sample values, about 20 s of a full 1.8 Mbaud link
+        /// Sample values, about 20 s of a full 1.8 Mbaud link.
+        std::size_t maxWaitingValues = 2'000'000;
         std::size_t maxWaitingReadings = 20'000; ///< of registers, about 20 s of the fastest link
         std::size_t maxLinkChanges = 8; ///< link states kept while waiting; the newest ones
     };

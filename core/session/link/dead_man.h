@@ -1,15 +1,16 @@
-// DeadMan: whether the person's interface of a session is alive, and what follows when it is not. It knows no clock, no
+// DeadMan: whether the user interface of a session is alive, and what follows when it is not. It knows no clock, no
 // thread and no drive: its owner asks judge() at each turn and does what the verdict says.
 //
 //   interface --attend(), hold(): atomics, never a queued call--> Stamps --> DeadMan::judge(now) --> Verdict
 //
-// A queued call would tell nothing of a frozen interface, and a frozen session would find a heap of them and believe that
-// all was well; of an atomic both sides see how old it is. Times are of a clock that goes on while the computer sleeps.
+// A queued call would tell nothing of a frozen interface, and a frozen session would find a heap of them and believe
+// that all was well; of an atomic both sides see how old it is. Times are of a clock that goes on while the computer
+// sleeps.
 //
-// Not attended for 500 ms: disarmed, and with that nothing that acts is sent and no drive watchdog is fed. For 2 s, while
-// a motor turns that the user has armed here: all motors are stopped. A motor that was left running on purpose (disarmed
-// by the user) is not judged here. What is held (a jog) ends 300 ms after its own last stamp. Nothing is ever armed again,
-// and no hold revived, by a stamp that comes late.
+// Not attended for 500 ms: disarmed, and with that nothing that acts is sent and no drive watchdog is fed. For 2 s,
+// while a motor turns that the user has armed here: all motors are stopped. A motor that was left running on purpose
+// (disarmed by the user) is not judged here. What is held (a jog) ends 300 ms after its own last stamp. Nothing is ever
+// armed again, and no hold revived, by a stamp that comes late.
 #pragma once
 
 #include "drive/event.h"
@@ -38,8 +39,8 @@ struct Interruption {
     Cause cause = Cause::Interface;
     Duration length{}; ///< how long, as far as it is known
     bool disarmed = false;
-    bool stopped =
-        false; ///< a STOP of every motor was begun; for Hold: of the one motor, or of all
+    /// A STOP of every motor was begun; for Hold: of the one motor, or of all.
+    bool stopped = false;
     bool operator==(const Interruption &) const = default;
 };
 
@@ -96,7 +97,7 @@ public:
     void disarmed() { m_ours = false; } ///< the user has: what turns is left to turn
     /// Every motor was told to stop for another reason: nothing that is still to be told goes on as it was.
     void stopped();
-    void takeStatus(const drive::MotorStatus &status) { m_states[status.motor] = status.state; }
+    void acceptStatus(const drive::MotorStatus &status) { m_states[status.motor] = status.state; }
 
     /// Whether what turns now, or could, is this interface's to answer for.
     bool responsible() const { return m_ours; }

@@ -48,11 +48,11 @@ void DrivenMotors::told(const drive::Event &event, TimePoint now)
         if (m_open.erase(end->id) > 0)
             m_lastAct = now;
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event); status && m_driven) {
-        take(*status);
+        accept(*status);
     }
 }
 
-void DrivenMotors::take(const drive::MotorStatus &status)
+void DrivenMotors::accept(const drive::MotorStatus &status)
 {
     if (!m_open.empty() || status.at < m_lastAct + kSettle)
         return;

@@ -1,6 +1,6 @@
-// DrivenMotors: whether this session may have set a motor going that it has not seen at rest since. It says yes too often
-// rather than too late: from the moment a wish that can move is submitted, until every motor was seen idle twice by
-// readings well behind the end of the last such wish. It sends nothing.
+// DrivenMotors: whether this session may have set a motor going that it has not seen at rest since. It says yes too
+// often rather than too late: from the moment a wish that can move is submitted, until every motor was seen idle twice
+// by readings well behind the end of the last such wish. It sends nothing.
 #pragma once
 
 #include "drive/event.h"
@@ -25,7 +25,7 @@ public:
     bool any() const { return m_driven; }
 
 private:
-    void take(const drive::MotorStatus &status);
+    void accept(const drive::MotorStatus &status);
 
     bool m_driven = false;
     int m_motors = 1;

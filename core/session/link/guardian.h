@@ -1,8 +1,8 @@
-// Guardian: a small child process that stops the motors when this program dies or freezes while it drives one. It is not in
-// the way of the data: it holds a duplicate of the port's descriptor, knows one page of shared memory with the bytes that
-// stop the motors, and waits for the end of this program or for a stamp that does not come. Then it sends those bytes every
-// 100 ms for two seconds, lets go of the port and says so on standard error and in the system's log. It reads nothing that
-// comes back, parses nothing and starts nothing.
+// Guardian: a small child process that stops the motors when this program dies or freezes while it drives one. It is
+// not in the way of the data: it holds a duplicate of the port's descriptor, knows one page of shared memory with the
+// bytes that stop the motors, and waits for the end of this program or for a stamp that does not come. Then it sends
+// those bytes every 100 ms for two seconds, lets go of the port and says so on standard error and in the system's log.
+// It reads nothing that comes back, parses nothing and starts nothing.
 //
 // Beside it the same bytes leave from this program itself when it crashes, and when a library calls exit(), as Qt
 // does when the screen is gone.
@@ -21,7 +21,8 @@ namespace session {
 
 class Guardian {
 public:
-    /// While a motor is driven the session stamps at least this often; without a stamp for kFrozenAfter it counts as frozen.
+    /// While a motor is driven the session stamps at least this often; without a stamp for kFrozenAfter it counts as
+    /// frozen.
     static constexpr Duration kStampEvery = std::chrono::milliseconds(500);
     static constexpr Duration kFrozenAfter = std::chrono::milliseconds(3000);
     static constexpr Duration kRepeat = std::chrono::milliseconds(100);
@@ -52,8 +53,8 @@ public:
     virtual Act act() const = 0;
 };
 
-/// Forks the child and installs the hooks for crashes and exit(). First thing in main(): before any thread, and so before
-/// the window. nullptr where there is none; `why` says it then.
+/// Forks the child and installs the hooks for crashes and exit(). First thing in main(): before any thread, and so
+/// before the window. nullptr where there is none; `why` says it then.
 std::shared_ptr<Guardian> startGuardian(const char *&why);
 
 } // namespace session

@@ -106,10 +106,10 @@ private:
         say(words);
         stopMotors(m_page, m_port, Guardian::kRepetitions);
         ::tcflush(m_port, TCIFLUSH); // answers that are not waited for
-        take(-1);
+        accept(-1);
         m_page.stopped.store(m_number);
     }
-    void take(int port)
+    void accept(int port)
     {
         if (m_port >= 0)
             ::close(m_port);
@@ -133,7 +133,7 @@ private:
         const cmsghdr *header = CMSG_FIRSTHDR(&message);
         if (header != nullptr && header->cmsg_type == SCM_RIGHTS)
             std::memcpy(&port, CMSG_DATA(header), sizeof port);
-        take(port);
+        accept(port);
         m_number = word.port;
         return true;
     }
@@ -144,8 +144,8 @@ private:
     std::uint32_t m_number = 0;
 };
 
-/// Of a terminal's signals, and of a session's end, the child hears nothing: it ends with the program. It holds nothing of
-/// it but standard error.
+/// Of a terminal's signals, and of a session's end, the child hears nothing: it ends with the program. It holds nothing
+/// of it but standard error.
 void runChild(StopPage &page, int program)
 {
     ::setsid();

@@ -50,7 +50,7 @@ void Outbox::pump(Transport &transport, const Clock &clock)
     }
 }
 
-bool Outbox::takeAllSent(const Transport &transport, TimePoint now)
+bool Outbox::allSent(const Transport &transport, TimePoint now)
 {
     if (!m_unreported || !m_waiting.empty() || now < m_lineFree)
         return false;

@@ -31,9 +31,9 @@ public:
     void pump(Transport &transport, const Clock &clock);
 
     /// True once each time that everything added so far has left the line, as far as can be known.
-    bool takeAllSent(const Transport &transport, TimePoint now);
+    bool allSent(const Transport &transport, TimePoint now);
 
-    /// When pump() or takeAllSent() has something to do; empty while nothing is on its way.
+    /// When pump() or allSent() has something to do; empty while nothing is on its way.
     /// @param patience  how much later it may be told that all has left
     std::optional<TimePoint> nextDue(Duration patience = {}) const;
 
@@ -45,7 +45,7 @@ private:
     TimePoint m_lineFree{}; ///< when the last bit written has left
     std::optional<TimePoint> m_askAgain; ///< the port still holds bytes although their time is over
     bool m_dropInPort = false; ///< nothing that was written before matters any more
-    bool m_unreported = false; ///< something was written since takeAllSent() was last true
+    bool m_unreported = false; ///< something was written since allSent() was last true
 };
 
 } // namespace session

@@ -2,7 +2,7 @@
 #include "session/recording/replay.h"
 
 #include "drive/protocol_table.h"
-#include "session/link/elapsed_clock.h"
+#include "session/link/wake_timer.h"
 
 #include <chrono>
 
@@ -24,7 +24,7 @@ Clock makeClock()
 std::unique_ptr<drive::Drive> makeDrive(const Endpoint &endpoint)
 {
     if (isReplay(endpoint))
-        return std::make_unique<record::ReplayDrive>();
+        return std::make_unique<recorded::ReplayDrive>();
     return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience, endpoint.spoken});
 }
 

@@ -90,8 +90,8 @@ bool Session::event(QEvent *event)
     return true;
 }
 
-/// The time, at whose call everything begins that is not the timer's: a gap, or a dead interface, is seen before what was
-/// asked for is done.
+/// The time, at whose call everything begins that is not the timer's: a gap, or a dead interface, is seen before what
+/// was asked for is done.
 TimePoint Session::wake()
 {
     const TimePoint now = m_parts.clock();
@@ -368,7 +368,7 @@ void Session::step(TimePoint now)
     armTimer(m_parts.clock());
 }
 
-/// Where nothing moves, nobody minds that samples are some milliseconds late.
+/// Where nothing moves, samples may be some milliseconds late.
 void Session::gather(TimePoint now)
 {
     const bool still = m_phase == Phase::Open && !m_driven.any() && !m_experiment;
@@ -518,7 +518,7 @@ void Session::exchange(TimePoint now)
         }
         m_outbox.add(std::move(outputs));
         m_outbox.pump(*m_transport, m_parts.clock);
-        if (!m_outbox.takeAllSent(*m_transport, now))
+        if (!m_outbox.allSent(*m_transport, now))
             break;
         m_drive->handleSent(now);
     }
@@ -538,14 +538,14 @@ void Session::collectEvents(TimePoint now)
             qCInfo(lcLink) << "stream of" << stream->layout.fast.size() << "fast and"
                            << stream->layout.slow.size() << "slow signals";
         if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
-            m_deadMan.takeStatus(*status);
+            m_deadMan.acceptStatus(*status);
             if (!drive::isDriveIdle(*status))
                 m_ranAt = now;
         }
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_driven.told(event, now);
         if (m_experiment)
-            m_experiment->take(event, now);
+            m_experiment->accept(event, now);
         m_batcher.add(std::move(event));
     }
     if (identified && m_takeUpAgain)
@@ -702,8 +702,8 @@ std::optional<TimePoint> Session::nextStep() const
     return next;
 }
 
-/// Exact, so that a drive that is asked every millisecond is asked in each; but not much oftener than that, because a drive
-/// that is always due must not starve the port, nor a simulated motor the processor.
+/// Exact, so that a drive that is asked every millisecond is asked in each; but not much oftener than that, because a
+/// drive that is always due must not starve the port, nor a simulated motor the processor.
 void Session::armTimer(TimePoint now)
 {
     const std::optional<TimePoint> next = nextStep();

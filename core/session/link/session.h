@@ -14,23 +14,23 @@
 // drive before it connects, also if they were set while no port was open.
 //
 // A stop is wanted until there is evidence that nothing drives a motor at that port, or the user takes it back: across
-// lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port that
-// is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is being
-// closed, or open still when it is to be closed, a stop is carried out first, for two seconds at most.
+// lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port
+// that is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is
+// being closed, or open still when it is to be closed, a stop is carried out first, for two seconds at most.
 //
 // A guardian, where there is one, is told what stops the motors before anything leaves that can move one, and that the
 // session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
 // more, and the port is opened anew like one that was unplugged.
 //
-// An experiment (lab/runner.h) is carried out between the drive and everybody else: it sees each event first, and what
-// breaks its envelope stops every motor within the same turn. Its wishes take the way of everybody's. A person who stops,
-// disarms or commands the motor meanwhile ends it. Where nothing bounds the motor any more then, as in torque control, every
-// motor is stopped first, and what the person asked for is not sent. Whichever way it ends, what was streamed and watched
-// before is again.
+// An experiment (lab/runner.h) is carried out between the drive and its callers: it sees each event first, and what
+// breaks its envelope stops every motor within the same turn. Its wishes take the same way as others. A user who stops,
+// disarms or commands the motor meanwhile ends it. Where nothing bounds the motor any more then, as in torque control,
+// every motor is stopped first, and what the user asked for is not sent. Whichever way it ends, what was streamed and
+// watched before is again.
 //
-// It is armed only as long as the user can see and stop what it does (session/link/dead_man.h): the interface stamps it with
-// attendFromAnyThread(). A gap in time (session/link/time_gap.h) disarms, and the states of the motors are read before
-// anything else. What followed of either is told by interrupted(), when the user is back.
+// It is armed only as long as the user can see and stop what it does (session/link/dead_man.h): the interface stamps it
+// with attendFromAnyThread(). A gap in time (session/link/time_gap.h) disarms, and the states of the motors are read
+// before anything else. What followed of either is told by interrupted(), when the user is back.
 #pragma once
 
 #include "drive/drive.h"
@@ -72,7 +72,8 @@ struct Parts {
     std::function<std::unique_ptr<Transport>(const Endpoint &)> transport;
     std::function<std::unique_ptr<drive::Drive>(const Endpoint &)> drive;
     std::shared_ptr<Guardian> guardian = {}; ///< nullptr: none
-    /// Goes on while the computer sleeps; may be called from any thread. Empty: the clock above, which then may be, too.
+    /// Goes on while the computer sleeps; may be called from any thread. Empty: the clock above, which then may be,
+    /// too.
     Clock elapsed = {};
     /// Unless told otherwise, the session counts as unattended without signs of life.
     Attendance attendance = Attendance::Stamped;
@@ -105,16 +106,16 @@ public:
     bool closed() const { return m_phase == Phase::Closed; }
 
 public Q_SLOTS:
-    void open(const session::Endpoint
-            &endpoint); ///< opens the port and connects; an open one is closed first
+    /// Opens the port and connects; an open one is closed first.
+    void open(const session::Endpoint &endpoint);
     /// Ends streaming, closes the port, ends with portChanged(Closed), within 300 ms, or after an open stop. Nothing if
     /// closed() already.
     void close();
     void submit(const drive::Wish &wish);
     void stop(); ///< every motor, ahead of everything
-    void
-    forgetStop(); ///< the user's word: no stop is wanted at any port; what is under way goes on
-    /// @param madeAt  when the person did what asked for it; too long ago: it is not armed
+    /// The user's word: no stop is wanted at any port; what is under way goes on.
+    void forgetStop();
+    /// @param madeAt  when the user did what asked for it; too long ago: it is not armed
     void setArmed(bool armed, std::optional<TimePoint> madeAt = {});
     /// Stops every motor if the user has armed here and has not left them to turn: what a program does that is asked to
     /// end. Otherwise nothing.

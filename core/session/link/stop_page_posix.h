@@ -1,5 +1,5 @@
-// What the guardian and the program share, and how the motors are stopped from it. What is here allocates nothing and takes
-// no lock: it runs in a signal handler, too.
+// What the guardian and the program share, and how the motors are stopped from it. What is here allocates nothing and
+// takes no lock: it runs in a signal handler, too.
 #pragma once
 
 #include "base/time.h"
@@ -28,8 +28,8 @@ struct StopScript {
     std::array<std::uint8_t, kMostBytes> bytes{};
 };
 
-/// Written by the program, read by the child, but for what the child did. The script that counts is never written to, so
-/// that a program that dies while it writes leaves a whole one; who reads it looks again whether it still counts.
+/// Written by the program, read by the child, but for what the child did. The script that counts is never written to,
+/// so that a program that dies while it writes leaves a whole one; who reads it looks again whether it still counts.
 struct StopPage {
     std::atomic<std::uint32_t> scripts{
         0}; ///< published so far; the lowest bit says where the last one is

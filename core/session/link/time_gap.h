@@ -1,5 +1,5 @@
-// TimeGap: whether time has passed in which this program did not run: it was stopped, starved, or the computer slept. What
-// was known before a gap is old, and what waits to be done was meant for another time. Pure: times are arguments.
+// TimeGap: whether time has passed in which this program did not run: it was stopped, starved, or the computer slept.
+// What was known before a gap is old, and what waits to be done was meant for another time. Pure: times are arguments.
 #pragma once
 
 #include "base/time.h"

@@ -1,5 +1,6 @@
 // The one timer of a session: a single shot, exact to some ten microseconds where the system can. Qt's own timers count
-// whole milliseconds, which is a whole exchange with a drive that is asked a thousand times a second.
+// whole milliseconds, which is a whole exchange with a drive that is asked a thousand times a second. Beside it a clock
+// that goes on while the computer sleeps, which the one that timers run by does not.
 #pragma once
 
 #include "base/time.h"
@@ -10,6 +11,9 @@
 class QSocketNotifier;
 
 namespace session {
+
+/// Since some fixed time; from any thread. Only differences count.
+TimePoint elapsedTime();
 
 class WakeTimer : public QObject {
     Q_OBJECT

@@ -4,6 +4,7 @@
 #include <QSocketNotifier>
 
 #include <algorithm>
+#include <ctime>
 #include <sys/timerfd.h>
 #include <unistd.h>
 
@@ -30,6 +31,13 @@ bool hasFired(int descriptor)
 }
 
 } // namespace
+
+TimePoint elapsedTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_BOOTTIME, &now); // CLOCK_MONOTONIC stands still during a suspend
+    return TimePoint(std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec));
+}
 
 WakeTimer::WakeTimer(QObject *parent)
     : QObject(parent)

@@ -98,8 +98,8 @@ void LentNote::meet(const drive::Identified &board)
         Q_EMIT left(QString::fromStdString(texts));
 }
 
-/// What an experiment writes is borrowed, but where it is what the register held before: it is given back then, or was never
-/// anything else.
+/// What an experiment writes is borrowed, but where it is what the register held before: it is given back then, or was
+/// never anything else.
 void LentNote::onWish(const drive::Wish &wish, TimePoint)
 {
     const auto *write = std::get_if<drive::Write>(&wish.what);
@@ -140,8 +140,8 @@ void LentNote::written(const drive::Ended &ended)
         save();
 }
 
-/// Off the note is what this write put on it and certainly did not change: it was not sent, or refused and nothing else is
-/// read back. What is doubtful stays, and what an earlier write has borrowed.
+/// Off the note is what this write put on it and certainly did not change: it was not sent, or refused and nothing else
+/// is read back. What is doubtful stays, and what an earlier write has borrowed.
 void LentNote::notBorrowed(const drive::Ended &ended)
 {
     for (const drive::RegisterId id : std::exchange(m_fresh, {})) {

@@ -1,11 +1,12 @@
-// LentNote: what an experiment has borrowed of a board's registers, as a file for as long as it has it. A program that is killed
-// meanwhile leaves the file, and the next one that meets the board says what is to be given back, and how. A register is off
-// the note once it was written again, by whomever, and when the write that borrows it certainly changed nothing.
+// LentNote: what an experiment has borrowed of a board's registers, as a file for as long as it has it. A program that
+// is killed meanwhile leaves the file, and the next one that meets the board says what is to be given back, and how. A
+// register is off the note once it was written again, by whomever, and when the write that borrows it certainly changed
+// nothing.
 //
-// A board is known by what it says of itself: another one that says the same has the same note. One that is simulated by this
-// program ends with it and has none. It stands in the session's thread; a file takes well below a millisecond, and the motor
-// rests when one is written: nothing waits for the disk itself, because a program that is killed loses nothing of what it
-// handed to the system.
+// A board is known by what it says of itself: another one that says the same has the same note. One that is simulated
+// by this program ends with it and has none. It stands in the session's thread; a file takes well below a millisecond,
+// and the motor rests when one is written: nothing waits for the disk itself, because a program that is killed loses
+// nothing of what it handed to the system.
 #pragma once
 
 #include "lab/lent.h"
@@ -16,7 +17,7 @@
 
 namespace session {
 
-QString lentFolder(); ///< in the person's data folder, for window and command line
+QString lentFolder(); ///< in the user's data folder, for window and command line
 
 class LentNote : public QObject, public SessionTap {
     Q_OBJECT
@@ -29,7 +30,7 @@ public:
     void onEvent(const drive::Event &event, TimePoint now) override;
     void onWish(const drive::Wish &wish, TimePoint now) override;
     void onStop(TimePoint) override { }
-    void onLink(record::LinkBytes::Direction, ByteView, TimePoint) override { }
+    void onLink(recorded::LinkBytes::Direction, ByteView, TimePoint) override { }
 
 Q_SIGNALS:
     /// Another program, or this one before, has left something on the board that was met: lab::leftTexts() in a row.

@@ -38,7 +38,7 @@ void Recording::start(const QString &path, RecordingTap::Content content, const 
         return;
     m_running = true;
     m_ending = false;
-    const record::Begin begin{0, program.toStdString(), source.toStdString()};
+    const recorded::Begin begin{0, program.toStdString(), source.toStdString()};
     QMetaObject::invokeMethod(
         m_worker, [=, worker = m_worker] { worker->start(path, content, begin); },
         Qt::QueuedConnection);
@@ -53,7 +53,7 @@ void Recording::stop()
         m_worker, [worker = m_worker] { worker->stop(); }, Qt::QueuedConnection);
 }
 
-bool Recording::add(record::Nanos at, record::Entry entry)
+bool Recording::add(recorded::Nanos at, recorded::Entry entry)
 {
     if (!m_running || m_ending)
         return false;

@@ -5,7 +5,7 @@
 // started() exactly one finished(), by stop() or because the disk wants no more.
 #pragma once
 
-#include "record/coverage.h"
+#include "recorded/coverage.h"
 #include "session/recording/recording_file.h"
 #include "session/recording/recording_tap.h"
 
@@ -20,7 +20,7 @@ struct RecordingProgress {
     qint64 freeBytes = -1; ///< on the disk; negative: unknown
     qint64 roomBytes = -1; ///< of them for the recording, until RecordingLimits::endBytes are left
     bool lowSpace = false; ///< less than RecordingLimits::warnBytes
-    record::Lost lost; ///< in all: what the disk was too slow for
+    recorded::Lost lost; ///< in all: what the disk was too slow for
 };
 
 enum class RecordingOutcome : std::uint8_t {
@@ -35,7 +35,7 @@ struct RecordingResult {
     QString path;
     QString systemText; ///< the system's words
     RecordingProgress last;
-    record::Coverage coverage; ///< what of each signal is in it
+    recorded::Coverage coverage; ///< what of each signal is in it
     bool complete = false; ///< nothing that was told in that time is missing from it
 };
 
@@ -60,7 +60,7 @@ public:
         const QString &source);
     void stop(); ///< finished() follows
     /// A note or a snapshot at this time of the session; false if it is in no file: none is running, or it is ending.
-    bool add(record::Nanos at, record::Entry entry);
+    bool add(recorded::Nanos at, recorded::Entry entry);
     bool running() const { return m_running; }
 
 Q_SIGNALS:

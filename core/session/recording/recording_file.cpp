@@ -94,8 +94,8 @@ private:
 
     std::unique_ptr<QLockFile> m_lock; ///< outlives the open file
     QFile m_file;
-    std::filesystem::path
-        m_disk; ///< QStorageInfo reads the list of all disks each time it is asked
+    /// QStorageInfo reads the list of all disks each time it is asked.
+    std::filesystem::path m_disk;
     qint64 m_size = 0;
     bool m_full = false;
     QString m_text;
@@ -111,13 +111,13 @@ std::unique_ptr<BlockSink> makeDiskSink(const QString &path, QString &systemText
     return sink;
 }
 
-RecordingFile::RecordingFile(std::unique_ptr<BlockSink> sink, record::Begin begin)
+RecordingFile::RecordingFile(std::unique_ptr<BlockSink> sink, recorded::Begin begin)
     : m_sink(std::move(sink))
     , m_encoder(std::move(begin))
 {
 }
 
-bool RecordingFile::add(record::Nanos at, const record::Entry &entry)
+bool RecordingFile::add(recorded::Nanos at, const recorded::Entry &entry)
 {
     if (m_over)
         return false;
@@ -127,7 +127,7 @@ bool RecordingFile::add(record::Nanos at, const record::Entry &entry)
     return writeBlocks();
 }
 
-bool RecordingFile::flush(record::Nanos now)
+bool RecordingFile::flush(recorded::Nanos now)
 {
     if (m_over)
         return false;
@@ -145,14 +145,14 @@ bool RecordingFile::flushAll()
 
 bool RecordingFile::writeBlocks()
 {
-    for (const record::Block &block : m_encoder.takeBlocks()) {
+    for (const recorded::Block &block : m_encoder.takeBlocks()) {
         if (!write(block))
             return false;
     }
     return true;
 }
 
-bool RecordingFile::write(const record::Block &block)
+bool RecordingFile::write(const recorded::Block &block)
 {
     if (!m_sink->append(block.bytes)) {
         fail();
@@ -193,7 +193,7 @@ bool RecordingFile::end()
 /// The disk refused a block, which is gone; the ones before it stay.
 void RecordingFile::fail()
 {
-    using Reason = record::End::Reason;
+    using Reason = recorded::End::Reason;
     markEnd({m_sink->isFull() ? Reason::DiskFull : Reason::WriteFailed,
         m_sink->systemText().toStdString()});
 }
@@ -202,11 +202,11 @@ void RecordingFile::endForWantOfRoom()
 {
     if (m_over || !flushAll())
         return;
-    markEnd({record::End::Reason::DiskFull, "hardly any room left", 0, 0});
+    markEnd({recorded::End::Reason::DiskFull, "hardly any room left", 0, 0});
 }
 
 /// As the last block if the disk takes it, else in the place that was kept for it.
-void RecordingFile::markEnd(record::End end)
+void RecordingFile::markEnd(recorded::End end)
 {
     m_over = true;
     m_failure = end;

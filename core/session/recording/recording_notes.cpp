@@ -1,7 +1,7 @@
 #include "session/recording/recording_notes.h"
 
-#include "record/decoder.h"
-#include "record/entry_codec.h"
+#include "recorded/decoder.h"
+#include "recorded/entry_codec.h"
 #include "session/recording/recording_file.h"
 
 #include <QFile>
@@ -34,16 +34,16 @@ constexpr std::size_t kApart = 12;
 
 /// What must be known of the blocks before, to write further ones.
 struct Tail {
-    record::Nanos newest = 0; ///< of all entries: what follows must not seem to come before
+    recorded::Nanos newest = 0; ///< of all entries: what follows must not seem to come before
     bool cut = false; ///< within a block
 
-    void follow(record::Decoder &decoder)
+    void follow(recorded::Decoder &decoder)
     {
         while (const auto step = decoder.next()) {
-            if (const auto *item = std::get_if<record::Item>(&*step))
+            if (const auto *item = std::get_if<recorded::Item>(&*step))
                 newest = std::max(newest, item->at);
             else
-                cut = std::get<record::Damage>(*step).kind == record::Damage::Kind::CutShort;
+                cut = std::get<recorded::Damage>(*step).kind == recorded::Damage::Kind::CutShort;
         }
     }
 };
@@ -71,7 +71,7 @@ bool changedLately(const QFileInfo &file, qint64 read, const NotesSource &known)
 } // namespace
 
 NotesResult saveNotes(const QString &source, const QString &target,
-    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed,
+    const std::vector<recorded::Note> &notes, const std::function<bool(double)> &proceed,
     const NotesSource &known)
 {
     const QFileInfo before(source);
@@ -88,7 +88,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
     const auto lock = recordingLock(source); // meanwhile no recording begins in it, either
     if (existing == before && !lock->tryLock() && lock->error() == QLockFile::LockFailedError)
         return beingWritten();
-    record::Decoder decoder;
+    recorded::Decoder decoder;
     Tail tail;
     const double size = static_cast<double>(std::max<qint64>(1, from.size()));
     while (true) {
@@ -116,12 +116,12 @@ NotesResult saveNotes(const QString &source, const QString &target,
     if (tail.cut && !writeAll(to, Bytes(kApart).data(), kApart))
         return failed(to.errorString());
     std::uint32_t number = decoder.nextNumber();
-    for (const record::Note &note : notes) {
-        auto payload = record::encodeEntry(note);
+    for (const recorded::Note &note : notes) {
+        auto payload = recorded::encodeEntry(note);
         if (!payload)
             return failed(QStringLiteral("a note is too long"));
-        const Bytes block = record::packetBlock(
-            {record::Interface::Entries, tail.newest, 0, number++, 0}, std::move(*payload));
+        const Bytes block = recorded::packetBlock(
+            {recorded::Interface::Entries, tail.newest, 0, number++, 0}, std::move(*payload));
         if (!writeAll(to, block.data(), static_cast<qint64>(block.size())))
             return failed(to.errorString());
     }

@@ -1,7 +1,7 @@
 #include "session/recording/recording_reader.h"
 
-#include "record/overview.h"
-#include "record/restore.h"
+#include "recorded/overview.h"
+#include "recorded/restore.h"
 
 #include <QFile>
 
@@ -16,7 +16,7 @@ constexpr qint64 kPiece = 1 << 20;
 
 std::size_t memoryOf(const std::string &text) { return sizeof(std::string) + text.size(); }
 
-std::size_t memoryOf(const record::Happening &happening)
+std::size_t memoryOf(const recorded::Happening &happening)
 {
     std::size_t bytes = sizeof happening + memoryOf(happening.name);
     for (const auto &[key, value] : happening.fields)
@@ -24,12 +24,12 @@ std::size_t memoryOf(const record::Happening &happening)
     return bytes;
 }
 
-std::size_t memoryOf(const record::RegisterSnapshot &snapshot)
+std::size_t memoryOf(const recorded::RegisterSnapshot &snapshot)
 {
     return memoryOf(snapshot.title) + memoryOf(snapshot.json);
 }
 
-std::size_t memoryOf(const record::Note &note)
+std::size_t memoryOf(const recorded::Note &note)
 {
     constexpr std::size_t kNode = 64; // of the map
     return kNode + sizeof note + memoryOf(note.text);
@@ -43,24 +43,24 @@ public:
     {
     }
 
-    void take(const record::Item &item)
+    void accept(const recorded::Item &item)
     {
-        if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
+        if (const auto *begin = std::get_if<recorded::Begin>(&item.entry)) {
             m_report.begin = *begin;
         } else if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
             m_report.samples += capture::samplesOf(*block);
-        } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
+        } else if (const auto *link = std::get_if<recorded::LinkBytes>(&item.entry)) {
             m_report.linkBytes += link->bytes.size();
-        } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {
-            const bool near = item.at > -record::kFarthest && item.at < record::kFarthest;
+        } else if (const auto *happening = std::get_if<recorded::Happening>(&item.entry)) {
+            const bool near = item.at > -recorded::kFarthest && item.at < recorded::kFarthest;
             if (near && hasRoom(memoryOf(*happening)))
                 m_report.happenings.push_back({item.at, *happening});
-        } else if (const auto *snapshot = std::get_if<record::RegisterSnapshot>(&item.entry)) {
+        } else if (const auto *snapshot = std::get_if<recorded::RegisterSnapshot>(&item.entry)) {
             if (hasRoom(memoryOf(*snapshot)))
                 m_report.snapshots.push_back({item.at, *snapshot});
-        } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
-            take(*words);
-        } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
+        } else if (const auto *words = std::get_if<recorded::Note>(&item.entry)) {
+            accept(*words);
+        } else if (const auto *lost = std::get_if<recorded::Lost>(&item.entry)) {
             m_report.lost.samples += lost->samples;
             m_report.lost.linkBytes += lost->linkBytes;
             m_report.lost.others += lost->others;
@@ -74,13 +74,13 @@ public:
 
 private:
     /// The last one said of each time counts.
-    void take(const record::Note &words)
+    void accept(const recorded::Note &words)
     {
         if (const auto before = m_notes.find(words.from); before != m_notes.end()) {
             m_kept -= memoryOf(before->second);
             m_notes.erase(before);
         }
-        if (!record::isTakenBack(words) && hasRoom(memoryOf(words)))
+        if (!recorded::isTakenBack(words) && hasRoom(memoryOf(words)))
             m_notes[words.from] = words;
     }
     bool hasRoom(std::size_t bytes)
@@ -94,7 +94,7 @@ private:
     }
 
     RecordingReport &m_report;
-    std::map<record::Nanos, record::Note> m_notes;
+    std::map<recorded::Nanos, recorded::Note> m_notes;
     std::size_t m_kept = 0;
 };
 
@@ -107,31 +107,31 @@ enum class TailKind : std::uint8_t {
 };
 
 /// @param found  takes the overview, if it is one
-TailKind tailKindOf(const Bytes &block, std::vector<record::Overview> &found)
+TailKind tailKindOf(const Bytes &block, std::vector<recorded::Overview> &found)
 {
-    const record::Claim claim = record::claimOf(block);
+    const recorded::Claim claim = recorded::claimOf(block);
     if (claim.type
-        != record::kPacketBlock) // it has no checksum of ours: both of its lengths have to agree
-        return claim.type != record::kSectionBlock && claim.length == block.size()
+        != recorded::kPacketBlock) // it has no checksum of ours: both of its lengths have to agree
+        return claim.type != recorded::kSectionBlock && claim.length == block.size()
             ? TailKind::Other
             : TailKind::Samples;
-    const auto head = record::packetHead(block, record::kMostPayload);
-    const auto data = head ? record::packetData(*head, block) : std::nullopt;
-    if (!data || head->interface != record::Interface::Entries)
+    const auto head = recorded::packetHead(block, recorded::kMostPayload);
+    const auto data = head ? recorded::packetData(*head, block) : std::nullopt;
+    if (!data || head->interface != recorded::Interface::Entries)
         return TailKind::Samples;
-    auto overview = record::decodeOverview(*data);
+    auto overview = recorded::decodeOverview(*data);
     if (overview) {
         found.push_back(std::move(*overview));
         return TailKind::Overview;
     }
-    const auto entry = record::decodeEntry(*data);
+    const auto entry = recorded::decodeEntry(*data);
     if (!entry) // an overview that makes no sense is none of these kinds
-        return overview.error() == record::PayloadError::UnknownKind
-                && entry.error() == record::PayloadError::UnknownKind
+        return overview.error() == recorded::PayloadError::UnknownKind
+                && entry.error() == recorded::PayloadError::UnknownKind
             ? TailKind::Other
             : TailKind::Samples;
-    return std::holds_alternative<record::End>(entry->entry)
-            || std::holds_alternative<record::Note>(entry->entry)
+    return std::holds_alternative<recorded::End>(entry->entry)
+            || std::holds_alternative<recorded::Note>(entry->entry)
         ? TailKind::EndOrNote
         : TailKind::Samples;
 }
@@ -139,24 +139,24 @@ TailKind tailKindOf(const Bytes &block, std::vector<record::Overview> &found)
 } // namespace
 
 Result<RecordingReport, QString> readRecording(const QString &path,
-    const std::function<void(record::Item &&)> &take, const std::function<bool(double)> &proceed)
+    const std::function<void(recorded::Item &&)> &take, const std::function<bool(double)> &proceed)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return fail(file.errorString());
-    record::Decoder decoder;
+    recorded::Decoder decoder;
     RecordingReport report;
     Keeper keeper(report);
     const auto drain = [&] {
         while (auto step = decoder.next()) {
-            if (auto *item = std::get_if<record::Item>(&*step)) {
-                keeper.take(*item);
+            if (auto *item = std::get_if<recorded::Item>(&*step)) {
+                keeper.accept(*item);
                 take(std::move(*item));
                 continue;
             }
             ++report.damagedPlaces;
             if (report.damage.size() < RecordingReport::kMostDamage)
-                report.damage.push_back(std::get<record::Damage>(*step));
+                report.damage.push_back(std::get<recorded::Damage>(*step));
         }
     };
     const double size = static_cast<double>(std::max<qint64>(1, file.size()));
@@ -186,16 +186,16 @@ Result<RecordingReport, QString> readRecording(const QString &path,
 Result<RecordingReport, QString> readRecording(
     const QString &path, capture::Capture &capture, const std::function<bool(double)> &proceed)
 {
-    record::Restorer restorer(capture);
+    recorded::Restorer restorer(capture);
     return readRecording(
-        path, [&restorer](record::Item &&item) { restorer.take(item.entry); }, proceed);
+        path, [&restorer](recorded::Item &&item) { restorer.accept(item.entry); }, proceed);
 }
 
 bool readOverview(const QString &path, capture::Capture &capture)
 {
     constexpr int kMostBlocks = 4096; // notes may be behind it, and many times ago
     constexpr qint64 kMostPassed = qint64{16} << 20; // of kinds that are not known
-    constexpr qint64 kTrailer = 4, kLeastBlock = record::kClaimBytes + kTrailer;
+    constexpr qint64 kTrailer = 4, kLeastBlock = recorded::kClaimBytes + kTrailer;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return false;
@@ -205,13 +205,13 @@ bool readOverview(const QString &path, capture::Capture &capture)
         return Bytes(bytes.begin(), bytes.end());
     };
     // From the last block to the one before it, by the length that stands at its end.
-    std::vector<record::Overview> found;
+    std::vector<recorded::Overview> found;
     qint64 end = file.size(), passed = 0;
     for (int i = 0; i < kMostBlocks && end > kTrailer; ++i) {
         const Bytes trailer = read(end - kTrailer, kTrailer);
         const qint64 length = ByteReader(trailer).u32();
         if (length < kLeastBlock || length > end
-            || length > qint64{record::blockSize(record::kMostPayload)})
+            || length > qint64{recorded::blockSize(recorded::kMostPayload)})
             break;
         const Bytes block = read(end - length, length);
         const TailKind kind = tailKindOf(block, found);
@@ -223,13 +223,13 @@ bool readOverview(const QString &path, capture::Capture &capture)
         end -= length;
     }
     for (auto overview = found.rbegin(); overview != found.rend(); ++overview)
-        record::restore(*overview, capture);
+        recorded::restore(*overview, capture);
     return !found.empty();
 }
 
-QString damageText(const record::Damage &damage)
+QString damageText(const recorded::Damage &damage)
 {
-    using Kind = record::Damage::Kind;
+    using Kind = recorded::Damage::Kind;
     const auto number = [](std::uint64_t value) { return QString::number(value); };
     const QString last = number(damage.offset + std::max<std::uint64_t>(1, damage.bytes) - 1);
     switch (damage.kind) {

@@ -1,10 +1,10 @@
-// Opens a recording: its samples into a capture, by the calls that live samples take, and a report of everything else in
-// it and of what is missing. Reads piece by piece: a file of any size takes the memory of its samples only.
+// Opens a recording: its samples into a capture, by the calls that live samples take, and a report of everything else
+// in it and of what is missing. Reads piece by piece: a file of any size takes the memory of its samples only.
 #pragma once
 
 #include "base/result.h"
 #include "capture/capture.h"
-#include "record/decoder.h"
+#include "recorded/decoder.h"
 
 #include <QString>
 
@@ -15,20 +15,20 @@ namespace session {
 
 struct RecordingReport {
     template <class T>
-    using At = std::pair<record::Nanos, T>; ///< when, and what
-    record::Begin begin;
-    std::vector<At<record::Happening>> happenings;
-    std::vector<At<record::RegisterSnapshot>> snapshots;
-    std::vector<record::Note>
-        notes; ///< as they were said last, by their time; without those taken back
-    record::Lost lost; ///< in all: what the disk was too slow for
+    using At = std::pair<recorded::Nanos, T>; ///< when, and what
+    recorded::Begin begin;
+    std::vector<At<recorded::Happening>> happenings;
+    std::vector<At<recorded::RegisterSnapshot>> snapshots;
+    /// As they were said last, by their time; without those taken back.
+    std::vector<recorded::Note> notes;
+    recorded::Lost lost; ///< in all: what the disk was too slow for
     std::uint64_t linkBytes = 0;
     std::uint64_t samples = 0;
     std::uint64_t blocks = 0; ///< sound ones
     qint64 bytes = 0; ///< of the file that were read
-    std::vector<record::Damage> damage; ///< the first kMostDamage places
+    std::vector<recorded::Damage> damage; ///< the first kMostDamage places
     std::uint64_t damagedPlaces = 0; ///< all of them
-    std::optional<record::End> ending; ///< empty: the recorder was interrupted
+    std::optional<recorded::End> ending; ///< empty: the recorder was interrupted
     std::uint64_t leftOut = 0; ///< happenings, snapshots and notes that there was no room for
 
     static constexpr std::size_t kMostDamage = 1000;
@@ -45,14 +45,14 @@ Result<RecordingReport, QString> readRecording(const QString &path, capture::Cap
 
 /// The same, with the entries themselves, in the file's order.
 Result<RecordingReport, QString> readRecording(const QString &path,
-    const std::function<void(record::Item &&)> &take,
+    const std::function<void(recorded::Item &&)> &take,
     const std::function<bool(double)> &proceed = {});
 
-/// What its recorder summed up at its end into the capture, which should be empty: the picture of all of it, with its peaks, of
-/// its fast signals. False: there is no such thing, or it is damaged. Reads what it needs and no samples.
+/// What its recorder summed up at its end into the capture, which should be empty: the picture of all of it, with its
+/// peaks, of its fast signals. False: there is no such thing, or it is damaged. Reads what it needs and no samples.
 bool readOverview(const QString &path, capture::Capture &capture);
 
 /// One place of damage in English, e.g. "bytes 4096 to 8191 are unreadable, 2 blocks are missing".
-QString damageText(const record::Damage &damage);
+QString damageText(const recorded::Damage &damage);
 
 } // namespace session

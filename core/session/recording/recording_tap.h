@@ -6,7 +6,7 @@
 // nothing of recordings.
 #pragma once
 
-#include "record/drive_entries.h"
+#include "recorded/drive_entries.h"
 #include "session/recording/session_tap.h"
 
 #include <QMetaType>
@@ -20,8 +20,8 @@ namespace session {
 /// Entries of one moment; immutable, so that they may cross threads.
 struct Told {
     unsigned recording = 0; ///< number of the recording they are for
-    record::Nanos at = 0;
-    std::vector<record::Entry> entries;
+    recorded::Nanos at = 0;
+    std::vector<recorded::Entry> entries;
     std::size_t bytes = 0; ///< about what they hold in memory
 };
 using ToldPtr = std::shared_ptr<const Told>;
@@ -52,22 +52,22 @@ public:
     // In the session's thread.
     void onEvent(const drive::Event &event, TimePoint now) override;
     void onWish(const drive::Wish &wish, TimePoint now) override;
-    void onStop(TimePoint now) override { tell({record::DriveEntries::stop()}, now); }
-    void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now) override;
+    void onStop(TimePoint now) override { tell({recorded::DriveEntries::stop()}, now); }
+    void onLink(recorded::LinkBytes::Direction direction, ByteView bytes, TimePoint now) override;
 
 Q_SIGNALS:
     /// Connect it queued, or to what may be called in the session's thread.
     void told(const session::ToldPtr &told);
-    /// What was told is to be taken now: a quarter of what may wait does, or the recording ended meanwhile, so that nothing
-    /// else would take it. Connect it queued.
+    /// What was told is to be taken now: a quarter of what may wait does, or the recording ended meanwhile, so that
+    /// nothing else would take it. Connect it queued.
     void dueNow();
 
 private:
     bool isOn() const { return m_recording != 0; }
-    void tell(std::vector<record::Entry> entries, TimePoint now);
-    void send(std::vector<record::Entry> entries, std::size_t bytes, TimePoint now);
-    void drop(const std::vector<record::Entry> &entries);
-    void addUntold(std::vector<record::Entry> &entries);
+    void tell(std::vector<recorded::Entry> entries, TimePoint now);
+    void send(std::vector<recorded::Entry> entries, std::size_t bytes, TimePoint now);
+    void drop(const std::vector<recorded::Entry> &entries);
+    void addUntold(std::vector<recorded::Entry> &entries);
 
     const std::size_t m_mostWaiting;
     std::atomic<unsigned> m_recording = 0; ///< 0: off
@@ -76,10 +76,10 @@ private:
     std::atomic<std::int64_t> m_startSeconds = 0;
 
     // Of the session's thread:
-    record::DriveEntries m_entries;
-    unsigned m_toldState = 0; ///< the recording that knows what held when it began
-    record::Lost m_lost; ///< not told yet
-    std::vector<record::Entry> m_untold; ///< descriptions that got lost; what follows needs them
+    recorded::DriveEntries m_entries;
+    unsigned m_toldState = 0; ///< the recording that was told what held when it began
+    recorded::Lost m_lost; ///< not told yet
+    std::vector<recorded::Entry> m_untold; ///< descriptions that got lost; what follows needs them
     std::int64_t m_streamEnd = 0; ///< tick behind the last block handed on
     std::uint32_t m_step = 1;
     bool m_dropping = false;

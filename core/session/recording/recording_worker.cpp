@@ -11,14 +11,14 @@ constexpr int kTick_ms = 250; ///< what was gathered is not older when it is wri
 constexpr qint64 kSync_ms = 1000;
 constexpr qint64 kRate_ms = 900;
 
-RecordingOutcome outcomeOf(record::End::Reason reason)
+RecordingOutcome outcomeOf(recorded::End::Reason reason)
 {
     switch (reason) {
-    case record::End::Reason::Stopped:
+    case recorded::End::Reason::Stopped:
         return RecordingOutcome::Stopped;
-    case record::End::Reason::DiskFull:
+    case recorded::End::Reason::DiskFull:
         return RecordingOutcome::DiskFull;
-    case record::End::Reason::WriteFailed:
+    case recorded::End::Reason::WriteFailed:
         break;
     }
     return RecordingOutcome::WriteFailed;
@@ -54,13 +54,13 @@ RecordingWorker::RecordingWorker(
     connect(
         m_tap.get(), &RecordingTap::told, this,
         [inbox = m_inbox](const ToldPtr &told) { inbox->put(told); }, Qt::DirectConnection);
-    connect(
-        m_tap.get(), &RecordingTap::dueNow, this, &RecordingWorker::takeAll, Qt::QueuedConnection);
+    connect(m_tap.get(), &RecordingTap::dueNow, this, &RecordingWorker::processAll,
+        Qt::QueuedConnection);
     connect(&m_timer, &QTimer::timeout, this, &RecordingWorker::tick);
 }
 
 void RecordingWorker::start(
-    const QString &path, RecordingTap::Content content, const record::Begin &begin)
+    const QString &path, RecordingTap::Content content, const recorded::Begin &begin)
 {
     m_path = path;
     m_lost = {};
@@ -73,7 +73,7 @@ void RecordingWorker::start(
         Q_EMIT finished({RecordingOutcome::CannotOpen, path, systemText, {}, {}});
         return;
     }
-    record::Begin whole = begin;
+    recorded::Begin whole = begin;
     whole.startSeconds = m_tap->startSeconds();
     m_free = sink->freeBytes();
     m_file = std::make_unique<RecordingFile>(std::move(sink), whole);
@@ -88,43 +88,43 @@ void RecordingWorker::start(
     Q_EMIT started(path);
 }
 
-void RecordingWorker::takeAll()
+void RecordingWorker::processAll()
 {
     // Each is let go as soon as it counts as written.
     std::vector<ToldPtr> all = m_inbox->take();
     for (ToldPtr &told : all)
-        take(std::exchange(told, {}));
+        accept(std::exchange(told, {}));
 }
 
-void RecordingWorker::take(const ToldPtr &told)
+void RecordingWorker::accept(const ToldPtr &told)
 {
     m_tap->release(told->bytes);
     if (!m_file || told->recording != m_number)
         return; // of a recording that is over
-    for (const record::Entry &entry : told->entries) {
-        if (const auto *lost = std::get_if<record::Lost>(&entry)) {
+    for (const recorded::Entry &entry : told->entries) {
+        if (const auto *lost = std::get_if<recorded::Lost>(&entry)) {
             m_lost.samples += lost->samples;
             m_lost.linkBytes += lost->linkBytes;
             m_lost.others += lost->others;
         }
         if (!m_file->add(told->at, entry))
             return finish();
-        m_coverage.take(entry);
+        m_coverage.accept(entry);
     }
     if (!m_file->flush(told->at))
         finish();
 }
 
-void RecordingWorker::add(record::Nanos at, const record::Entry &entry)
+void RecordingWorker::add(recorded::Nanos at, const recorded::Entry &entry)
 {
-    takeAll();
+    processAll();
     if (m_file && !m_file->add(at, entry))
         finish();
 }
 
 void RecordingWorker::tick()
 {
-    takeAll();
+    processAll();
     if (!m_file)
         return;
     bool goesOn = m_file->flushAll();
@@ -144,7 +144,7 @@ void RecordingWorker::tick()
 
 void RecordingWorker::stop()
 {
-    takeAll();
+    processAll();
     if (!m_file)
         return;
     (void)m_file->end();
@@ -164,10 +164,10 @@ void RecordingWorker::finish()
         result.systemText = QString::fromStdString(failure->text);
     }
     result.coverage = std::move(m_coverage);
-    result.complete = result.outcome == RecordingOutcome::Stopped && m_lost == record::Lost{}
+    result.complete = result.outcome == RecordingOutcome::Stopped && m_lost == recorded::Lost{}
         && m_file->leftOut() == 0;
     m_file.reset();
-    takeAll(); // what was told meanwhile is in no file and holds no memory
+    processAll(); // what was told meanwhile is in no file and holds no memory
     Q_EMIT finished(result);
 }
 

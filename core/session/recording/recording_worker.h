@@ -30,9 +30,9 @@ class RecordingWorker : public QObject {
 public:
     RecordingWorker(std::shared_ptr<RecordingTap> tap, RecordingLimits limits, MakeSink makeSink);
 
-    void start(const QString &path, RecordingTap::Content content, const record::Begin &begin);
+    void start(const QString &path, RecordingTap::Content content, const recorded::Begin &begin);
     void stop();
-    void add(record::Nanos at, const record::Entry &entry);
+    void add(recorded::Nanos at, const recorded::Entry &entry);
 
 Q_SIGNALS:
     void started(const QString &path);
@@ -40,8 +40,8 @@ Q_SIGNALS:
     void finished(const session::RecordingResult &result);
 
 private:
-    void takeAll();
-    void take(const ToldPtr &told);
+    void processAll();
+    void accept(const ToldPtr &told);
     void tick();
     void finish();
     RecordingProgress progress();
@@ -59,8 +59,8 @@ private:
     double m_rate = 0.0;
     qint64 m_free = -1; ///< bytes on the disk, at the last sync
     QString m_path;
-    record::Lost m_lost;
-    record::Coverage m_coverage;
+    recorded::Lost m_lost;
+    recorded::Coverage m_coverage;
     unsigned m_number = 0;
 };
 

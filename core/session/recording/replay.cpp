@@ -9,7 +9,7 @@ namespace session {
 namespace {
 
 /// The drive and what watches over it live equally long.
-class WatchedReplay : public record::ReplayDrive {
+class WatchedReplay : public recorded::ReplayDrive {
 public:
     explicit WatchedReplay(std::shared_ptr<Replay> replay)
         : ReplayDrive(replay.get())
@@ -40,12 +40,12 @@ std::optional<std::uint64_t> Replay::takeSeek()
         : std::optional(static_cast<std::uint64_t>(std::min(fraction, 1.0) * m_bytes));
 }
 
-void Replay::told(record::Nanos at, const record::Entry &entry)
+void Replay::told(recorded::Nanos at, const recorded::Entry &entry)
 {
     Q_EMIT happened({capture::toSeconds(at), entry});
 }
 
-void Replay::progressed(const record::ReplayProgress &progress)
+void Replay::progressed(const recorded::ReplayProgress &progress)
 {
     m_state.seconds = capture::toSeconds(progress.position);
     m_state.fraction = progress.ended ? 1.0 : static_cast<double>(progress.bytes) / m_bytes;

@@ -1,11 +1,11 @@
 // Replay: what the user has of a replay: pace and pause, how far it is, what happened. A replay itself is a
-// record::ReplayDrive behind a session, like a board; replaying() puts it there.
+// recorded::ReplayDrive behind a session, like a board; replaying() puts it there.
 //
-// It is made for one receiver, which says what it has taken: until then the replay waits, so that a session never has to
-// thin what a slow receiver cannot bear.
+// It is made for one receiver, which says what it has taken: until then the replay waits, so that a session never has
+// to thin what a slow receiver cannot bear.
 #pragma once
 
-#include "record/replay_drive.h"
+#include "recorded/replay_drive.h"
 #include "session/link/session.h"
 
 #include <QMetaType>
@@ -27,10 +27,10 @@ struct ReplayState {
 /// Something that was recorded and is no event of a drive; times are on the session's axis.
 struct ReplayedEntry {
     double seconds = 0.0;
-    record::Entry entry;
+    recorded::Entry entry;
 };
 
-class Replay : public QObject, public record::ReplayControl {
+class Replay : public QObject, public recorded::ReplayControl {
     Q_OBJECT
 public:
     // In any thread.
@@ -40,16 +40,16 @@ public:
     bool paused() const { return m_paused; }
     /// Goes to a place in the file: on as fast as it is taken, back by beginning anew behind what was told.
     void seek(double fraction) { m_seek = fraction; }
-    void take(std::uint64_t values) { m_untaken -= static_cast<std::int64_t>(values); }
+    void accept(std::uint64_t values) { m_untaken -= static_cast<std::int64_t>(values); }
 
     // In the session's thread.
     void begin(const QString &path);
-    record::ReplayPace pace() const override { return {m_speed, m_paused}; }
+    recorded::ReplayPace pace() const override { return {m_speed, m_paused}; }
     bool full() const override { return m_untaken > 0; }
     std::optional<std::uint64_t> takeSeek() override;
     void handed(std::uint64_t values) override { m_untaken += static_cast<std::int64_t>(values); }
-    void told(record::Nanos at, const record::Entry &entry) override;
-    void progressed(const record::ReplayProgress &progress) override;
+    void told(recorded::Nanos at, const recorded::Entry &entry) override;
+    void progressed(const recorded::ReplayProgress &progress) override;
 
 Q_SIGNALS:
     void advanced(const session::ReplayState &state); ///< ten times a second

@@ -1,9 +1,9 @@
-// SessionTap: what listens to a session, before anything is dropped for display: its drive and its line. It stands in the
-// session's thread, never waits and changes nothing. SetPointTap is the one of them that tells set-points alone.
+// SessionTap: what listens to a session, before anything is dropped for display: its drive and its line. It stands in
+// the session's thread, never waits and changes nothing. SetPointTap is the one of them that tells set-points alone.
 #pragma once
 
 #include "drive/set_points/set_point_times.h"
-#include "record/entry.h"
+#include "recorded/entry.h"
 #include "session/link/session.h"
 
 #include <QObject>
@@ -22,13 +22,14 @@ public:
     virtual void onEvent(const drive::Event &event, TimePoint now) = 0;
     virtual void onWish(const drive::Wish &wish, TimePoint now) = 0;
     virtual void onStop(TimePoint now) = 0;
-    virtual void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now) = 0;
+    virtual void onLink(
+        recorded::LinkBytes::Direction direction, ByteView bytes, TimePoint now) = 0;
 };
 
 /// Parts whose transports and drives tell the tap what they do.
 Parts listened(const Parts &parts, const std::shared_ptr<SessionTap> &tap);
 
-/// Tells when the set-points of a session left for the board, whoever asked for them: a person, or an experiment; and from when
+/// Tells when the set-points of a session left for the board, asked for by the user or by an experiment; and from when
 /// on what was sent holds no more.
 class SetPointTap : public QObject, public SessionTap {
     Q_OBJECT
@@ -45,10 +46,10 @@ public:
     }
     void onWish(const drive::Wish &wish, TimePoint) override { m_times.onWish(wish); }
     void onStop(TimePoint now) override { Q_EMIT ended(m_times.onStop(now)); }
-    void onLink(record::LinkBytes::Direction direction, ByteView, TimePoint now) override
+    void onLink(recorded::LinkBytes::Direction direction, ByteView, TimePoint now) override
     {
-        direction == record::LinkBytes::Direction::Sent ? m_times.onSent(now)
-                                                        : m_times.onReceived(now);
+        direction == recorded::LinkBytes::Direction::Sent ? m_times.onSent(now)
+                                                          : m_times.onReceived(now);
     }
 
 Q_SIGNALS:

@@ -7,7 +7,7 @@ namespace session {
 
 namespace {
 
-using Direction = record::LinkBytes::Direction;
+using Direction = recorded::LinkBytes::Direction;
 
 class TappedTransport : public Transport {
 public:

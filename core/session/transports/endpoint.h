@@ -26,7 +26,8 @@ struct Endpoint {
     std::optional<drive::Protocol> spoken{}; ///< of Auto: found there before, by the session itself
 };
 
-/// The endpoint of a port as the user names it: "sim" and "sim:PROTOCOL" for simulated boards, else the path of a device.
+/// The endpoint of a port as the user names it: "sim" and "sim:PROTOCOL" for simulated boards, else the path of a
+/// device.
 Endpoint endpointFor(
     const QString &path, std::uint32_t baud, drive::Protocol protocol = drive::Protocol::Auto);
 /// An SPI device: /dev/spidev0.0, with the ready line behind an @ where there is one.

@@ -18,8 +18,8 @@ public:
 
     PortError open(TimePoint now) override;
     void close() override;
-    /// A request: how many bytes, four bytes little-endian; eight more are the place in the file to go to first. Answered at
-    /// the next advance().
+    /// A request: how many bytes, four bytes little-endian; eight more are the place in the file to go to first.
+    /// Answered at the next advance().
     void write(ByteView bytes, TimePoint now) override;
     bool sent(TimePoint) const override { return true; }
     void advance(TimePoint now) override;

@@ -1,6 +1,6 @@
-// SpiTransport: a drive on an SPI bus of this computer. What is written goes out as one transfer, chip select low for the
-// whole of it, and the bytes clocked in meanwhile are received at once. The slave's ready line is a GPIO line, watched by
-// its edges; without one, the line is told to be low after a transfer and high again a little later.
+// SpiTransport: a drive on an SPI bus of this computer. What is written goes out as one transfer, chip select low for
+// the whole of it, and the bytes clocked in meanwhile are received at once. The slave's ready line is a GPIO line,
+// watched by its edges; without one, the line is told to be low after a transfer and high again a little later.
 //
 // Source: "MCB protocol description", sections 4, 5 and 8: mode 2, upper byte of a word first, which 8-bit words in the
 // order of the line give.

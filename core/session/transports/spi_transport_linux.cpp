@@ -20,8 +20,8 @@ namespace session {
 
 namespace {
 
-constexpr std::uint32_t kMode =
-    SPI_MODE_2; ///< clock high when idle, data taken on the falling edge
+/// Clock high when idle, data taken on the falling edge.
+constexpr std::uint32_t kMode = SPI_MODE_2;
 constexpr std::uint8_t kWordBits = 8; ///< what every driver can do
 /// Without a ready line: how long a drive may take before the next frame. No source says it.
 constexpr std::chrono::milliseconds kWithoutLine{1};
@@ -34,7 +34,7 @@ PortError lastError(const char *what)
 }
 
 #ifdef ROTORSCOPE_GPIOD
-/// The ready line by its edges; a level read right behind a frame would be a lie.
+/// The ready line by its edges; a level read right behind a frame may be wrong.
 class ReadyLine {
 public:
     ReadyLine() = default;

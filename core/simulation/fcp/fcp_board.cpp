@@ -49,13 +49,13 @@ void FcpBoard::advance(TimePoint now)
         const TimedByte byte = m_incoming.front();
         m_incoming.pop_front();
         advanceMachine(byte.end);
-        take(byte);
+        accept(byte);
     }
     m_now = std::max(m_now, now);
     advanceMachine(m_now);
 }
 
-void FcpBoard::take(const TimedByte &byte)
+void FcpBoard::accept(const TimedByte &byte)
 {
     if (byte.end <= m_sendingUntil)
         return;

@@ -52,7 +52,7 @@ private:
         std::uint8_t value = 0;
     };
     std::optional<TimePoint> nextEvent() const;
-    void take(const TimedByte &byte);
+    void accept(const TimedByte &byte);
     void breakOff(fcp::ErrorCode error);
     void refuse(fcp::ErrorCode error, TimePoint at);
     void send(const Bytes &frame, TimePoint at);

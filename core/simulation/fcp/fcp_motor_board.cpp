@@ -18,17 +18,17 @@ constexpr Duration kPrintedFrameTime = std::chrono::milliseconds(25);
 
 /// A register that shows or sets a variable of the firmware.
 template <class Holder>
-struct Link {
+struct Variable {
     std::uint8_t id;
     std::int16_t Holder::*member;
 };
-constexpr Link<Tuning> kTuning[] = {{0x05, &Tuning::speedKp}, {0x06, &Tuning::speedKi},
+constexpr Variable<Tuning> kTuning[] = {{0x05, &Tuning::speedKp}, {0x06, &Tuning::speedKi},
     {0x07, &Tuning::speedKd}, {0x09, &Tuning::qKp}, {0x0A, &Tuning::qKi}, {0x0B, &Tuning::qKd},
     {0x0D, &Tuning::dKp}, {0x0E, &Tuning::dKi}, {0x0F, &Tuning::dKd}, {0x10, &Tuning::pllC1},
     {0x11, &Tuning::pllC2}, {0x12, &Tuning::cordicC1}, {0x13, &Tuning::cordicC2},
     {0x14, &Tuning::pllKi}, {0x15, &Tuning::pllKp}, {0x16, &Tuning::fluxKp},
     {0x17, &Tuning::fluxKi}, {0x18, &Tuning::fluxBus}};
-constexpr Link<Signals> kSignals[] = {{0x08, &Signals::iQRef}, {0x0C, &Signals::iDRef},
+constexpr Variable<Signals> kSignals[] = {{0x08, &Signals::iQRef}, {0x0C, &Signals::iDRef},
     {0x19, &Signals::busVoltage_v}, {0x1A, &Signals::temperature_c}, {0x1F, &Signals::iQ},
     {0x20, &Signals::iD}, {0x21, &Signals::fluxWeakeningBus}, {0x49, &Signals::ffVq},
     {0x4A, &Signals::ffVd}, {0x4B, &Signals::ffVqPi}, {0x4C, &Signals::ffVdPi}};
@@ -93,7 +93,7 @@ public:
         firmware(motor).setControlMode(kTorqueMode);
         firmware(motor).setCurrentReferences(iq, id);
     }
-    void setRevUp(std::size_t motor, std::size_t stage, const fcp::RevUpStage &values) override
+    void setRevUp(std::size_t motor, std::size_t stage, const fcp::StageFields &values) override
     {
         firmware(motor).setRevUpStage(stage, {values.speed_rpm, values.torque, values.duration_ms});
     }
@@ -166,7 +166,7 @@ void Motors::refresh(std::size_t motor, FcpMotor &registers)
     values[kSpeedKpDiv] = std::int64_t{1} << from.tuning().speedKpDiv;
     values[kSpeedKiDiv] = std::int64_t{1} << from.tuning().speedKiDiv;
     for (std::size_t i = 0; i < registers.revUp.size(); ++i) {
-        const RevUpStage &stage = from.revUp()[i];
+        const StageDigits &stage = from.revUp()[i];
         registers.revUp[i] = {stage.rpm, stage.torque, static_cast<std::uint16_t>(stage.ms)};
     }
 }

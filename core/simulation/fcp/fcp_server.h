@@ -28,11 +28,11 @@ struct FcpMotor {
     std::uint32_t faults = 0; ///< FLAGS: present now << 16 | not acknowledged
     Sensing sensing = Sensing::Pll;
     std::map<std::uint8_t, std::int64_t> registers; ///< raw digits; those not named are 0
-    std::vector<fcp::RevUpStage> revUp; ///< empty: a build without
+    std::vector<fcp::StageFields> revUp; ///< empty: a build without
 };
 
-/// What a static board is and holds: no motor turns behind it, its values change only by what the protocol says, so that
-/// every answer can be foretold.
+/// What a static board is and holds: no motor turns behind it, its values change only by what the protocol says, so
+/// that every answer can be foretold.
 struct FcpRig {
     fcp::Dialect dialect = fcp::Dialect::Stm32;
     std::string name; ///< for messages
@@ -41,12 +41,12 @@ struct FcpRig {
     std::string firmware = "ST MC SDK\tVer.5.4.3"; ///< answer of GET_FW_VERSION
     bool integersInBoardInfo = false; ///< its version as the text has it, not as digits
     std::int32_t speedStep_rpm = 6; ///< speeds are kept in whole steps, 1 or more rpm each
-    std::optional<Duration>
-        frameTimer; ///< from the header; none: a broken frame stays half received, as in 5.4.3
+    /// From the header; none: a broken frame stays half received, as in 5.4.3.
+    std::optional<Duration> frameTimer;
 };
 
-/// The motors behind a board, as its server sees them: values to be looked up before each answer, and what a request makes
-/// them do. Motors are counted from 0 here.
+/// The motors behind a board, as its server sees them: values to be looked up before each answer, and what a request
+/// makes them do. Motors are counted from 0 here.
 class FcpMachine {
 public:
     FcpMachine() = default;
@@ -63,7 +63,7 @@ public:
     virtual void rampSpeed(std::size_t motor, std::int32_t rpm, std::uint16_t duration_ms) = 0;
     virtual void rampTorque(std::size_t motor, std::int16_t digits, std::uint16_t duration_ms) = 0;
     virtual void setCurrents(std::size_t motor, std::int16_t iq, std::int16_t id) = 0;
-    virtual void setRevUp(std::size_t motor, std::size_t stage, const fcp::RevUpStage &values) = 0;
+    virtual void setRevUp(std::size_t motor, std::size_t stage, const fcp::StageFields &values) = 0;
 };
 
 class FcpServer {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kRoot3 = 1.7320508075688772;
 constexpr double kTimer_hz = 170e6;
-constexpr double kSpeedDamping =
-    4.0; ///< d of the symmetrical optimum: 17 % overshoot of a hard step
+/// D of the symmetrical optimum: 17 % overshoot of a hard step.
+constexpr double kSpeedDamping = 4.0;
 constexpr double kStartShare = 0.5; ///< of the nominal current, for alignment and rev-up
 constexpr double kRevUpSpeedShare = 0.3, kStartMinimumShare = 0.15; ///< of the maximum speed
 constexpr double kAccelerationShare = 0.3; ///< of the torque that is left over friction

@@ -61,7 +61,7 @@ public:
     void setCurrentReferences(std::int16_t iq, std::int16_t id);
     /// 3 speed, 4 torque; 1 and 2, open-loop voltage and current, in builds that have them; others are ignored.
     void setControlMode(std::uint8_t mode);
-    void setRevUpStage(std::size_t index, RevUpStage stage) { m_stages[index] = stage; }
+    void setRevUpStage(std::size_t index, StageDigits stage) { m_stages[index] = stage; }
     /// Faults that are injected, beside those that are measured.
     void setPresentFaults(std::uint16_t bits) { m_injectedFaults = bits; }
     /// Stops the motor by itself when it is driven and not fed for that long; 0: never.
@@ -80,7 +80,7 @@ public:
     SpeedRamp lastSpeedRamp() const { return m_lastSpeedRamp; }
     TorqueRamp lastTorqueRamp() const { return m_lastTorqueRamp; }
     PositionRamp lastPositionRamp() const { return m_lastPositionRamp; }
-    const std::array<RevUpStage, kRevUpStages> &revUp() const { return m_stages; }
+    const std::array<StageDigits, kRevUpStages> &revUp() const { return m_stages; }
     std::int32_t speed_rpm() const { return 6 * m_speed_dHz; }
     std::int32_t speedReference_rpm() const { return 6 * m_speedControl.speedReference_dHz(); }
     std::int16_t torqueReference() const { return m_wanted.q; }
@@ -182,7 +182,7 @@ private:
     SpeedRamp m_lastSpeedRamp{};
     TorqueRamp m_lastTorqueRamp{};
     PositionRamp m_lastPositionRamp{};
-    std::array<RevUpStage, kRevUpStages> m_stages{};
+    std::array<StageDigits, kRevUpStages> m_stages{};
     std::int16_t m_idWanted = 0;
     Qd m_wanted; ///< references before flux weakening
     Qd m_reference; ///< what the current loops follow

@@ -1,5 +1,5 @@
-// Goes to an angle of the shaft: a path there in a given time, and the PID that makes torque of what is missing. Runs at
-// 1 kHz, on an encoder. Source: POSITION_* registers; mcp-aspep sections 7 and 8.
+// Goes to an angle of the shaft: a path there in a given time, and the PID that makes torque of what is missing. Runs
+// at 1 kHz, on an encoder. Source: POSITION_* registers; mcp-aspep sections 7 and 8.
 #pragma once
 
 #include "simulation/signals.h"

@@ -20,7 +20,7 @@ RevUp::Step RevUp::step(const Stages &stages)
             out.over = true;
             break;
         }
-        const RevUpStage &stage = stages[m_next++];
+        const StageDigits &stage = stages[m_next++];
         m_left = stage.ms;
         m_torqueTarget = std::int64_t{m_direction} * stage.torque * 65536;
         out.begins = true;

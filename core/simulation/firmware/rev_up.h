@@ -9,7 +9,7 @@
 
 namespace simulation {
 
-struct RevUpStage {
+struct StageDigits {
     std::int32_t rpm = 0; ///< at its end
     std::int16_t torque = 0; ///< at its end, digits
     std::uint16_t ms = 0;
@@ -18,7 +18,7 @@ struct RevUpStage {
 class RevUp {
 public:
     static constexpr std::size_t kStages = 5;
-    using Stages = std::array<RevUpStage, kStages>;
+    using Stages = std::array<StageDigits, kStages>;
 
     /// What a tick asks of the others.
     struct Step {

@@ -18,8 +18,8 @@ public:
     Sensors(const Build &build, const DriveDesign &design);
 
     // Every control period.
-    void senseRotor(
-        const Plant &plant, Signals &out); ///< encoder and Hall, before the current loops
+    /// Encoder and Hall, before the current loops.
+    void senseRotor(const Plant &plant, Signals &out);
     void observe(const ObserverInput &input, const Tuning &tuning, Signals &out); ///< after them
     // Every millisecond.
     void average(Signals &out);

@@ -33,8 +33,8 @@ public:
     void clear();
 
     std::int16_t angle() const { return m_angle; }
-    std::int16_t
-    mechanicalAngle() const; ///< 65536 a turn of the shaft, 0 where the angle was aligned to 0
+    /// 65536 a turn of the shaft, 0 where the angle was aligned to 0
+    std::int16_t mechanicalAngle() const;
     std::int16_t speed_dHz() const { return m_speed_dHz; }
     std::int16_t speed_dpp() const { return m_speed_dpp; } ///< electrical, of the last medium task
     bool reliable() const { return m_check.reliable(); }

@@ -30,10 +30,10 @@ struct Fraction {
 /// bits; gains past 32767 are cut. shift: 0..15.
 Fraction fractionOf(double gain, int shift);
 
-/// Pole-zero cancellation for a closed loop of first order with `bandwidth_radps`: ls * wc / AB, rs * wc / (hf AB), with
-/// 2^10 and 2^14 below the line where they fit. `ls_h`: Lq for the q axis, Ld for the d axis.
-/// ST's rule takes bus / 2^16 for a digit of voltage, but the modulation makes bus / (sqrt(3) 2^15) of it: on a board
-/// the loop is faster than asked: by 2 / sqrt(3), 15 %.
+/// Pole-zero cancellation for a closed loop of first order with `bandwidth_radps`: ls * wc / AB, rs * wc / (hf AB),
+/// with 2^10 and 2^14 below the line where they fit. `ls_h`: Lq for the q axis, Ld for the d axis. ST's rule takes bus
+/// / 2^16 for a digit of voltage, but the modulation makes bus / (sqrt(3) 2^15) of it: on a board the loop is faster
+/// than asked: by 2 / sqrt(3), 15 %.
 Pi::Gains currentGains(
     double ls_h, double rs_ohm, double bandwidth_radps, const CurrentSensing &sensing, double hfHz);
 
@@ -43,8 +43,8 @@ struct SpeedLoop {
     double currentBandwidth_radps = 1500.0;
     double filter_s = 0.0; ///< delay of the speed measurement
     double hfHz = 16000.0, mfHz = 1000.0;
-    double damping =
-        3.0; ///< d of the symmetrical optimum, above 1: phase margin atan(d) - atan(1/d)
+    /// D of the symmetrical optimum, above 1: phase margin atan(d) - atan(1/d).
+    double damping = 3.0;
 
     double lag_s() const
     {
@@ -53,8 +53,8 @@ struct SpeedLoop {
     double crossover_radps() const { return 1.0 / (damping * lag_s()); }
 };
 
-/// Symmetrical optimum: Kp = 1 / (d K tau), Ki = Kp / (d^2 tau), K = torque constant / inertia; in s16A per 0.1 Hz, with
-/// 2^9 and 2^14 below the line where they fit.
+/// Symmetrical optimum: Kp = 1 / (d K tau), Ki = Kp / (d^2 tau), K = torque constant / inertia; in s16A per 0.1 Hz,
+/// with 2^9 and 2^14 below the line where they fit.
 Pi::Gains speedGains(const SpeedLoop &loop, const CurrentSensing &sensing);
 
 struct ObserverDesign {

@@ -74,8 +74,8 @@ public:
     struct Parameters {
         ObserverConstants observer;
         SpeedEstimateParameters speed; ///< with a threshold of 400 %
-        std::int16_t maxAcceleration_dpp =
-            20; ///< largest change of the electrical speed from one period to the next
+        /// Largest change of the electrical speed from one period to the next.
+        std::int16_t maxAcceleration_dpp = 20;
     };
 
     explicit ObserverCordic(const Parameters &parameters);

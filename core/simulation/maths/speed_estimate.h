@@ -17,14 +17,14 @@ struct SpeedEstimateParameters {
     std::uint16_t hfHz = 16000;
     int polePairs = 1; ///< at least 1
     int depth = 64; ///< control periods that the speed is averaged over, 1..64
-    int depthDpp =
-        64; ///< the same for the speed that the observer itself uses; power of two, at most `depth`
-    std::uint16_t varianceThreshold =
-        32; ///< of the speed squared, 128: all of it. 25 % for a PLL, 400 % for CORDIC
+    /// The same for the speed that the observer itself uses; power of two, at most `depth`.
+    int depthDpp = 64;
+    /// Of the speed squared, 128: all of it. 25 % for a PLL, 400 % for CORDIC.
+    std::uint16_t varianceThreshold = 32;
     std::uint16_t maxReliable_dHz = 767; ///< 1.15 times the maximum application speed, mechanical
     std::uint16_t minReliable_dHz = 0;
-    std::uint16_t bemfTolerance =
-        64; ///< of 64: how much of the expected squared back-EMF may be missing
+    /// Of 64: how much of the expected squared back-EMF may be missing.
+    std::uint16_t bemfTolerance = 64;
     std::uint16_t bemfGain = 64; ///< 64: the back-EMF scale is exact
     int errorsBeforeFault = 3; ///< so many bad averages in a row make the sensor unreliable
     std::uint16_t startUpMinimum_dHz = 0; ///< below it nothing converges

@@ -1,5 +1,5 @@
-// The tables are computed by the compiler from the power series, so that no library's sin decides a digit. Transforms have
-// 64-bit sums: two products of -32768 do not fit 32 bits, and no wrapping may hide in a transform.
+// The tables are computed by the compiler from the power series, so that no library's sin decides a digit. Transforms
+// have 64-bit sums: two products of -32768 do not fit 32 bits, and no wrapping may hide in a transform.
 #include "simulation/maths/transforms.h"
 
 #include <array>

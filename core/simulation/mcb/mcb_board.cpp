@@ -84,8 +84,8 @@ void McbBoard::advance(TimePoint now)
 
 TimePoint McbBoard::nextWake() const
 {
-    constexpr Duration kLook =
-        std::chrono::milliseconds(5); // so that the motor's time is never made up at once
+    // So that the motor's time is never made up at once.
+    constexpr Duration kLook = std::chrono::milliseconds(5);
     return m_framing.outputWaits() ? m_now : std::min(m_framing.nextWake(), m_now + kLook);
 }
 

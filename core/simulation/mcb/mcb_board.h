@@ -12,8 +12,8 @@ namespace simulation {
 inline constexpr std::string_view kServoProfile = "mcb"; ///< of makeBoard()
 
 struct McbBoardOptions {
-    BoardOptions
-        board; ///< motor, plant, load, control rate and seed count; its motor is "servo24" unless it says one
+    /// Motor, plant, load, control rate and seed count; its motor is "servo24" unless it says one.
+    BoardOptions board;
     ServoOptions servo;
     int replyDelay = 0; ///< IDLE frames before each answer
     std::vector<McbFaultChoice> faults;

@@ -1,5 +1,5 @@
-// What a wire or a drive does wrong on purpose: each fault strikes a frame with a chance of its own, from a seed, so that
-// the same seed gives the same run. Source: the fault switches of "MCB protocol description", section 9.
+// What a wire or a drive does wrong on purpose: each fault strikes a frame with a chance of its own, from a seed, so
+// that the same seed gives the same run. Source: the fault switches of "MCB protocol description", section 9.
 #pragma once
 
 #include "base/random.h"

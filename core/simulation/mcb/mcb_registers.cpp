@@ -176,7 +176,7 @@ mcb::Words McbRegisters::cyclicOutput(const Mapping &mapping) const
     return output;
 }
 
-void McbRegisters::takeCyclicInput(const Mapping &mapping, mcb::WordView words)
+void McbRegisters::acceptCyclicInput(const Mapping &mapping, mcb::WordView words)
 {
     for (const std::uint16_t address : mapping.rx) {
         mcb::Words &value = m_registers.at(address).words;

@@ -61,7 +61,7 @@ public:
 
     /// The values of the tx registers, then zeros up to the mapping's length.
     mcb::Words cyclicOutput(const Mapping &mapping) const;
-    void takeCyclicInput(const Mapping &mapping, mcb::WordView words);
+    void acceptCyclicInput(const Mapping &mapping, mcb::WordView words);
 
 private:
     Result<void, mcb::ErrorCode> checkEntry(std::uint16_t address, std::uint32_t entry) const;

@@ -45,7 +45,7 @@ Bytes McbSlave::exchange(ByteView input)
     }
     const auto request = mcb::decodeFrame(input);
     if (request && m_cyclic) {
-        m_registers.takeCyclicInput(*m_cyclic, request->cyclic);
+        m_registers.acceptCyclicInput(*m_cyclic, request->cyclic);
         if (m_life != nullptr && !m_cyclic->rx.empty())
             m_life->look(m_registers);
     }

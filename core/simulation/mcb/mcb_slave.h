@@ -1,5 +1,5 @@
-// The slave half of MCB: one call a frame, because both sides send at once. Alone it answers as a static device, so that
-// every answer can be foretold; a motor behind its registers is another's business (McbLife).
+// The slave half of MCB: one call a frame, because both sides send at once. Alone it answers as a static device, so
+// that every answer can be foretold; a motor behind its registers is another's business (McbLife).
 //
 //   Config state: frames of 12 bytes.  Cyclic state: frames of 12 + 2 n bytes, n words of the mapping.
 //   A write of 0x640 changes the state when its ACK has been sent: the frame after it has the new length.
@@ -19,8 +19,9 @@
 
 namespace simulation {
 
-/// A slave behind a byte stream: whenever a whole frame has come in, as many bytes go out. The end of the answer means that
-/// the ready line is high again; a frame that stays unfinished for kUnfinished is dropped, as when chip select goes high.
+/// A slave behind a byte stream: whenever a whole frame has come in, as many bytes go out. The end of the answer means
+/// that the ready line is high again; a frame that stays unfinished for kUnfinished is dropped, as when chip select
+/// goes high.
 class McbFraming {
 public:
     static constexpr Duration kUnfinished = std::chrono::milliseconds(50);
@@ -76,8 +77,8 @@ public:
     /// How long a frame is now.
     std::size_t frameBytes() const { return mcb::frameBytes(m_cyclic ? m_cyclic->words : 0); }
 
-    /// What it sends while `input` comes, in as many bytes: cut or filled up with zeros if the length is not that of the
-    /// state. An input of another length, or one that is damaged, changes nothing.
+    /// What it sends while `input` comes, in as many bytes: cut or filled up with zeros if the length is not that of
+    /// the state. An input of another length, or one that is damaged, changes nothing.
     Bytes exchange(ByteView input);
 
     bool cyclic() const { return m_cyclic.has_value(); }

@@ -95,7 +95,7 @@ void Servo::task()
         m_state = State::SwitchOnDisabled;
     }
     if (m_wanted.gains != m_followed.gains)
-        takeGains();
+        adoptGains();
     if (m_state == State::Enabled && m_wanted != m_followed)
         follow();
 }

@@ -1,6 +1,6 @@
-// What an MCB drive does with its registers: the state machine of control word and status word (DS402), modes, set-points,
-// limits and gains, on the motor model and the firmware that the other simulated boards have. It is told the time and
-// knows no frames.
+// What an MCB drive does with its registers: the state machine of control word and status word (DS402), modes,
+// set-points, limits and gains, on the motor model and the firmware that the other simulated boards have. It is told
+// the time and knows no frames.
 //
 //   SwitchOnDisabled -06-> Ready -07-> SwitchedOn -0F-> Enabled          (low byte of the control word)
 //   any of them -bit 1 low-> SwitchOnDisabled;  Enabled -bit 2 low-> QuickStop -standing-> SwitchOnDisabled
@@ -65,7 +65,7 @@ private:
     void task();
     void obey(std::uint16_t control);
     void follow();
-    void takeGains();
+    void adoptGains();
     std::uint16_t statusWord() const;
     std::int32_t errorCode() const;
     double radPerCount() const;

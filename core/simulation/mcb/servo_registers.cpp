@@ -1,5 +1,5 @@
-// The registers of a servo: those of the dictionary with values after power-on, what lives among them, and what is taken
-// from them.
+// The registers of a servo: those of the dictionary with values after power-on, what lives among them, and what is
+// taken from them.
 #include "simulation/mcb/servo.h"
 
 #include "mcb/dictionary.h"
@@ -92,7 +92,7 @@ std::array<float, 9> Servo::gains() const
 }
 
 /// Numerators change, exponents stay: a gain beyond what 16 bits hold with them is cut.
-void Servo::takeGains()
+void Servo::adoptGains()
 {
     Firmware &firmware = m_axis.firmware;
     Tuning &tuning = firmware.tuning();

@@ -86,8 +86,8 @@ Bytes motorConfig(const RegisterContext &at)
     const MotorParameters &motor = motorOf(at.firmware);
     const auto f32 = [](double value) { return static_cast<float>(value); };
     ByteWriter out;
-    // "Rated flux" is V/Hz in HSO builds only: a captured standard board of 17 V and 1596 rpm says 8.2 here, which can but
-    // be V/krpm.
+    // "Rated flux" is V/Hz in HSO builds only: a captured standard board of 17 V and 1596 rpm says 8.2 here, which can
+    // but be V/krpm.
     const double flux = at.build.hso() ? fluxVoltsPerHertz(at.firmware) : voltsPerKrpm(at.firmware);
     out.f32(f32(motor.polePairs)).f32(f32(flux));
     out.f32(f32(motor.rs_ohm)).f32(0.0F); // skin factor

@@ -15,8 +15,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kHeader = aspep::kHeaderSize;
-constexpr std::size_t kStampAt =
-    kHeader; ///< of a datalog packet; behind the samples are mark and async id
+/// Of a datalog packet; behind the samples are mark and async id.
+constexpr std::size_t kStampAt = kHeader;
 constexpr std::size_t kLeastAsync = 6;
 constexpr std::array<std::uint8_t, 4> kErrors{1, 2, 4, 5};
 

@@ -1,6 +1,7 @@
 // Boards that lie: what a broken, slow or hostile device does on the wire, each as a named switch. The board asks its
 // Liar at a few places (a request comes in, an answer is ready, a packet goes to the line, 0.5 ms have passed) and is
-// honest everywhere else. Deterministic from the seed; it never lies about what the motor does, only about what it says.
+// honest everywhere else. Deterministic from the seed; it never lies about what the motor does, only about what it
+// says.
 #pragma once
 
 #include "base/bytes.h"

@@ -74,8 +74,8 @@ void Performer::decode()
     } else if (type != kData) {
         ready(kBadType);
     } else {
-        m_length = static_cast<std::uint16_t>(
-            (m_word >> 4) & 0xFFFU); // a 16-bit access: bit 16 does not count
+        // A 16-bit access: bit 16 does not count.
+        m_length = static_cast<std::uint16_t>((m_word >> 4) & 0xFFFU);
         if (m_length > m_requestMax) {
             ready(kBadSize);
         } else if (m_length == 0) {
@@ -143,7 +143,7 @@ void Performer::beacon(TimePoint now)
         m_state = State::Idle;
     } else {
         if (m_state == State::Idle)
-            takeLimits();
+            adoptLimits();
         m_state = State::Configured;
     }
     m_transmitter.sendControl(aspep::encodeHeader(m_own), now);
@@ -159,7 +159,7 @@ void Performer::beaconAsPrinted(const aspep::Beacon &theirs, TimePoint now)
     if (theirs.version == m_reset.version)
         agree(theirs);
     if (theirs == m_own) {
-        takeLimits();
+        adoptLimits();
         m_requests = 0;
         m_state = State::Connected;
     }
@@ -174,7 +174,7 @@ void Performer::agree(const aspep::Beacon &theirs)
     m_own.txAsyncUnits = std::min(m_own.txAsyncUnits, theirs.txAsyncUnits);
 }
 
-void Performer::takeLimits()
+void Performer::adoptLimits()
 {
     m_requestMax = std::min(m_own.rxMax(), m_buffer.size() - kTrailer);
     m_responseMax = m_own.txSyncMax();

@@ -28,8 +28,8 @@ public:
     Performer(const Traits &traits, const BoardOptions &options, UartReceiver &receiver,
         Transmitter &transmitter);
 
-    void
-    poll(); ///< looks whether the armed piece is complete, as SysTick or the DMA interrupt does
+    /// Looks whether the armed piece is complete, as SysTick or the DMA interrupt does.
+    void poll();
     void handleLineIdle(); ///< the receiver's LineIdle: everything starts with a header again
     void task(TimePoint now, const Execute &execute); ///< acts on a complete packet
 
@@ -52,7 +52,7 @@ private:
     void beacon(TimePoint now);
     void beaconAsPrinted(const aspep::Beacon &theirs, TimePoint now);
     void agree(const aspep::Beacon &theirs); ///< the field-wise minimum
-    void takeLimits();
+    void adoptLimits();
     void ping(TimePoint now);
     void request(TimePoint now, const Execute &execute);
 

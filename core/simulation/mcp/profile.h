@@ -1,7 +1,6 @@
 // What sets the simulated firmwares apart: how the SDK of a version behaves, read by every part of the board. What a
-// project switched on is in build.h; which registers a version knows is in the register tables.
-// Source: mcp-aspep facts 3 to 8 and the sessions recorded with 6.2.0 and 6.4.0; `spec` is the printed text where it can
-// work beside them.
+// project switched on is in build.h; which registers a version knows is in the register tables. Source: mcp-aspep facts
+// 3 to 8 and the sessions recorded with 6.2.0 and 6.4.0; `spec` is the printed text where it can work beside them.
 #pragma once
 
 #include <cstdint>
@@ -28,11 +27,11 @@ struct Traits {
     bool hasScaleConfig = false;
     bool nominalCurrentInDigits = false; ///< APPLICATION_CONFIG of 14 bytes
     bool swapsPositionRamp = false; ///< in GET: duration first
-    bool flushesOnFault =
-        false; ///< a fault sends the unfinished datalog packet; profiler builds always
+    /// A fault sends the unfinished datalog packet; profiler builds always.
+    bool flushesOnFault = false;
     bool scalesReadSpeeds = false; ///< GET of sensors' speeds: a fraction of the full scale
-    bool asPrinted =
-        false; ///< the printed text wherever a Controller for shipped firmware survives it
+    /// The printed text wherever a Controller for shipped firmware survives it.
+    bool asPrinted = false;
 };
 
 /// The row of a profile; nullptr if there is none of that name.

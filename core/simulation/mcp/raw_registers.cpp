@@ -67,7 +67,7 @@ Bytes positionRamp(At &at)
 Bytes revUpStages(At &at)
 {
     ByteWriter out;
-    for (const RevUpStage &stage : at.firmware.revUp())
+    for (const StageDigits &stage : at.firmware.revUp())
         out.s32(stage.rpm).s16(stage.torque).u16(stage.ms);
     return out.take();
 }

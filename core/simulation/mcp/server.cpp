@@ -19,8 +19,8 @@ using mcp::Status;
 
 constexpr int kHeartbeat = 1; ///< user command that feeds the watchdog
 constexpr std::size_t kUserAnswerMax = 64;
-constexpr std::size_t kAnswerMax =
-    aspep::kMaxPayload - 128; ///< behind it there is room for any one value
+/// Behind it there is room for any one value.
+constexpr std::size_t kAnswerMax = aspep::kMaxPayload - 128;
 
 constexpr std::array kOfMotors{CommandId::StartMotor, CommandId::StopMotor, CommandId::StopRamp,
     CommandId::StartStop, CommandId::FaultAck, CommandId::CpuLoadClear, CommandId::IqdRefClear,

@@ -1,5 +1,5 @@
 // The serial port of a simulated board: a receiver whose DMA has to be armed for every piece, and a transmitter with
-// ST's queue. Neither knows what the bytes mean; time is an argument.
+// ST's queue. Neither decodes the bytes; time is an argument.
 // Source: mcp-aspep facts 3.1 and 3.5, seen with ST's handlers on an emulated UART.
 #pragma once
 
@@ -25,7 +25,8 @@ public:
 
     explicit UartReceiver(std::uint32_t baud);
 
-    /// Bytes on the line from `now` on, or behind those that are still coming. Bounded: what exceeds kMaxQueued is lost.
+    /// Bytes on the line from `now` on, or behind those that are still coming. Bounded: what exceeds kMaxQueued is
+    /// lost.
     void put(ByteView bytes, TimePoint now);
 
     std::optional<TimePoint> nextEvent() const;

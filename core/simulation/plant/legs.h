@@ -7,10 +7,11 @@
 // s(i) stands for sign(i): within the ripple, i0 = bus T/(16 L), the current changes its sign in each period and the
 // dead times cancel. Dead time itself loses nothing (the current takes the other rail); its diodes do.
 //
-// Bridge off, for each leg: i > 0 (into the motor): the lower diode, voltage = -drop; i < 0: the upper one,
-// voltage = bus + drop; i = 0: anything between. With the currents at the end of the step, i = free + A v with A
-// symmetric and positive semidefinite, that is a quadratic programme in three voltages with bounds, and has one
-// solution. It only ever takes energy out of the motor, if `bus` is what the step will make of it. Switch resistance is counted with the windings' in both cases.
+// Bridge off, for each leg: i > 0 (into the motor): the lower diode, voltage = -drop; i < 0: the upper one, voltage =
+// bus + drop; i = 0: anything between. With the currents at the end of the step, i = free + A v with A symmetric and
+// positive semidefinite, that is a quadratic programme in three voltages with bounds, and has one solution. It only
+// ever takes energy out of the motor, if `bus` is what the step will make of it. Switch resistance is counted with the
+// windings' in both cases.
 #pragma once
 
 #include "simulation/plant/parameters.h"

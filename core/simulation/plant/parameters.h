@@ -23,8 +23,8 @@ struct MotorParameters {
     double viscous_nms = 1.2e-4; ///< torque per rad/s; holds the iron losses too
     double coulomb_nm = 0.025; ///< dry friction: against any motion, holds a rotor at rest
     double cogging_nm = 0.0; ///< peak
-    int coggingPerTurn =
-        24; ///< periods in a mechanical turn; slots and poles' least common multiple
+    /// Periods in a mechanical turn; slots and poles' least common multiple.
+    int coggingPerTurn = 24;
     double nominal_a = 5.0; ///< peak
     double maxSpeed_rpm = 4000.0;
     double copperMass_kg = 0.12; ///< what heats up; 0: the winding stays at the ambient temperature

@@ -24,7 +24,7 @@ void serve(simulation::SimulatedBoard &board, support::PseudoTerminal &terminal)
         pollfd sources[] = {{terminal.master(), wanted, 0}, {STDIN_FILENO, POLLIN, 0}};
         ::poll(sources, 2, 1);
         if (sources[1].revents != 0)
-            return; // nobody says anything: it was closed
+            return; // nothing is to be read: it was closed
         const TimePoint at = now() - origin;
         if (const Bytes in = terminal.read(); !in.empty())
             board.receive(in, at);

@@ -129,7 +129,7 @@ int measure(int count)
     for (int i = 0; i < count; ++i) {
         const std::uint64_t timeouts = device.counters().timeouts;
         const double ms = bench.edit(5000 + i);
-        // A person's pauses, no fixed phase against polling and packets, and long enough for the counters to come.
+        // The user's pauses, no fixed phase against polling and packets, and long enough for the counters to come.
         const auto resume = Clock::now() + std::chrono::milliseconds(300 + random() % 200);
         until([&] { return Clock::now() >= resume; });
         if (ms < 0.0)

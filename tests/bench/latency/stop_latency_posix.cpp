@@ -1,7 +1,7 @@
-// Measures how long it takes from the key event of Esc until the STOP is on the line: the real window and session thread,
-// rotorscope-sim behind a pseudo-terminal at 1,843,200 baud, a datalog of four signals at the full control rate drawn
-// beside it. In every fourth case the motor is starting; in every tenth the window is frozen for two seconds, and the
-// key is pressed at a random instant of them. Prints a table; docs/performance.md says how it is read.
+// Measures how long it takes from the key event of Esc until the STOP is on the line: the real window and session
+// thread, rotorscope-sim behind a pseudo-terminal at 1,843,200 baud, a datalog of four signals at the full control rate
+// drawn beside it. In every fourth case the motor is starting; in every tenth the window is frozen for two seconds, and
+// the key is pressed at a random instant of them. Prints a table; docs/performance.md says how it is read.
 #include "aspep/packet.h"
 #include "bench/latency/simulated_board_posix.h"
 #include "bench/latency/tapped_line_posix.h"

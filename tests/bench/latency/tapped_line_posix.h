@@ -17,7 +17,7 @@ namespace bench {
 
 using Clock = std::chrono::steady_clock;
 
-/// False if this person may not do that. @param process  0: the calling thread
+/// False if this user may not do that. @param process  0: the calling thread
 inline bool makeRealTime(pid_t process)
 {
     sched_param priority{};

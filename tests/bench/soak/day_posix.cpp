@@ -1,6 +1,6 @@
-// A day at the bench in twenty minutes: the real window beside a board in a process of its own, through what an engineer does
-// from the first connection to the last recording. Prints for each act what the program computed, how often the scope was
-// drawn, its longest beat and the memory it holds; docs/performance.md shows one such day.
+// A day at the bench in twenty minutes: the real window beside a board in a process of its own, through what an
+// engineer does from the first connection to the last recording. Prints for each act what the program computed, how
+// often the scope was drawn, its longest beat and the memory it holds; docs/performance.md shows one such day.
 //
 //   rotorscope-day [SECONDS an act]
 #include "bench/latency/simulated_board_posix.h"
@@ -34,7 +34,7 @@ public:
     {
         rig.sayYesToMotion();
         rig.window.resize(1280, 720);
-        // A person says yes to what a recording takes the place of.
+        // The user says yes to what a recording takes the place of.
         m_yes.callOnTimeout(&rig.window, [this] {
             for (const char *name : {"disconnectAndGoOn", "replaceYes", "leaveMarkers"})
                 if (auto *button = rig.find<QPushButton>(name); button && button->isVisible())

@@ -1,6 +1,6 @@
-// Minutes of a full-rate capture in the real window, in real time: five signals at 16 kHz from the simulated board inside
-// the program, while a driver turns the wheel and drags the picture without a pause. Prints what was lost, what the
-// memory grew by, and how long the GUI thread was away between two beats of a timer; docs/performance.md reads it.
+// Minutes of a full-rate capture in the real window, in real time: five signals at 16 kHz from the simulated board
+// inside the program, while a driver turns the wheel and drags the picture without a pause. Prints what was lost, what
+// the memory grew by, and how long the GUI thread was away between two beats of a timer; docs/performance.md reads it.
 #include "bench/soak/restless_hand.h"
 
 #include <cstdio>

@@ -40,8 +40,8 @@ bool isLost(const VirtualLink &link, Controller::LostReason reason)
 
 namespace {
 
-/// A board of the protocol before this one, as far as it reads frames: header, length, payload, sum. Lengths beyond 127 are
-/// dropped without a word; no frame of a Controller has a right sum.
+/// A board of the protocol before this one, as far as it reads frames: header, length, payload, sum. Lengths beyond 127
+/// are dropped without a word; no frame of a Controller has a right sum.
 class OlderBoard {
 public:
     Bytes receive(const Bytes &bytes)
@@ -101,7 +101,7 @@ void TestController::aResponseAnswersTheOpenRequestOnly()
     VirtualLink link;
     link.connect();
     link.controller.sendRequest(hex("10 00 49 00"), link.now);
-    link.hear(packet(true, hex("02 00"))); // nothing has left yet: somebody else's
+    link.hear(packet(true, hex("02 00"))); // nothing has left yet: no answer to it
     QCOMPARE(link.count<Controller::Response>(), 0);
     link.sent();
     link.hear(packet(true, hex("06 00")));

@@ -1,5 +1,6 @@
 // A Controller and a simulated board over a line that spoils bytes: whatever it does, the promises hold. Seeded and on
-// virtual time; a failure prints its seed. ROTORSCOPE_LONG=1 multiplies the seeds by 100; support/seeds.h says which others.
+// virtual time; a failure prints its seed. ROTORSCOPE_LONG=1 multiplies the seeds by 100; support/seeds.h says which
+// others.
 #include "mcp/datalog.h"
 #include "mcp/request.h"
 #include "support/controller_pair.h"

@@ -268,8 +268,8 @@ void TestControllerRecovery::aBadHeaderIsFollowedBySilence()
     link.hear(hex("3A 03 00 E0") + Bytes(51, 0));
     QCOMPARE(link.controller.state(), kRecovering);
     QVERIFY(isPing(link.nextSent()));
-    QVERIFY(
-        link.now - asked >= link.controller.responseTimeout()); // the reply could still have come
+    // The reply could still have come.
+    QVERIFY(link.now - asked >= link.controller.responseTimeout());
     answerAll(link);
     QCOMPARE(link.controller.stats().badHeaderCrc, std::uint64_t{1});
     QCOMPARE(link.controller.stats().discardedBytes, std::uint64_t{55});

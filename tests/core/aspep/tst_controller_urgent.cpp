@@ -95,8 +95,8 @@ void TestControllerUrgent::behindAnAnswerThatFailsItFollowsADialogue()
     link.hear(kConfigured);
     QVERIFY(endsWithStop(link.sent()));
     QCOMPARE(link.controller.state(), Controller::State::Connected);
-    QCOMPARE(
-        link.count<Controller::Recovered>(), 0); // it may have been reset: the Beacon hides that
+    // It may have been reset: the Beacon hides that.
+    QCOMPARE(link.count<Controller::Recovered>(), 0);
     QCOMPARE(link.count<Controller::Connected>(), 1);
     QVERIFY(!link.last<Controller::Connected>()->afterReset);
     link.hear(packet(true, hex("00")));

@@ -526,7 +526,7 @@ void TestCapture::slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock()
         const ValueColumn &column = *capture.channel(*capture.find(id))->values();
         std::vector<std::tuple<Nanos, double, std::size_t>> result;
         for (Index i = column.begin(); i < column.end(); ++i)
-            result.emplace_back(column.timeOf(i), column.at(i), column.runOf(i));
+            result.emplace_back(column.timeOf(i), column.at(i), column.pieceOf(i));
         for (const Run &run : column.runs())
             result.emplace_back(run.holdUntil, double(run.first), run.count);
         return result;
@@ -546,8 +546,8 @@ void TestCapture::slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock()
     }
 }
 
-/// A value that was given up holds as long as the one before it did, unless another one comes: it is drawn the same from
-/// wherever the picture begins.
+/// A value that was given up holds as long as the one before it did, unless another one comes: it is drawn the same
+/// from wherever the picture begins.
 void TestCapture::nothingHoldsBeyondTheNextValue()
 {
     Capture capture;
@@ -583,11 +583,11 @@ void TestCapture::polledValuesAreTheirOwnChannel()
     QCOMPARE(capture.valueAt(id, 1.25), std::optional(1500.25));
     QCOMPARE(capture.valueAt(id, 3.0), std::optional(1600.5));
     QVERIFY(capture.timeSpan(id)->to < 10.001);
-    QVERIFY(!capture.valueAt(id, 4.0)); // nobody has asked for too long
+    QVERIFY(!capture.valueAt(id, 4.0)); // not polled for too long
     QCOMPARE(capture.channel(id)->gaps(0, 20, 0).size(), std::size_t(1));
     QCOMPARE(capture.refused().backwards + capture.refused().notFinite, std::uint64_t(2));
 
-    // Where nobody asks any more, the last one is known for as long as the one before it was, not for 2 s.
+    // Where polling has ended, the last one is known for as long as the one before it was, not for 2 s.
     capture.appendPolled(7, "F7", "rpm", 10.1, 1710.0);
     QCOMPARE(capture.valueAt(id, 11.0), std::optional(1710.0));
     capture.endPolled(7);
@@ -763,8 +763,8 @@ void TestCapture::whatWasComputedIsFoundCutAndForgotten()
     QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(3));
     capture.removeImported(id);
     QVERIFY(!capture.info(id) && !capture.find(kFirstOwnRegister + 5));
-    capture.appendImported(
-        id, count * 1000, 1.0, count * 1000 + 1); // it is gone, and nothing happens
+    // It is gone, and nothing happens.
+    capture.appendImported(id, count * 1000, 1.0, count * 1000 + 1);
     capture.append(block(1, 3, {4}));
     QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(4));
     const ChannelId other = capture.addImported("N", "A", 3); // never under a board's register

@@ -310,8 +310,8 @@ void TestCaptureArchive::anArchiveThatRefusedIsTriedAgainOnDemand()
     bench.twins.record(300'000);
     QCOMPARE(bench.archive->deposits, 0);
     bench.small().tryArchiveAgain();
-    bench.twins.record(
-        200'000); // memory is full to the brim: until there is room in it the oldest go
+    // Memory is full to the brim: until there is room in it the oldest go.
+    bench.twins.record(200'000);
     const std::uint64_t released = bench.small().released();
     bench.twins.record(1'000'000);
     QVERIFY(bench.archive->deposits > 0);
@@ -378,7 +378,7 @@ void TestCaptureArchive::clearingGivesTheRoomBack()
     QVERIFY(bench.archive->held() > 0);
     bench.small().clear();
     bench.twins.whole.clear();
-    bench.archive->settle(); // too late: nobody wants it
+    bench.archive->settle(); // too late: not wanted any more
     QCOMPARE(bench.archive->held(), std::uint64_t(0));
     QCOMPARE(bench.small().archivedBytes(), std::uint64_t(0));
     bench.archive->atOnce = true;

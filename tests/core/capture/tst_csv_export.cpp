@@ -130,8 +130,8 @@ void TestCsvExport::whatNoRowShowsIsKnown()
     QVERIFY(everySampleHasARow(allOf(capture)));
     const std::string shown = textOf(allOf(capture));
     QVERIFY(shown.find(",2\n") != std::string::npos && shown.find(",3\n") != std::string::npos);
-    capture.appendPolled(
-        5, "P", "rpm", 1.00102, 4.0); // between two rows as well: the one before is in none
+    // Between two rows as well: the one before is in none.
+    capture.appendPolled(5, "P", "rpm", 1.00102, 4.0);
     QVERIFY(!everySampleHasARow(allOf(capture)));
     Capture after;
     after.begin(layout(1, {signal(1)}));

@@ -1,6 +1,6 @@
-// A capture for which there is no memory: whichever allocation fails, nothing breaks, what is drawn has a gap and goes on.
-// The allocator of this program fails once, at the k-th call from a moment on, for every k until none fails any more;
-// and from a moment on for good.
+// A capture for which there is no memory: whichever allocation fails, nothing breaks, what is drawn has a gap and goes
+// on. The allocator of this program fails once, at the k-th call from a moment on, for every k until none fails any
+// more; and from a moment on for good.
 #include "capture/capture.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-// Slices of sample memory: nobody else's, alive as long as anybody holds one, and given back then.
+// Slices of sample memory: not shared, alive as long as one is held, and given back then.
 #include "capture/capture.h"
 
 #include <QtTest>

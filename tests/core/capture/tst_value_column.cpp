@@ -128,7 +128,7 @@ void TestValueColumn::extremesAreExact()
             to = std::min<Index>(from + random() % 300, twin.values.size());
         if (i % 50 == 0)
             from = from / kChunk * kChunk;
-        const ValueRange found = twin.column.valueExtremes(from, to);
+        const ValueRange found = twin.column.extremes(from, to);
         const ValueRange wanted = twin.plainExtremes(from, to);
         QCOMPARE(found.min, wanted.min);
         QCOMPARE(found.max, wanted.max);
@@ -198,12 +198,12 @@ void TestValueColumn::aCopyKeepsWhatItHadInTheMiddleOfAChunk()
     FORM;
     Twin twin = twinOf(is, kChunk + 1000, 6);
     const ValueColumn copy = twin.column;
-    const ValueRange before = copy.valueExtremes(0, copy.end());
+    const ValueRange before = copy.extremes(0, copy.end());
     const Twin more = twinOf(is, 4 * kChunk, 9);
     for (const double value : more.values)
         twin.append(is.equalSteps ? 50'000 : 45'000, value + 1000.0);
     twin.verify(copy, kChunk + 1000);
-    QCOMPARE(copy.valueExtremes(0, copy.end()).max, before.max);
+    QCOMPARE(copy.extremes(0, copy.end()).max, before.max);
     twin.verifyAll();
 }
 

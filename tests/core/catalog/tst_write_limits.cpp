@@ -147,7 +147,7 @@ void TestWriteLimits::aGainThatMoreThanDoublesIsAskedAboutWhileAMotorRuns()
 void TestWriteLimits::limitsThatAreNonsenseRefuseEverySetPoint()
 {
     for (const double nonsense : {0.0, -1.0, kNan, kInf, 1e300}) {
-        drive::MotorDescription motor;
+        drive::McpMotorDescription motor;
         motor.application.emplace();
         const auto narrow = static_cast<float>(nonsense);
         motor.application->maxReadableAmps = narrow;

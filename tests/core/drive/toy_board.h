@@ -1,4 +1,4 @@
-// A protocol that nobody speaks, as small as one can be, and a board that speaks it.
+// A protocol of the tests alone, as small as one can be, and a board that speaks it.
 //
 // Each way a frame of five bytes: kind ('R' read, 'W' write, 'N' no), register, value (16 bits), sum of the four.
 // The answer has the kind and the register of its request.

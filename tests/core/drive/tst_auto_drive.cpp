@@ -17,7 +17,7 @@ const Bytes kFcpStop{0x23, 0x01, 0x02, 0x26};
 
 Bytes mcpStop() { return ByteWriter().u16((unsigned(mcp::CommandId::StopMotor) << 3) | 1U).take(); }
 
-/// A board whose motor runs, met by nobody now.
+/// A board whose motor runs, without a link now.
 struct Running : support::LinkPair {
     explicit Running(const char *profile, std::optional<Protocol> spoken = {})
         : LinkPair(boardOf(profile))
@@ -204,7 +204,7 @@ void TestAutoDrive::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data()
             QTest::addRow("%d baud%s", baud, deaf ? ", deaf meanwhile" : "") << baud << deaf;
 }
 
-/// Reset by the port's lines, booting, held by a debugger. Somebody who connects once hears of no failure before.
+/// Reset by the port's lines, booting, held by a debugger. One call of connect() tells no failure before.
 void TestAutoDrive::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall()
 {
     QFETCH(int, baud);

@@ -1,5 +1,5 @@
-// What every drive does, whatever it speaks: the same few sentences for all protocols of the table, and for a toy that shows
-// what a new one has to bring. Against simulated boards, on virtual time.
+// What every drive does, whatever it speaks: the same few sentences for all protocols of the table, and for a toy that
+// shows what a new one has to bring. Against simulated boards, on virtual time.
 #include "core/drive/toy_drive.h"
 #include "drive/motion_limits.h"
 #include "drive/protocol_table.h"
@@ -102,7 +102,7 @@ public:
         drive->connect(now);
         return runUntil([this] { return identified && status; });
     }
-    /// Armed, and with what a person adds where a board does not tell its limits.
+    /// Armed, and with what the user adds where a board does not tell its limits.
     bool arm()
     {
         drive->arm();
@@ -186,18 +186,18 @@ private:
         if (m_line.empty() && now >= m_free && !std::exchange(m_told, true))
             drive->handleSent(now);
         for (Event &event : drive->takeEvents())
-            std::visit([this](auto &what) { take(what); }, event);
+            std::visit([this](auto &what) { accept(what); }, event);
     }
     static Duration wireTime(std::size_t bytes, std::uint32_t baud)
     {
         return baud == 0 ? Duration{} : ::wireTime(bytes, baud);
     }
-    void take(LinkChanged &change) { link = change.state; }
-    void take(Identified &event) { identified = std::move(event); }
-    void take(MotorStatus &event) { status = std::move(event); }
-    void take(Ended &event) { ended[event.id] = std::move(event); }
-    void take(StopProgress &event) { words.push_back(event.word); }
-    void take(RegistersRead &event)
+    void accept(LinkChanged &change) { link = change.state; }
+    void accept(Identified &event) { identified = std::move(event); }
+    void accept(MotorStatus &event) { status = std::move(event); }
+    void accept(Ended &event) { ended[event.id] = std::move(event); }
+    void accept(StopProgress &event) { words.push_back(event.word); }
+    void accept(RegistersRead &event)
     {
         for (Reading &reading : event.readings) {
             ++read[reading.id];
@@ -205,7 +205,7 @@ private:
         }
     }
     template <class Other>
-    void take(Other &)
+    void accept(Other &)
     {
     }
 

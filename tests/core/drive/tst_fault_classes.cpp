@@ -86,7 +86,7 @@ void TestFaultClasses::nothingActsOnABoardOfAnotherProtocol()
         return false;
     };
     pair.connect();
-    // A person who tries all the same.
+    // A user who tries all the same.
     std::vector<WishId> wishes;
     for (int i = 0; i < (isLong() ? 100 : 25) && !pair.identified; ++i) {
         pair.drive->arm();
@@ -113,8 +113,8 @@ void TestFaultClasses::aForeignProgramOnThePortIsOvercome_data()
         QTest::addRow("%s", board) << board;
 }
 
-/// ModemManager asks a new port for a modem some seconds after it has appeared. What it asks reaches the board between our
-/// packets or within them, and what the board makes of it reaches us.
+/// ModemManager asks a new port for a modem some seconds after it has appeared. What it asks reaches the board between
+/// our packets or within them, and what the board makes of it reaches us.
 void TestFaultClasses::aForeignProgramOnThePortIsOvercome()
 {
     QFETCH(QString, board);
@@ -149,8 +149,8 @@ void TestFaultClasses::aForeignProgramOnThePortIsOvercome()
     }
 }
 
-/// The board is told of new sources as fast as it answers; packets of the set-up before are still on their way then. Signals
-/// of one register twice over must be equal, and those of another register must not stand in their place.
+/// The board is told of new sources as fast as it answers; packets of the set-up before are still on their way then.
+/// Signals of one register twice over must be equal, and those of another register must not stand in their place.
 void TestFaultClasses::aThousandNewSetUpsMixNoSignals()
 {
     support::Session session;

@@ -1,4 +1,4 @@
-// Time in which nobody acted or listened: wishes that come too late are never sent, and after a gap the states of the
+// Time in which the program did not run: wishes that come too late are never sent, and after a gap the states of the
 // motors are read before anything is believed or done.
 #include "drive/task.h"
 #include "support/link_pair.h"
@@ -140,7 +140,7 @@ void TestLateWishes::onlyWhatActsAndHasNotLeftExpires()
     QVERIFY(!acting->expired(made + 1s + kWishExpiresAfter));
     acting->begin();
     QVERIFY(!acting->expired(made + 1h)); // it moves nothing, and was begun in time
-    acting->motion() = MotionRecord{};
+    acting->motion() = MotionEntry{};
     QVERIFY(acting->expired(made + 1h));
     acting->leave();
     QVERIFY(!acting->expired(made + 1h)); // half of a list is worse than a late one
@@ -163,7 +163,7 @@ void TestLateWishes::afterAGapTheStatesAreReadFirst()
     QVERIFY(session.outcome(ramp) == Outcome::NotSent);
     QVERIFY(session.link == LinkState::Suspect);
     session.drive->arm();
-    QVERIFY(!session.drive->armed()); // nobody knows what the motor does now
+    QVERIFY(!session.drive->armed()); // what the motor does now is unknown
     QVERIFY(session.runUntil([&] { return session.link == LinkState::Connected; }, 5s));
     QVERIFY(session.status[1].at > then);
     QVERIFY(!session.ended.contains(read)); // it waited behind the states

@@ -1,4 +1,5 @@
-// LatelyRead across a gap in time: what was asked before it tells nothing of now, also where the answer comes behind it.
+// LatelyRead across a gap in time: what was asked before it tells nothing of now, also where the answer comes behind
+// it.
 #include "core/drive/toy_drive.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
-// The currents of boards of the older protocol, which do not tell what a digit is worth: a person says it, for one motor
-// and one connection, and a new scale moves nothing.
+// The currents of boards of the older protocol, which do not tell what a digit is worth: the user says it, for one
+// motor and one connection, and a new scale moves nothing.
 #include "support/fcp_bench.h"
 
-#include "drive/control_mode.h"
+#include "catalog/control_mode.h"
 #include "drive/values.h"
 #include "fcp/request.h"
 
@@ -40,7 +40,7 @@ void TestFcpCurrents::currentsNeedTheirScale()
     for (const Bytes &frame : bench.requests)
         QVERIFY(isRead(frame));
 
-    // With the scale that a person knows they go out, as digits.
+    // With the scale that the user knows they go out, as digits.
     support::LinkPair pair(boardOf("legacy"));
     pair.connect();
     QVERIFY(pair.runUntilIdentified());
@@ -121,8 +121,8 @@ void TestFcpCurrents::aStartInTorqueControlIsWithinOnesOwnLimit()
         return bench.outcome(start) == Outcome::Refused ? bench.ended[start].front().reason : "";
     };
     QVERIFY(refusal(2.9).starts_with("in torque control this board does not tell"));
-    QVERIFY(bench.runUntilEnded(
-        bench.submit(Write{{{bench.id("CONTROL_MODE"), kSpeedModeNumber}}, Reach::Everything})));
+    QVERIFY(bench.runUntilEnded(bench.submit(
+        Write{{{bench.id("CONTROL_MODE"), catalog::kSpeedModeNumber}}, Reach::Everything})));
     QVERIFY(refusal(0.1).starts_with("REVUP_DATA is beyond your own limit"));
     QCOMPARE(refusal(2.9), std::string());
 }
@@ -161,7 +161,7 @@ void TestFcpCurrents::aNewScaleMovesNothing()
     QCOMPARE(bench.status.at(1).state, MotorState::Running);
     QCOMPARE(bench.identified->catalog->readScale(reference).factor, 30.0 / 32768.0);
 
-    // The same again changes nothing, so it takes nobody's arming.
+    // The same again changes nothing, so the drive stays armed.
     bench.drive->arm();
     QVERIFY(bench.drive->armed());
     bench.submit(CurrentScale{1, 30.0});
@@ -191,7 +191,7 @@ void TestFcpCurrents::theScaleIsForOneMotorAndOneConnection()
     bench.drive->disconnect(bench.now); // another board may be there the next time
     bench.identified.reset();
     bench.connect();
-    const WishId early = bench.submit(CurrentScale{1, 30.0}); // which nobody has met yet
+    const WishId early = bench.submit(CurrentScale{1, 30.0}); // whose board is not identified yet
     bench.exchange();
     QCOMPARE(bench.outcome(early), Outcome::NotSent);
     QVERIFY(!bench.identified);

@@ -1,5 +1,5 @@
 // FcpDrive on simulated boards of both dialects with a motor behind them: who is there, reading and writing, starting
-// and ramping within what a person allows, stopping, and watching as fast as the line gives.
+// and ramping within what the user allows, stopping, and watching as fast as the line gives.
 #include "support/fcp_bench.h"
 
 #include "drive/protocol_table.h"
@@ -228,7 +228,7 @@ void TestFcpDrive::stagesOfTheRevUpAreOneRegister()
         if ((frame[0] & 0x1F) == 0x09)
             QVERIFY(frame[2] < 5);
     raw[0] = 0xFF;
-    raw[1] = 0xFF; // 65535 rpm and more: beyond the person's limit
+    raw[1] = 0xFF; // 65535 rpm and more: beyond the user's limit
     wish = bench.submit(Write{{{id, raw}}});
     QVERIFY(bench.runUntilEnded(wish));
     QCOMPARE(bench.outcome(wish), Outcome::Refused);
@@ -346,7 +346,7 @@ void TestFcpDrive::aStopWithoutALinkIsSentBlind()
 {
     support::FcpBench bench("legacy");
     QVERIFY(bench.start());
-    bench.toDrive.cut = true; // the board hears, nobody hears the board
+    bench.toDrive.cut = true; // the board hears, and is not heard
     bench.requests.clear();
     bench.drive->stop(bench.now);
     bench.runFor(1s);

@@ -1,8 +1,8 @@
 // FcpDrive on a line that is being spoilt: seeded sessions in both dialects, with one motor or two. Whatever the line
-// does, each wish ends once, every Stop is kept (the judge of the wire sees to that), nothing is written before the board is
-// identified, and no value appears under a register's name that it does not have.
-// Faults come singly: two that cancel each other in the sum of a frame are beyond what this protocol can notice.
-// ROTORSCOPE_LONG=1 runs 10,000 sessions a dialect; support/seeds.h says which others. A failure names its seed.
+// does, each wish ends once, every Stop is kept (the judge of the wire sees to that), nothing is written before the
+// board is identified, and no value appears under a register's name that it does not have. Faults come singly: two that
+// cancel each other in the sum of a frame are beyond what this protocol can notice. ROTORSCOPE_LONG=1 runs 10,000
+// sessions a dialect; support/seeds.h says which others. A failure names its seed.
 #include "support/link_pair.h"
 #include "support/seeds.h"
 

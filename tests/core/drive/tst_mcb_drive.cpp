@@ -1,5 +1,5 @@
-// The drive of MCB against the simulated drive with its motor: identification, registers, commands, set-points, streams,
-// the stop, and what happens when wire and slave are not as they should be. Virtual time.
+// The drive of MCB against the simulated drive with its motor: identification, registers, commands, set-points,
+// streams, the stop, and what happens when wire and slave are not as they should be. Virtual time.
 #include "support/mcb/pair.h"
 
 #include "capture/capture.h"
@@ -380,7 +380,7 @@ void TestMcbDrive::aDriveThatIsNotReadyIsStoppedBlind()
     QVERIFY(stageIsOn(pair));
     pair.drive->stop(pair.now);
     QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 250ms));
-    QVERIFY(pair.drive->stopOpen()); // nobody has said so
+    QVERIFY(pair.drive->stopOpen()); // not told by the board
     pair.drive->handleReady(true, pair.now);
     pair.look = 100us;
     QVERIFY(pair.runUntil(
@@ -596,7 +596,7 @@ void TestMcbDrive::aDamagedFrameIsAGap()
     QCOMPARE(pair.counters.streamLostTicks, std::uint64_t{1});
 }
 
-/// Nobody asked the drive for anything meanwhile.
+/// The drive was asked for nothing meanwhile.
 void TestMcbDrive::aProgramThatStandsStillLeavesAGap()
 {
     McbPair pair({}, 700ms);

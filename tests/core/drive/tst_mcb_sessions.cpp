@@ -83,7 +83,7 @@ struct ServoSession {
     bool isBusy, isRough;
     Random stalls, rest; ///< of their own, so that a session is the same without them
     support::WireTape tape;
-    std::string tapeThen; ///< when something went wrong, for whoever looks for it
+    std::string tapeThen; ///< when something went wrong, to look for the cause
     Random random;
     bool resets = false; ///< by itself
     McbPair pair;
@@ -95,7 +95,7 @@ struct ServoSession {
     std::uint64_t samples = 0;
     std::uint64_t travelled = 0; ///< frames that carried a set-point other than zero
 
-    /// Every frame that leaves. A set-point is none of an armed person's wish if the drive was disarmed by a stop, a
+    /// Every frame that leaves. A set-point is none of an armed user's wish if the drive was disarmed by a stop, a
     /// reset or a lost link since.
     void sent(const Bytes &out)
     {
@@ -221,7 +221,7 @@ struct ServoSession {
         switch (rest.below(10)) {
         case 0: // the cable was out, and the servo goes on by itself
             for (const WishId id : asked)
-                pair.ended[id].resize(1); // nobody is there to end them
+                pair.ended[id].resize(1); // nothing is left to end them
             mayCarry = false;
             pair.replaceDrive(makeMcbDrive({}));
             pair.identified.reset();

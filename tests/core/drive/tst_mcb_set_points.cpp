@@ -1,5 +1,5 @@
-// Set-points that travel with every exchange: they move nothing by being mapped, are confirmed by what is read back, go to
-// rest with a stop and with a fault, and are never repeated to a drive that was reset or met again.
+// Set-points that travel with every exchange: they move nothing by being mapped, are confirmed by what is read back, go
+// to rest with a stop and with a fault, and are never repeated to a drive that was reset or met again.
 #include "support/mcb/pair.h"
 
 #include <QtTest>
@@ -403,8 +403,8 @@ void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards_data()
     QTest::newRow("rest, late") << 0 << late << false << kStall;
 }
 
-/// At any instant of a set-point's way: between it and the next exchange it is taken back, or the program has no core for
-/// longer than a wish lives.
+/// At any instant of a set-point's way: between it and the next exchange it is taken back, or the program has no core
+/// for longer than a wish lives.
 void TestMcbSetPoints::whatNoFrameHadNoneHasAfterwards()
 {
     QFETCH(const int, rpm);
@@ -575,7 +575,7 @@ void TestMcbSetPoints::disconnectingLeavesTheConfigState()
     QVERIFY(pair.runUntil([&] { return pair.link == LinkState::Closed; }, 2s));
     QVERIFY(!pair.board->slave().cyclic());
     for (const mcb::Frame &frame : bench.sent)
-        QCOMPARE(bench.velocitySent(frame), 10.0); // whoever disconnects decides about the motor
+        QCOMPARE(bench.velocitySent(frame), 10.0); // the user who disconnects decides for it
     QCOMPARE(bench.told, (std::vector<bool>{true, false}));
 }
 

@@ -1,4 +1,4 @@
-// McpDrive against the simulated board: what a person's session is made of, on virtual time.
+// McpDrive against the simulated board: what a user's session is made of, on virtual time.
 #include "aspep/packet.h"
 #include "drive/mcp/mcp_scales.h"
 #include "support/link_pair.h"
@@ -203,7 +203,7 @@ void TestMcpDrive::bytesMayBeGatheredWhereNothingMoves()
     QVERIFY(session.startMotor());
     session.drive->disarm();
     session.runFor(500ms);
-    QCOMPARE(session.drive->gathersFor(), Duration::zero()); // it turns, whoever started it
+    QCOMPARE(session.drive->gathersFor(), Duration::zero()); // it turns, by any start
     session.drive->stop(session.now);
     QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 10s));
     session.runFor(500ms);
@@ -245,7 +245,7 @@ void TestMcpDrive::numbersAreReadLessOftenWhereNothingMoves()
     QVERIFY(session.startMotor());
     session.drive->disarm();
     readIn(500ms);
-    QVERIFY(readIn(2s) >= 38); // it turns, whoever started it
+    QVERIFY(readIn(2s) >= 38); // it turns, by any start
     session.drive->stop(session.now);
     QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 10s));
     readIn(500ms);

@@ -20,11 +20,11 @@ struct Recorder {
             if (const auto *started = std::get_if<StreamStarted>(&event))
                 layout = started->layout;
             else if (const auto *block = std::get_if<capture::SampleBlock>(&event))
-                take(*block);
+                accept(*block);
         };
     }
 
-    void take(const capture::SampleBlock &block)
+    void accept(const capture::SampleBlock &block)
     {
         lost += block.lostTicks;
         samples.resize(layout.fast.size());

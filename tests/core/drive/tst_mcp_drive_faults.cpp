@@ -1,5 +1,5 @@
 // McpDrive on a line that is being spoilt: seeded campaigns. Whatever the line does, each wish ends once, nothing
-// moves that nobody asked for, every Stop is kept (the judge of the wire sees to that), samples stay with their
+// moves without being asked, every Stop is kept (the judge of the wire sees to that), samples stay with their
 // channels, and when the faults end the link is there again. Boards have one motor or two.
 // ROTORSCOPE_LONG=1 runs a hundred times as much; support/seeds.h says which others. A failure names its seed.
 #include "mcp/protocol.h"
@@ -24,7 +24,7 @@ int times(int fast)
 
 constexpr Duration kLongestStall = 900ms;
 
-/// A person who cannot wait, and a line that cannot be trusted; the oracle looks at everything that leaves and comes.
+/// A user who cannot wait, and a line that cannot be trusted; the oracle looks at everything that leaves and comes.
 class Campaign {
 public:
     /// @param busy  the computer is, and the program has no core now and then

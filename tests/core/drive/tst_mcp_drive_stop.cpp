@@ -362,7 +362,7 @@ void TestMcpDriveStop::blindStopsReachEveryMotor()
 {
     Session session(true, twoMotors());
     QVERIFY(bothRun(session));
-    session.toDrive.cut = true; // the board hears, nobody hears the board
+    session.toDrive.cut = true; // the board hears, and is not heard
     session.requests.clear();
     session.drive->stop(session.now);
     session.exchange();

@@ -18,7 +18,7 @@ public:
     explicit Judge(Session &session)
         : m_session(session)
     {
-        session.onEvent = [this](const Event &event) { take(event); };
+        session.onEvent = [this](const Event &event) { accept(event); };
     }
 
     std::size_t streams = 0, blocks = 0;
@@ -26,7 +26,7 @@ public:
     capture::Tick lost = 0;
 
 private:
-    void take(const Event &event)
+    void accept(const Event &event)
     {
         if (const auto *started = std::get_if<StreamStarted>(&event)) {
             m_layout = started->layout;
@@ -389,8 +389,8 @@ void TestMcpDriveStream::aResetBehindAStopIsNoticed_data()
     QTest::newRow("another before anything was streamed again") << true;
 }
 
-/// A stop goes out with a Beacon at once, behind which a board does not tell any more that it was reset: its samples are
-/// asked for again, and stand where they belong.
+/// A stop goes out with a Beacon at once, behind which a board does not tell any more that it was reset: its samples
+/// are asked for again, and stand where they belong.
 void TestMcpDriveStream::aResetBehindAStopIsNoticed()
 {
     QFETCH(bool, twice);

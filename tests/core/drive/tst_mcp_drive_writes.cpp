@@ -1,4 +1,4 @@
-// Writes of McpDrive: checked before they leave, read back after, and honest about what nobody knows.
+// Writes of McpDrive: checked before they leave, read back after, and honest about what is unknown.
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-// Which acts of motion a person is asked about first.
+// Which acts of motion the user is asked about first.
 #include "drive/motion_caution.h"
 
 #include <QTest>
@@ -89,7 +89,7 @@ void TestMotionCaution::aStepOfMoreThanAFifthOfTheLimit()
     QVERIFY(cautionsOf(speed(200), running()).empty());
     QVERIFY(cautionsOf(speed(199), running()) == Cautions{MotionCaution::Step});
     MotionScene own = running();
-    own.bounds.rpm = 2000.0; // a person's own limit, the lower one
+    own.bounds.rpm = 2000.0; // the user's own limit, the lower one
     QVERIFY(cautionsOf(speed(1401), own) == Cautions{MotionCaution::Step});
     QVERIFY(cautionsOf(TorqueRamp{1, 2.0, 0ms}, torque()).empty());
     QVERIFY(cautionsOf(TorqueRamp{1, 2.01, 0ms}, torque()) == Cautions{MotionCaution::Step});

@@ -1,4 +1,4 @@
-// What bounds the motion of a motor: the board's limits, a person's own, and expert mode where the board is silent.
+// What bounds the motion of a motor: the board's limits, the user's own, and expert mode where the board is silent.
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/set_point_check.h"
@@ -77,7 +77,7 @@ void TestMotionLimits::anyStructureGivesBoundsThatBound()
             raw = ByteWriter().u32(4000).f32(32.0F).f32(5.0F).u16(24).u8(0).u8(0).take();
             raw[random.below(12)] = static_cast<std::uint8_t>(random.next());
         }
-        MotorDescription description;
+        McpMotorDescription description;
         description.application = *mcp::decodeApplicationConfig(raw);
         McpFacts board;
         board.limits = {limitsOf(description)};
@@ -296,8 +296,8 @@ void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused()
 
 void TestMotionLimits::theLastRampSaysWhereAStartGoes_data()
 {
-    QTest::addColumn<int>(
-        "rpm"); // asked for while it rests; the reference is 1380 rpm still, its start-up 1080
+    // Asked for while it rests; the reference is 1380 rpm still, its start-up 1080.
+    QTest::addColumn<int>("rpm");
     QTest::addColumn<double>("limit");
     QTest::addColumn<bool>("starts");
     QTest::newRow("the old reference is beyond the limit") << 498 << 1200.0 << true;

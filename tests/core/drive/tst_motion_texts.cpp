@@ -1,6 +1,6 @@
 // The words of the motion log: what was asked for, as a record says it, and its line for a spreadsheet. No board.
 #include "drive/event.h"
-#include "drive/motion_record.h"
+#include "drive/motion_entry.h"
 
 #include <QTest>
 
@@ -37,7 +37,7 @@ RegisterId ofMotor(RegisterId id, int motor)
     return registers().withMotor(*registers().find(id), motor);
 }
 
-std::optional<MotionRecord> recordOf(const What &what)
+std::optional<MotionEntry> recordOf(const What &what)
 {
     return motionOf(
         {.id = 7, .what = what, .source = Source::CommandLine}, registers(), TimePoint(3s));
@@ -50,7 +50,7 @@ Write writeOf(std::vector<RegisterWrite> writes)
     return write;
 }
 
-std::string lineOf(const MotionRecord &record) { return motionLogLine(record, 1, "", ""); }
+std::string lineOf(const MotionEntry &record) { return motionLogLine(record, 1, "", ""); }
 
 } // namespace
 
@@ -119,7 +119,7 @@ void TestMotionTexts::writesNameWhatCanMoveSomething()
         {{{ofMotor(kSpeedRef, 2), std::int64_t{1200}}}, 2, "SPEED_REF@2 = 600 rpm"},
         {{{ofMotor(kControlMode, 1), std::int64_t{3}}}, 1, "MODE@1 = 3"},
         {{{ofMotor(kAnyGain, 1), std::int64_t{3}}}, 0, ""},
-        {{{0x7000, std::int64_t{3}}}, 0, ""}, // nobody knows it
+        {{{0x7000, std::int64_t{3}}}, 0, ""}, // unknown
         {{{kBoard, std::int64_t{1}}}, 0, "RESET = 1"},
         {{{kBoard, std::int64_t{1}}, {ofMotor(kControlMode, 2), std::int64_t{3}}}, 0,
             "RESET = 1; MODE@2 = 3"},
@@ -153,11 +153,11 @@ void TestMotionTexts::aLongListIsCut()
 
 void TestMotionTexts::onlyTheFirstBytesAreKept()
 {
-    MotionRecord record;
+    MotionEntry record;
     const Bytes request{1, 2};
-    for (std::size_t i = 1; i <= MotionRecord::kMostSent + 2; ++i) {
+    for (std::size_t i = 1; i <= MotionEntry::kMostSent + 2; ++i) {
         noteSent(record, request);
-        QCOMPARE(record.sent.size(), std::min(i, std::size_t{MotionRecord::kMostSent}));
+        QCOMPARE(record.sent.size(), std::min(i, std::size_t{MotionEntry::kMostSent}));
     }
     QCOMPARE(record.sent.front(), request);
     QCOMPARE(std::size_t{record.requests}, std::size_t{34});
@@ -187,7 +187,7 @@ void TestMotionTexts::everyWordIsItsOwn()
 
 void TestMotionTexts::linesAreForSpreadsheets()
 {
-    MotionRecord record;
+    MotionEntry record;
     record.act = MotionAct::SpeedRamp;
     record.motor = 2;
     record.detail = "-1200 rpm in 500 ms";
@@ -220,7 +220,7 @@ void TestMotionTexts::cellsAreNoFormulas()
             "a b c"},
         {"a,b", "\"a,b\""}, {"a\"b", "\"a\"\"b\""}, {"\xC2\xB5", "\xC2\xB5"}, {"", ""}};
     for (const auto &[text, cell] : cells) {
-        MotionRecord record;
+        MotionEntry record;
         record.outcome = Outcome::Ok;
         record.reason = text;
         QCOMPARE(lineOf(record), "1,,,person,,START,,ok," + std::string(cell) + ",0.0,");
@@ -229,7 +229,7 @@ void TestMotionTexts::cellsAreNoFormulas()
 
 void TestMotionTexts::bytesAreInHex()
 {
-    MotionRecord record;
+    MotionEntry record;
     const auto bytes = [&] {
         const std::string line = lineOf(record);
         return line.substr(line.rfind(',') + 1);

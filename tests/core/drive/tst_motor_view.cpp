@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <set>
+
 using drive::StructureField;
 using drive::StructureView;
 
@@ -132,8 +134,12 @@ private Q_SLOTS:
         QCOMPARE(board.field("SCALE_CONFIG", "current")->unit, std::string("A/digit"));
         QCOMPARE(board.field("GLOBAL_CONFIG", "version")->names, std::vector<std::string>{"6.4.0"});
         QCOMPARE(board.field("GLOBAL_CONFIG", "flags")->names, std::vector<std::string>{"UART A"});
-        for (const StructureView &view : board.structures())
+        std::set<std::string> keys;
+        for (const StructureView &view : board.structures()) {
             QVERIFY2(!view.writable, view.name.c_str());
+            for (const StructureField &field : view.fields)
+                QVERIFY2(keys.insert(field.key).second, field.key.c_str());
+        }
     }
 
     void theShortFormGivesTheNominalCurrentInDigits()

@@ -1,5 +1,5 @@
-// The judge of the wire itself: each rule speaks when it is broken, and is silent when it is kept. Bytes are written here by
-// hand, from the protocols' texts.
+// The judge of the wire itself: each rule speaks when it is broken, and is silent when it is kept. Bytes are written
+// here by hand, from the protocols' texts.
 #include "support/ms_rules.h"
 #include "support/wire/fcp.h"
 #include "support/wire/mcb.h"
@@ -41,7 +41,7 @@ struct JudgeBench {
         truth.resize(static_cast<std::size_t>(motors));
         judge.watch(std::make_unique<judge::WireMcp>(line.baud, 0.001), line);
         act(Act::Kind::Open);
-        judge.said(judge::Link::Connected, now);
+        judge.said(judge::LinkState::Connected, now);
         judge.saidIdentified(motors, now);
         request({kGet, 0x49});
     }
@@ -117,7 +117,7 @@ Bytes frameOf(std::vector<unsigned> words)
     return bytes;
 }
 
-/// A servo whose velocity is mapped and holds 5 turns a second; nobody is armed.
+/// A servo whose velocity is mapped and holds 5 turns a second; it is not armed.
 struct ServoJudgeBench {
     MsRules judge;
     TimePoint now{1s};
@@ -130,7 +130,7 @@ struct ServoJudgeBench {
         line.suspect = line.lost = {};
         judge.watch(std::make_unique<judge::WireMcb>(), line);
         act(Act::Kind::Open);
-        judge.said(judge::Link::Connected, now);
+        judge.said(judge::LinkState::Connected, now);
         judge.saidIdentified(1, now);
         exchange({0x0212, 0, 0, 0, 0}); // the velocity that it holds
         exchange({0x000E, 0, 0, 0, 0}, {0x0216, 0, 0x40A0, 0, 0});
@@ -222,8 +222,8 @@ void TestMsRules::aBrokenRuleSpeaks_data()
     });
     story("armed before the link was lost", "armed", [](JudgeBench &b) {
         b.act(Act::Kind::Arm);
-        b.judge.said(judge::Link::Lost, b.now);
-        b.judge.said(judge::Link::Connected, b.now);
+        b.judge.said(judge::LinkState::Lost, b.now);
+        b.judge.said(judge::LinkState::Connected, b.now);
         b.request({kSet, 0x91, 5});
     });
     story("a start that nobody asked for", "asked for", [](JudgeBench &b) {
@@ -564,7 +564,7 @@ void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()
     b.drive(2);
     b.act(Act::Kind::Open);
     b.act(Act::Kind::Stop);
-    b.request({kStopWord | 1}); // nobody knows of another one
+    b.request({kStopWord | 1}); // no other one is known
     b.truth[0] = {};
     b.judge.said(judge::Word::NotConfirmed, 1, b.now);
     b.run(200ms);
@@ -594,8 +594,8 @@ void TestMsRules::aGapBeforeAStopPutsNothingOff()
 {
     JudgeBench bench;
     bench.arm();
-    bench.now += 500ms; // nobody ran
-    bench.judge.said(judge::Link::Lost, bench.now);
+    bench.now += 500ms; // a gap
+    bench.judge.said(judge::LinkState::Lost, bench.now);
     bench.act(Act::Kind::Stop);
     for (int i = 0; i < 25; ++i) { // blind, for two seconds from the press
         if (i < 20)

@@ -158,7 +158,7 @@ private Q_SLOTS:
         QVERIFY(!stop.held);
     }
 
-    /// Since the last reading at which it was: what was between them nobody knows.
+    /// Since the last reading at which it was: what was between them is unknown.
     void aMotorThatIsDrivenNoMoreFollowsNothing()
     {
         for (const MotorState over : {MotorState::Idle, MotorState::FaultNow}) {
@@ -181,7 +181,7 @@ private Q_SLOTS:
             bench.times.onWish(wish(id, SpeedRamp{1, 100, 1s}));
             return bench.ends(id, TimePoint(1s))->runs;
         };
-        QVERIFY(runs(1)); // nobody knows: not said to stand
+        QVERIFY(runs(1)); // unknown: not said to stand
         bench.status(MotorState::Idle, 1s);
         QVERIFY(!runs(2));
         bench.times.onWish(wish(3, Command{MotorAction::Start, 1}));

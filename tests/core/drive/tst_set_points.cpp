@@ -1,5 +1,5 @@
-// What bounds a set-point, and what is said when it is refused: numbers only, no board and no line. The borders belong to
-// what is allowed.
+// What bounds a set-point, and what is said when it is refused: numbers only, no board and no line. The borders belong
+// to what is allowed.
 #include "drive/motion_limits.h"
 #include "drive/set_point_check.h"
 
@@ -281,6 +281,7 @@ void TestSetPoints::aWordOnTheWireHolds16Bits()
     BoardFacts facts = boardFacts();
     QCOMPARE(refuseWireSpeed(facts, 1, 4001.0), std::string("beyond the limit of 4000 rpm"));
     facts.limits[0].maxSpeedRpm = 50000.0;
+    facts.limits[0].wireRpm = 32767.0;
     for (const double sign : {1.0, -1.0}) {
         QCOMPARE(refuseWireSpeed(facts, 1, sign * 32767.0), std::string());
         QCOMPARE(refuseWireSpeed(facts, 1, sign * 32768.0),

@@ -1,6 +1,8 @@
 // Where a START goes: the reference that the board's control follows, under each name that a board may have for it.
 #include "drive/start_target.h"
 
+#include "drive/mcb/mcb_commands.h"
+
 #include <QTest>
 
 #include <map>
@@ -26,8 +28,11 @@ catalog::RegisterInfo reference(
     return info;
 }
 
-std::shared_ptr<const catalog::Catalog> catalogOf(
-    const char *mode, const char *speed, const char *current)
+constexpr catalog::StartRegisters kStartNames{
+    {"CONTROL_MODE"}, {"SPEED_RAMP"}, {"SPEED_REF"}, {"I_Q_REF"}};
+
+std::shared_ptr<const catalog::Catalog> catalogOf(const char *mode, const char *speed,
+    const char *current, const catalog::StartRegisters &start = kStartNames)
 {
     std::vector<catalog::RegisterInfo> registers;
     if (mode != nullptr)
@@ -37,7 +42,7 @@ std::shared_ptr<const catalog::Catalog> catalogOf(
     if (current != nullptr)
         registers.push_back(reference(kCurrentId, current, catalog::SetPoint::Current, "A"));
     return std::make_shared<const catalog::Catalog>(
-        std::move(registers), 2, std::vector<catalog::Scales>{{}, {}});
+        std::move(registers), 2, std::vector<catalog::Scales>{{}, {}}, start);
 }
 
 StartTarget targetOf(
@@ -65,17 +70,17 @@ private Q_SLOTS:
             (startRegisters(*board, 2) == std::vector{id(kModeId), id(kSpeedId), id(kCurrentId)}));
         const StartTarget speed = targetOf(
             *board, 2, {{id(kModeId), 3.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
-        QVERIFY(speed.control == ControlMode::Speed);
+        QVERIFY(speed.control == catalog::ControlMode::Speed);
         QVERIFY(speed.rpm == -1500.0);
         QVERIFY(!speed.amps);
         const StartTarget torque = targetOf(
             *board, 2, {{id(kModeId), 4.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
-        QVERIFY(torque.control == ControlMode::Torque);
+        QVERIFY(torque.control == catalog::ControlMode::Torque);
         QVERIFY(torque.amps == 2.0);
         QVERIFY(!torque.rpm);
         const StartTarget other = targetOf(
             *board, 2, {{id(kModeId), 7.0}, {id(kSpeedId), -1500.0}, {id(kCurrentId), 2.0}});
-        QVERIFY(other.control == ControlMode::Other);
+        QVERIFY(other.control == catalog::ControlMode::Other);
         QVERIFY(!other.rpm && !other.amps);
     }
 
@@ -88,7 +93,7 @@ private Q_SLOTS:
             reference(kSpeedId, "SPEED_REF", catalog::SetPoint::Speed, "rpm"),
             reference(kRamp, "SPEED_RAMP", catalog::SetPoint::None, "")};
         registers.back().type = catalog::ValueType::Raw;
-        const catalog::Catalog board(std::move(registers), 1, {{}});
+        const catalog::Catalog board(std::move(registers), 1, {{}}, kStartNames);
         const auto id = [&](std::uint32_t bare) {
             return board.withMotor(*board.find(RegisterId{bare}), 1);
         };
@@ -119,17 +124,18 @@ private Q_SLOTS:
         QVERIFY((startRegisters(*board, 1) == std::vector{id(kModeId), id(kSpeedId)}));
         QVERIFY(!targetOf(*board, 1, {{id(kSpeedId), 900.0}}).rpm); // the mode was not read
         QVERIFY(!targetOf(*board, 1, {{id(kModeId), 3.0}}).rpm);
-        QVERIFY(targetOf(*board, 1, {{id(kModeId), 3.0}}).control == ControlMode::Speed);
+        QVERIFY(targetOf(*board, 1, {{id(kModeId), 3.0}}).control == catalog::ControlMode::Speed);
         QVERIFY(!targetOf(*board, 1, {{id(kModeId), 4.0}, {id(kSpeedId), 900.0}}).amps);
         const auto none = catalogOf(nullptr, "SPEED_REF", nullptr);
         QVERIFY(targetOf(*none, 1, {{none->withMotor(*none->find(RegisterId{kSpeedId}), 1), 900.0}})
                     .control
-            == ControlMode::Other);
+            == catalog::ControlMode::Other);
     }
 
     void aServosModeWordCountsInItsOwnNumbers()
     {
-        const auto board = catalogOf("DRV_OP_CMD", "CL_VEL_SET_POINT_VALUE", "CL_CUR_Q_SET_POINT");
+        const auto board = catalogOf("DRV_OP_CMD", "CL_VEL_SET_POINT_VALUE", "CL_CUR_Q_SET_POINT",
+            {{"DRV_OP_CMD"}, {}, {"CL_VEL_SET_POINT_VALUE"}, {"CL_CUR_Q_SET_POINT"}, mcbControlOf});
         const auto id = [&](std::uint32_t bare) {
             return board->withMotor(*board->find(RegisterId{bare}), 1);
         };
@@ -137,9 +143,9 @@ private Q_SLOTS:
             return targetOf(
                 *board, 1, {{id(kModeId), mode}, {id(kSpeedId), 600.0}, {id(kCurrentId), 1.5}});
         };
-        QVERIFY(controlOf(0x03).control == ControlMode::Speed); // cyclic velocity
+        QVERIFY(controlOf(0x03).control == catalog::ControlMode::Speed); // cyclic velocity
         QVERIFY(controlOf(0x03).rpm == 600.0);
-        QVERIFY(controlOf(0x02).control == ControlMode::Torque); // cyclic current
+        QVERIFY(controlOf(0x02).control == catalog::ControlMode::Torque); // cyclic current
         QVERIFY(controlOf(0x02).amps == 1.5);
     }
 };

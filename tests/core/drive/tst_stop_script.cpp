@@ -1,5 +1,5 @@
-// What stops the motors when the program is gone: a board that runs and from then on hears nothing but the script stops,
-// whatever was half-way on the line. Nobody listens to its answers.
+// What stops the motors when the program is gone: a board that runs and from then on hears nothing but the script
+// stops, whatever was half-way on the line. Its answers are not read.
 #include "aspep/packet.h"
 #include "drive/protocol_table.h"
 #include "fcp/request.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr Duration kEvery = 100ms;
 constexpr int kTwoSeconds = 20; ///< repetitions
 
-/// Says the script to the board, as somebody does who has no clock but his own and hears nothing.
+/// Says the script to the board, by a clock alone: nothing that the board sends is read.
 void play(LinkPair &pair, const std::vector<Output> &script, int times)
 {
     const auto pass = [&pair](Duration time) {

@@ -1,5 +1,5 @@
-// StopSequence: when a STOP is due to whom, what is claimed on what evidence, and what asking again changes. Numbers and
-// times only: no board, no line.
+// StopSequence: when a STOP is due to whom, what is claimed on what evidence, and what asking again changes. Numbers
+// and times only: no board, no line.
 #include "drive/stop_sequence.h"
 
 #include <QTest>
@@ -27,7 +27,7 @@ MotorStatus statusOf(MotorState state, double rpm, TimePoint at, int motor = 1)
 void seeIdle(StopSequence &stop, TimePoint at, int motor = 1, int readings = 2)
 {
     for (int i = 0; i < readings; ++i)
-        stop.takeStatus(statusOf(MotorState::Idle, 0, at, motor), at);
+        stop.acceptStatus(statusOf(MotorState::Idle, 0, at, motor), at);
 }
 
 std::vector<std::pair<int, StopWord>> words(StopSequence &stop)
@@ -76,17 +76,17 @@ void TestStopSequence::evidenceFromBeforeTheStopCountsForNothing()
     StopSequence stop;
     stop.begin(1, t);
     QVERIFY((words(stop) == Words{{1, StopWord::Requested}}));
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 2ms), t - 1ms);
+    stop.acceptStatus(statusOf(MotorState::Idle, 0, t + 2ms), t - 1ms);
     QVERIFY(words(stop).empty());
     QCOMPARE(stop.stopDue(t, true), std::optional<int>(1));
     stop.stopSent(1, t + 3ms);
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 4ms), t + 2ms);
+    stop.acceptStatus(statusOf(MotorState::Idle, 0, t + 4ms), t + 2ms);
     QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::Running, 1000, t + 6ms), t + 5ms);
+    stop.acceptStatus(statusOf(MotorState::Running, 1000, t + 6ms), t + 5ms);
     QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
+    stop.acceptStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
     QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
+    stop.acceptStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
     QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
     QVERIFY(!stop.exclusive());
     QVERIFY(stop.active());
@@ -104,7 +104,7 @@ void TestStopSequence::aSpeedThatNothingMeasuresIsNeverAStandstill()
     const auto tell = [&](std::optional<bool> measured) {
         MotorStatus status = statusOf(MotorState::Idle, 0.0, t + 1ms);
         status.speedMeasured = measured;
-        stop.takeStatus(status, t + 1ms);
+        stop.acceptStatus(status, t + 1ms);
     };
     for (int i = 0; i < 5; ++i)
         tell(std::nullopt); // what the board has is not known yet
@@ -123,9 +123,9 @@ void TestStopSequence::standstillNeedsThreeSlowReadingsInARow()
     stop.stopSent(1, t);
     static_cast<void>(stop.takeProgress());
     for (const double rpm : {300.0, 300.0, 5.0, -5.0, 10.0, 5.0, 9.0})
-        stop.takeStatus(statusOf(MotorState::Idle, rpm, t + 1ms), t + 1ms);
+        stop.acceptStatus(statusOf(MotorState::Idle, rpm, t + 1ms), t + 1ms);
     QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
-    stop.takeStatus(statusOf(MotorState::Idle, -9.0, t + 2ms), t + 2ms);
+    stop.acceptStatus(statusOf(MotorState::Idle, -9.0, t + 2ms), t + 2ms);
     QVERIFY((words(stop) == Words{{1, StopWord::Standstill}}));
     QVERIFY(!stop.active());
 }
@@ -358,7 +358,7 @@ void TestStopSequence::evidenceCountsFromTheFirstStopAndInARow()
     static_cast<void>(stop.takeProgress());
     const auto tell = [&](MotorState state, int times) {
         for (int i = 0; i < times; ++i)
-            stop.takeStatus(statusOf(state, 0, t), t); // asked for with the first STOP
+            stop.acceptStatus(statusOf(state, 0, t), t); // asked for with the first STOP
     };
     tell(MotorState::Idle, 1);
     tell(MotorState::Starting, 1);
@@ -398,7 +398,7 @@ void TestStopSequence::noSpeedAtAllIsNoStandstill()
     status.speedRpm.reset();
     static_cast<void>(stop.takeProgress());
     for (int i = 0; i < 9; ++i)
-        stop.takeStatus(status, t);
+        stop.acceptStatus(status, t);
     QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
 }
 
@@ -486,10 +486,10 @@ void TestStopSequence::eachWordHasItsRecord()
         {StopWord::MayCoast, Outcome::Ok},
         {StopWord::NotConfirmed, Outcome::Unknown},
     };
-    MotionRecord sent;
+    MotionEntry sent;
     sent.requests = 3;
     for (const auto &[word, outcome] : rows) {
-        const MotionRecord record = recordOf({2, word, t + 30ms}, t, sent);
+        const MotionEntry record = recordOf({2, word, t + 30ms}, t, sent);
         QVERIFY(record.act == MotionAct::Stop && record.stop == word);
         QVERIFY(record.outcome == outcome);
         QCOMPARE(record.motor, 2);

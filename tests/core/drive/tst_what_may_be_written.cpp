@@ -1,8 +1,8 @@
 // What may be written from anywhere: each register's effect is decided, a restore moves nothing, and what leaves on the
 // wire is exactly what was asked for and lies within the limits. On simulated boards of all protocols, by seeds.
 #include "catalog/catalog.h"
+#include "catalog/control_mode.h"
 #include "catalog/csv.h"
-#include "drive/control_mode.h"
 #include "drive/mcp/mcp_protocol.h"
 #include "drive/motion_limits.h"
 #include "fcp/register_table.h"
@@ -371,12 +371,12 @@ void TestWhatMayBeWritten::noRestoreMovesAnything()
         }
         const auto plan = snapshots::planRestore(wanted, now, catalog, {},
             random.chance(0.5) ? std::vector<int>{} : std::vector<int>{1});
-        // A person's own limits refuse some of it, the board some more.
+        // The user's own limits refuse some of it, the board some more.
         bench->ask(random.chance(0.5) ? kOwn : drive::UserLimits{});
         bench->arm();
         bench->written();
         bench->ask(drive::Write{plan.writes, Reach::Parameters});
-        // And its undo; and a plan that somebody else made of everything.
+        // And its undo; and a plan of all registers, made elsewhere.
         std::vector<drive::RegisterWrite> back, everything;
         for (const drive::RegisterWrite &write : plan.writes)
             if (const auto at = bench->values().find(write.id); at != bench->values().end())
@@ -526,7 +526,7 @@ void TestWhatMayBeWritten::aStopARestoreAndAStartStayWithinOnesOwnLimit()
     session.runUntilEnded(session.submit(drive::Write{plan.writes, Reach::Parameters}), 20s);
     session.runUntilEnded(session.submit(drive::Read{all}), 20s);
     QVERIFY(session.values.at(session.id("CONTROL_MODE")).value
-        == drive::Value(drive::kSpeedModeNumber));
+        == drive::Value(catalog::kSpeedModeNumber));
     QVERIFY(
         session.values.at(session.id("SPEED_REF")).value == stopped.find("SPEED_REF", 1)->value);
 
@@ -539,7 +539,7 @@ void TestWhatMayBeWritten::aStopARestoreAndAStartStayWithinOnesOwnLimit()
     QVERIFY(session.outcome(start) == Outcome::Refused);
     QVERIFY(session.ended.at(start).front().reason.find("1200 rpm") != std::string::npos);
     const auto mode =
-        session.submit(drive::Write{{{session.id("CONTROL_MODE"), drive::kTorqueModeNumber}}});
+        session.submit(drive::Write{{{session.id("CONTROL_MODE"), catalog::kTorqueModeNumber}}});
     QVERIFY(session.runUntilEnded(mode) && session.outcome(mode) == Outcome::Refused);
 }
 

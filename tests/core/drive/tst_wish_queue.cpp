@@ -1,5 +1,5 @@
-// WishQueue: in which order wishes go, which of them are cut, and that each ends once. Tasks that ask nothing: no board, no
-// line.
+// WishQueue: in which order wishes go, which of them are cut, and that each ends once. Tasks that ask nothing: no
+// board, no line.
 #include "drive/wish_queue.h"
 
 #include <QTest>
@@ -110,7 +110,7 @@ void TestWishQueue::theDrivesOwnGoesFirst()
     bench.queue.addFirst(std::move(own));
     QVERIFY(bench.queue.next(true, kAdded) == probe);
     probe->succeed();
-    QVERIFY(bench.ended().empty()); // nobody asked for it
+    QVERIFY(bench.ended().empty()); // it was no wish
 }
 
 void TestWishQueue::tooManyAreRefused()
@@ -197,7 +197,7 @@ void TestWishQueue::eachEndIsToldOnceWithItsResults()
     QCOMPARE(some.size(), std::size_t{1});
     QVERIFY(std::holds_alternative<RegistersRead>(some[0]));
     probe->readings = {Reading{}};
-    probe->motion() = MotionRecord{};
+    probe->motion() = MotionEntry{};
     probe->motion()->asked = kAdded;
     QCOMPARE(bench.collect().size(), std::size_t{1}); // its record waits for its end
     probe->readings = {Reading{}};
@@ -205,18 +205,18 @@ void TestWishQueue::eachEndIsToldOnceWithItsResults()
     const auto events = bench.collect(kAdded + 5ms);
     QCOMPARE(events.size(), std::size_t{3});
     QVERIFY(std::holds_alternative<RegistersRead>(events[0]));
-    const auto &motion = std::get<MotionRecord>(events[1]);
+    const auto &motion = std::get<MotionEntry>(events[1]);
     QVERIFY(motion.ended == kAdded + 5ms && motion.outcome == Outcome::NotSent);
     QCOMPARE(motion.reason, std::string("gone"));
     QCOMPARE(std::get<Ended>(events[2]).id, WishId{7});
     QVERIFY(bench.collect().empty());
     // No act ends before it was asked for, whichever clock told that.
     QueuedProbe *early = bench.add(8);
-    early->motion() = MotionRecord{};
+    early->motion() = MotionEntry{};
     early->motion()->asked = kAdded + 1s;
     early->succeed();
     const auto last = bench.collect(kAdded);
-    QVERIFY(std::get<MotionRecord>(last.at(0)).ended == kAdded + 1s);
+    QVERIFY(std::get<MotionEntry>(last.at(0)).ended == kAdded + 1s);
 }
 
 QTEST_APPLESS_MAIN(TestWishQueue)

@@ -1,4 +1,4 @@
-// Which writes of a list a person is asked about: the two halves of a gain count as one number.
+// Which writes of a list the user is asked about: the two halves of a gain count as one number.
 #include "catalog/catalog.h"
 #include "drive/write_caution.h"
 

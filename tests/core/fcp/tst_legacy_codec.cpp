@@ -1,5 +1,5 @@
-// The codec of the older serial protocol where the vectors do not reach: bad lengths, bad bytes, both ends of the line, and
-// the tables of both dialects.
+// The codec of the older serial protocol where the vectors do not reach: bad lengths, bad bytes, both ends of the line,
+// and the tables of both dialects.
 #include "catalog/catalog.h"
 #include "fcp/framer.h"
 #include "fcp/register_table.h"

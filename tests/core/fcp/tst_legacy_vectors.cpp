@@ -49,7 +49,7 @@ catalog::Value valueOf(const FcpVector &row)
     return static_cast<std::int64_t>(row.decoded[QLatin1String("value")].toDouble());
 }
 
-RevUpStage stageOf(const FcpVector &row)
+StageFields stageOf(const FcpVector &row)
 {
     return {member(row, "rpm"), static_cast<std::int16_t>(member(row, "torque")),
         static_cast<std::uint16_t>(member(row, "ms"))};

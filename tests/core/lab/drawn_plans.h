@@ -6,7 +6,7 @@
 
 namespace support {
 
-/// Short ones. Now and then of a person who allows less current than the motor would take.
+/// Short ones. Now and then of a user who allows less current than the motor would take.
 inline lab::Plan drawnPlan(Random &random, const lab::Subject &subject)
 {
     lab::Plan drawn;

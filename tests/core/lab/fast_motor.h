@@ -1,5 +1,5 @@
-// A small motor of many poles, as tests/data/invented/quad11.json: at its higher speeds it turns by more than 20 electrical degrees
-// within a control period, and all of its currents swing through zero within one.
+// A small motor of many poles, as tests/data/invented/quad11.json: at its higher speeds it turns by more than 20
+// electrical degrees within a control period, and all of its currents swing through zero within one.
 #pragma once
 
 #include "simulation/plant/presets.h"

@@ -1,4 +1,5 @@
-// What a person does to the gains of a speed loop, on a bench of virtual time: reads them, writes them, asks how the loop responds.
+// What the user does to the gains of a speed loop, on a bench of virtual time: reads them, writes them, asks how the
+// loop responds.
 #pragma once
 
 #include "lab/evaluation/speed_loop.h"

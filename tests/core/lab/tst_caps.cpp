@@ -1,4 +1,4 @@
-// The caps that a person agrees to before an experiment begins, and which other experiments are agreed to by them.
+// The caps that the user agrees to before an experiment begins, and which other experiments are agreed to by them.
 #include "lab/caps.h"
 
 #include <QTest>
@@ -49,7 +49,7 @@ private Q_SLOTS:
         experiment.subject.limits.nominalCurrentAmps = 2.0;
         QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5);
         experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 3.0}};
-        QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5); // a person cannot raise it
+        QCOMPARE(capsOf(experiment, 0.0).mostAmps, 2.5); // the user cannot raise it
     }
     void whatBoundsTheCurrentIsKnown()
     {

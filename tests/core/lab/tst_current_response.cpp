@@ -1,5 +1,5 @@
-// The frequency response of current loops on simulated boards, against the exact model of windings and regulator. A bridge
-// without dead time is such a model; what a dead time makes of it is seen apart.
+// The frequency response of current loops on simulated boards, against the exact model of windings and regulator. A
+// bridge without dead time is such a model; what a dead time makes of it is seen apart.
 #include "lab/evaluation/current_response_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/current_loop_model.h"
@@ -235,9 +235,9 @@ private Q_SLOTS:
         LabBench bench;
         ResponsePlan plan = responsePlanFor(bench.experiment.subject, {});
         plan.length = std::chrono::seconds(4);
-        const record::Happening speed = entryOf(plan, bench.experiment.subject, {});
+        const recorded::Happening speed = entryOf(plan, bench.experiment.subject, {});
         plan.current = 1;
-        const record::Happening current = entryOf(plan, bench.experiment.subject, {});
+        const recorded::Happening current = entryOf(plan, bench.experiment.subject, {});
         QVERIFY(recordedPlan<ResponsePlan>(current)->plan == plan);
         QCOMPARE(recordedPlan<ResponsePlan>(current)->current, std::string("I_Q_MEAS"));
         const auto why = [&](const auto &found) { return QString::fromStdString(found.error()); };

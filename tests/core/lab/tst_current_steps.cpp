@@ -1,5 +1,5 @@
-// Steps of torque and of the current along the magnets: what they measure, and what keeps a motor safe whose speed nothing
-// holds meanwhile.
+// Steps of torque and of the current along the magnets: what they measure, and what keeps a motor safe whose speed
+// nothing holds meanwhile.
 #include "lab/caps.h"
 #include "lab/evaluation/current_step_evaluation.h"
 #include "lab/happenings.h"
@@ -207,7 +207,7 @@ private Q_SLOTS:
         capture.begin(layout);
         capture.append(block);
         const auto torque = [](double amps) {
-            return record::Happening{"torque ramp",
+            return recorded::Happening{"torque ramp",
                 {{"motor", "1"}, {"A", decimalText(amps)}, {"ms", "0"}, {"wish", "0"}}};
         };
         constexpr Nanos kMilli = 1'000'000;
@@ -270,8 +270,8 @@ private Q_SLOTS:
         }
     }
 
-    /// A light motor is soon too fast: its current is taken away before the time is over, and where the host is late the
-    /// envelope stops it.
+    /// A light motor is soon too fast: its current is taken away before the time is over, and where the host is late
+    /// the envelope stops it.
     void whatRunsAwayIsEnded()
     {
         for (const bool late : {false, true}) {
@@ -326,7 +326,7 @@ private Q_SLOTS:
                     .empty());
     }
 
-    /// What somebody asked for along the magnets would be 0 afterwards.
+    /// What the user asked for along the magnets would be 0 afterwards.
     void aCurrentAlongTheMagnetsOfBeforeIsLeftAlone()
     {
         LabBench bench;
@@ -346,7 +346,7 @@ private Q_SLOTS:
     {
         const LabBench bench;
         const CurrentStepPlan plan = planFor(bench, true, 0.05, -0.2);
-        const record::Happening entry = entryOf(plan, bench.experiment.subject, {});
+        const recorded::Happening entry = entryOf(plan, bench.experiment.subject, {});
         const auto read = recordedPlan<CurrentStepPlan>(entry);
         QVERIFY(read && read->plan == plan && read->referenceD == "I_D_REF");
         QVERIFY(!recordedPlan<CurrentStepPlan>({"step plan", entry.fields}));

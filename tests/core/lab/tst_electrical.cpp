@@ -1,5 +1,5 @@
-// Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
-// intervals; and that a motor is afterwards what it was.
+// Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside
+// their intervals; and that a motor is afterwards what it was.
 #include "base/random.h"
 #include "base/text.h"
 #include "core/lab/fast_motor.h"
@@ -67,8 +67,8 @@ void startUpIsInterrupted(LabBench &bench)
     bench.runner->interrupt("somebody stopped the motor");
 }
 
-/// A motor whose currents jump while it goes between two speeds, without noise or dead time: its voltages are those of its
-/// equation, so what is told of it is what the samples leave.
+/// A motor whose currents jump while it goes between two speeds, without noise or dead time: its voltages are those of
+/// its equation, so what is told of it is what the samples leave.
 struct DrawnSpin {
     static constexpr double kRs_ohm = 0.2, kInductance_h = 0.4e-3, kFlux_wb = 6e-3;
     static constexpr double kTick_hz = 16000.0;
@@ -77,7 +77,7 @@ struct DrawnSpin {
 
     Result<Electrics, std::string> evaluated(const Subject &subject) const
     {
-        const record::Happening plan = entryOf(fluxPlanFor(subject, {}), subject, {});
+        const recorded::Happening plan = entryOf(fluxPlanFor(subject, {}), subject, {});
         const auto motor = recordedPlan<SpinPlan>(plan);
         if (!motor)
             return fail(std::string("it is no plan"));
@@ -134,7 +134,7 @@ struct DrawnSpin {
         for (const auto &column : columns)
             block.fast.insert(block.fast.end(), column.begin(), column.end());
         capture.append(block);
-        const record::Happening driven{
+        const recorded::Happening driven{
             "current reference", {{"motor", std::to_string(subject.motor)}}};
         return evaluateElectrics(capture, {{-2, plan}, {-1, driven}});
     }
@@ -198,12 +198,13 @@ private Q_SLOTS:
         QVERIFY(found->notes.empty());
     }
 
-    /// Beside a small inductance: its currents swing through zero within a PWM period, and go a good part of their way in one.
+    /// Beside a small inductance: its currents swing through zero within a PWM period, and go a good part of their way
+    /// in one.
     void aCurrentThatSwingsIsTakenIntoAccount_data()
     {
         QTest::addColumn<double>("inductance_h");
-        QTest::addColumn<bool>(
-            "told"); ///< the resistance is, by currents that do not swing that far
+        /// The resistance is, by currents that do not swing that far.
+        QTest::addColumn<bool>("told");
         QTest::addRow("weak ones swing") << 0.3e-3 << true;
         QTest::addRow("all swing") << 0.075e-3 << false;
     }
@@ -241,8 +242,8 @@ private Q_SLOTS:
         QCOMPARE(found->notes.empty(), told);
     }
 
-    /// Their numbers may be beside their bars, but each says how far it is to be believed. As quad11, light24, joint36 and
-    /// micro12 of tests/data/invented.
+    /// Their numbers may be beside their bars, but each says how far it is to be believed. As quad11, light24, joint36
+    /// and micro12 of tests/data/invented.
     void lightAndFastMotorsAreToldHonestly_data()
     {
         QTest::addColumn<PlantParameters>("plant");
@@ -319,8 +320,8 @@ private Q_SLOTS:
         verifyWithin("flux", found->flux_wb, motor.flux_wb, 1.5);
     }
 
-    /// Of 16 kHz a link of 1.8 Mbaud carries each sample, one of 230400 and 115200 baud every eighth and fifteenth. What makes
-    /// the current jump is over between two of those, and Lq would read anything below its value.
+    /// Of 16 kHz a link of 1.8 Mbaud carries each sample, one of 230400 and 115200 baud every eighth and fifteenth.
+    /// What makes the current jump is over between two of those, and Lq would read anything below its value.
     void slowLinksTellWhatTheyCan_data()
     {
         QTest::addColumn<int>("every");
@@ -512,12 +513,12 @@ private Q_SLOTS:
         const auto rest = entryOf(restPlanFor(subject, {}), subject, {});
         const auto turning = entryOf(fluxPlanFor(subject, {}), subject, {});
         const auto steps = entryOf(StepPlan{.fromRpm = 1000, .toRpm = 1500}, subject, {});
-        const record::Happening other{"motor state", {{"state", "IDLE"}}};
+        const recorded::Happening other{"motor state", {{"state", "IDLE"}}};
         const auto end = entryOfEnd({}),
                    early = entryOfEnd({End::Interrupted, "every motor was stopped", {}});
-        const auto sizesOf = [](const std::vector<record::Happening> &all) {
+        const auto sizesOf = [](const std::vector<recorded::Happening> &all) {
             Happenings happenings;
-            for (const record::Happening &one : all)
+            for (const recorded::Happening &one : all)
                 happenings.emplace_back(Nanos(happenings.size()), one);
             std::vector<std::size_t> sizes;
             for (const Happenings &run : runsIn(happenings))
@@ -560,11 +561,11 @@ private Q_SLOTS:
     {
         const LabBench bench;
         const Subject &subject = bench.experiment.subject;
-        const record::Happening whole = entryOf(fluxPlanFor(subject, {}), subject, {});
-        record::Happening nameless = whole;
+        const recorded::Happening whole = entryOf(fluxPlanFor(subject, {}), subject, {});
+        recorded::Happening nameless = whole;
         std::erase_if(nameless.fields, [](const auto &field) { return field.first == "voltage"; });
-        const record::Happening driven{"current reference", {{"motor", "1"}}};
-        for (const record::Happening &plan : {whole, nameless}) {
+        const recorded::Happening driven{"current reference", {{"motor", "1"}}};
+        for (const recorded::Happening &plan : {whole, nameless}) {
             const auto found = evaluateElectrics(capture::Capture(), {{1, plan}, {2, driven}});
             QVERIFY(!found);
             QCOMPARE(

@@ -1,7 +1,7 @@
 // Experiments while everything goes wrong: on the line, at the board, with the
 // people around. Whatever happens, an experiment ends once, asks for nothing
 // more, and leaves the motor as it was, stopped, or with a sentence that says
-// what is not as it was. What a person agreed to holds: the truth of the board is
+// what is not as it was. What the user agreed to holds: the truth of the board is
 // held against the bounds that were shown, and its registers against those of
 // before. ROTORSCOPE_LONG=1 tries ten thousand of them; support/seeds.h says which
 // others.

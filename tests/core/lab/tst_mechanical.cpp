@@ -1,4 +1,5 @@
-// Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their intervals.
+// Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their
+// intervals.
 #include "core/lab/fast_motor.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "simulation/plant/presets.h"
@@ -59,8 +60,8 @@ simulation::BoardOptions swingingBoard(double heavier)
     return options;
 }
 
-/// A hub motor with Hall sensors, as tests/data/invented/hub48.json at 300 rpm with ten pole pairs and 4e-3 kg m^2; another
-/// speed with magnets for it.
+/// A hub motor with Hall sensors, as tests/data/invented/hub48.json at 300 rpm with ten pole pairs and 4e-3 kg m^2;
+/// another speed with magnets for it.
 PlantParameters hubMotor(double rpm, int polePairs, double inertia_kgm2, double brake)
 {
     PlantParameters plant = *simulation::findPreset("blower36");
@@ -159,8 +160,8 @@ private Q_SLOTS:
 
     void whatHoldsASpeedIsAMean_data()
     {
-        QTest::addColumn<double>(
-            "holds_a"); // a third of the looks tells 2 A more, the others 1 A less
+        // A third of the looks tells 2 A more, the others 1 A less.
+        QTest::addColumn<double>("holds_a");
         QTest::addColumn<int>("sign");
         QTest::newRow("a current") << 0.3 << 1;
         QTest::newRow("backwards") << 0.3 << -1;
@@ -253,8 +254,8 @@ private Q_SLOTS:
         QTest::newRow("not") << 0.0 << false;
     }
 
-    /// A rotor that is aligned against a brake stands aside, and its torque is that of weaker magnets. The voltage along them
-    /// tells by how much, and what flows along them while the speed changes counts, too.
+    /// A rotor that is aligned against a brake stands aside, and its torque is that of weaker magnets. The voltage
+    /// along them tells by how much, and what flows along them while the speed changes counts, too.
     void anAngleThatIsOffIsSeenAndSaid()
     {
         QFETCH(const double, brake);
@@ -343,8 +344,8 @@ private Q_SLOTS:
         QTest::newRow("8") << 8.0;
     }
 
-    /// Its speed does not come to rest with the gains of a lighter rotor, and it is measured by torques all the same. What
-    /// waits for a speed at rest is not measured there (tst_tuning, aLoopThatSwingsIsCalmedToBeMeasured).
+    /// Its speed does not come to rest with the gains of a lighter rotor, and it is measured by torques all the same.
+    /// What waits for a speed at rest is not measured there (tst_tuning, aLoopThatSwingsIsCalmedToBeMeasured).
     void aLoopThatSwingsIsNotWaitedFor()
     {
         QFETCH(const double, heavier);
@@ -360,12 +361,13 @@ private Q_SLOTS:
                 return note.find("did not come to rest before the first torque")
                     != std::string::npos;
             }));
-            // What flows in the midst of a swing is not taken for what holds the speed: it would be in all that follows.
+            // What flows in the midst of a swing is not taken for what holds the speed: it would be in all that
+            // follows.
             QVERIFY(measured.torques.front().amps < 0.25 * options.plant->motor.nominal_a);
         }
     }
 
-    /// It swung before, so nobody waits for it to come to rest afterwards: all that was measured would end with a Stop.
+    /// It swung before, so the runner does not wait for rest afterwards: all that was measured would end with a Stop.
     void aMotorThatRanAndSwungGoesOnToDoSo()
     {
         const simulation::BoardOptions options = swingingBoard(6.0);
@@ -422,7 +424,7 @@ private Q_SLOTS:
     {
         const LabBench bench;
         const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
-        const record::Happening entry = entryOf(plan, bench.experiment.subject, {});
+        const recorded::Happening entry = entryOf(plan, bench.experiment.subject, {});
         const Recorded<SpinPlan> names = *recordedPlan<SpinPlan>(entry);
         capture::Capture capture;
         capture::StreamLayout layout;

@@ -53,8 +53,8 @@ private Q_SLOTS:
         const drive::UserLimits both{.maxSpeedRpm = 1000.0, .maxCurrentAmps = 0.3};
         const auto within = planOf("rest", {{"max_rpm", 1000}, {"max_a", 0.3}}, subject, own);
         QVERIFY(within);
-        QCOMPARE(
-            std::get<RestPlan>(*within), restPlanFor(subject, both)); // what it leaves out, too
+        // What it leaves out, too.
+        QCOMPARE(std::get<RestPlan>(*within), restPlanFor(subject, both));
         QCOMPARE(objectionTo(Experiment{*within, subject}), std::string());
     }
 

@@ -230,7 +230,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, name);
         QFETCH(const QString, told);
-        const record::Happening end{
+        const recorded::Happening end{
             "ended", {{"wish", "7"}, {name.toStdString(), told.toStdString()}}};
         QTEST(changesGains(1, end), "changes");
         QVERIFY(!changesGains(1, {"write", end.fields}));

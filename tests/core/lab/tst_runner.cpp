@@ -146,13 +146,14 @@ void TestRunner::severalInARowShowWhatTheLastShows()
     };
     QVERIFY(lab::inRow(shows(0, 900), shows(900, 1200), false) == shows(0, 1200));
     QVERIFY(lab::inRow({}, shows(0, 900), false) == shows(0, 900));
-    QVERIFY(!lab::inRow(shows(0, 900), {}, false).shows); // nobody has read it since
+    QVERIFY(!lab::inRow(shows(0, 900), {}, false).shows); // it was not read since
     QCOMPARE(lab::shownText(shows(900, 1200)),
         std::string("SPEED_REF shows 1200 rpm until the next start, it showed 900 rpm"));
     QCOMPARE(lab::shownText(lab::inRow(shows(900, 0), shows(0, 900), false)), std::string());
 }
 
-/// What is read before it is sent got no answer: it is asked for again. That moved nothing, and is no run of the series.
+/// What is read before it is sent got no answer: it is asked for again. That moved nothing, and is no run of the
+/// series.
 void TestRunner::aStepThatIsAskedForTwiceIsOneRun()
 {
     LabBench bench;
@@ -164,8 +165,8 @@ void TestRunner::aStepThatIsAskedForTwiceIsOneRun()
         return request && since && bench.pair.now - *since < 400ms;
     };
     VERIFY_END(bench.run(), End::Complete);
-    constexpr std::size_t kWithout =
-        7; // twice to the first speed, four steps, the set-point of before
+    // Twice to the first speed, four steps, the set-point of before.
+    constexpr std::size_t kWithout = 7;
     QVERIFY(bench.asked<SpeedRamp>().size() > kWithout);
     const auto series = bench.series();
     QVERIFY(series);
@@ -176,9 +177,9 @@ void TestRunner::aStepThatIsAskedForTwiceIsOneRun()
 
 void TestRunner::whatMovedNothingIsLeftOut()
 {
-    const record::Happening ramp{"speed ramp", {{"wish", "7"}}};
+    const recorded::Happening ramp{"speed ramp", {{"wish", "7"}}};
     const auto ended = [](const char *outcome) {
-        return record::Happening{"ended", {{"wish", "7"}, {"outcome", outcome}}};
+        return recorded::Happening{"ended", {{"wish", "7"}, {"outcome", outcome}}};
     };
     const lab::Happenings carried = lab::carriedOut({{1, ramp}, {2, ended("refused")}, {3, ramp},
         {4, {"motion", {{"outcome", "not sent"}}}}, {5, ended("not sent")}, {6, ramp},
@@ -231,8 +232,8 @@ void TestRunner::theNumbersAreThoseOfTheRotor()
         qPrintable(QStringLiteral("%1 %2").arg(*up.overshoot_pct).arg(overshoot)));
 }
 
-/// The time of a sample lags the board's clock by the same in a whole stream: what differs from step to step is how well
-/// each was placed.
+/// The time of a sample lags the board's clock by the same in a whole stream: what differs from step to step is how
+/// well each was placed.
 void TestRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
 {
     std::vector<double> late_ms;
@@ -371,7 +372,7 @@ void TestRunner::silenceBreaksIt()
     bench.pair.runFor(6s);
 }
 
-/// A bus that nobody reads may be at any voltage.
+/// A bus that is not read may be at any voltage.
 void TestRunner::aBoundThatIsNotLookedAtBreaksIt()
 {
     LabBench bench;
@@ -759,7 +760,7 @@ void TestRunner::whatOnlyTheEnvelopeBoundsEndsWithAStop()
     QCOMPARE(disarmed.stops, 1);
     QVERIFY(disarmed.pair.runUntil([&] { return disarmed.pair.board->truth(1).idle; }, 1s));
 
-    LabBench stopped; // by a person already
+    LabBench stopped; // by the user already
     QVERIFY(pushes(stopped));
     stopped.runner->stopped();
     VERIFY_END(stopped.runner->outcome(), End::Interrupted);

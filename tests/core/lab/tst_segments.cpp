@@ -76,7 +76,7 @@ struct Recording {
     }
 };
 
-record::Happening linkState(const char *state) { return {"link", {{"state", state}}}; }
+recorded::Happening linkState(const char *state) { return {"link", {{"state", state}}}; }
 
 } // namespace
 

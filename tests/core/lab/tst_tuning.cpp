@@ -1,5 +1,5 @@
-// Gains from the measured response of simulated motors: that their loops keep the distance that was promised, and step as
-// predicted, whatever gains the board began with.
+// Gains from the measured response of simulated motors: that their loops keep the distance that was promised, and step
+// as predicted, whatever gains the board began with.
 #include "core/lab/gain_acts.h"
 #include "simulation/plant/presets.h"
 
@@ -60,7 +60,8 @@ private Q_SLOTS:
         QVERIFY(write(after, {medium->proportional, medium->integral}));
         const auto proof = respond(after);
         QVERIFY2(proof, proof ? "" : proof.error().c_str());
-        // From a quarter of the gains of an observed motor little is seen of the frequencies where a quicker loop is nearest.
+        // From a quarter of the gains of an observed motor little is seen of the frequencies where a quicker loop is
+        // nearest.
         const double tolerated = factor < 1.0 ? 1.2 : 1.1;
         QVERIFY2(proof->ms->value <= tolerated * distanceOf(Goal::Medium).ms,
             qPrintable(QString::number(proof->ms->value)));
@@ -115,8 +116,8 @@ private Q_SLOTS:
             qPrintable(QStringLiteral("%1 %, the rotor %2 %").arg(told_pct).arg(rotor_pct)));
     }
 
-    /// A heavy rotor behind an observer: with the gains of the light one its speed swings, and nothing is measured. With a
-    /// quarter of them it is, and the board has its own again.
+    /// A heavy rotor behind an observer: with the gains of the light one its speed swings, and nothing is measured.
+    /// With a quarter of them it is, and the board has its own again.
     void aLoopThatSwingsIsCalmedToBeMeasured()
     {
         simulation::BoardOptions options;
@@ -128,7 +129,7 @@ private Q_SLOTS:
         const auto swinging = respond(bench);
         QVERIFY(!swinging);
         QVERIFY2(bench.runner->outcome().swings, swinging.error().c_str());
-        // Its rotor turns on: without a sensor nobody sees that, and a start would end in too much current.
+        // Its rotor turns on: without a sensor that is not seen, and a start would end in too much current.
         QVERIFY(bench.pair.board->truth(1).rpm > 1000.0);
         SpeedLoop loop;
         loop.proportional = told.proportional;
@@ -145,7 +146,7 @@ private Q_SLOTS:
         const Gains after = gainsOf(bench);
         QCOMPARE(after.proportional, told.proportional);
         QCOMPARE(after.integral, told.integral);
-        // A motor that turns has its gains written by nobody.
+        // The gains of a motor that turns are not written.
         QVERIFY(bench.runUntil([&] { return std::abs(bench.pair.board->truth(1).rpm) < 1.0; }));
         QVERIFY(bench.pair.submit(drive::Command{drive::MotorAction::Start, 1}) != 0);
         QVERIFY(bench.pair.runUntil(
@@ -201,8 +202,8 @@ private Q_SLOTS:
         QCOMPARE(keptBy(measured(1.88, 9.0, 0.5), promise), Kept::TooLively);
         QCOMPARE(keptBy(measured(1.5, 7.0, 0.5), promise), Kept::TooSlow);
         QCOMPARE(keptBy(measured(1.5, 7.0, 1.5), promise), Kept::Yes); // it may be 8 Hz
-        QCOMPARE(
-            keptBy(measured(2.0, 7.0, 0.5), promise), Kept::TooLively); // the nearer danger is told
+        // The nearer danger is told.
+        QCOMPARE(keptBy(measured(2.0, 7.0, 0.5), promise), Kept::TooLively);
         FrequencyResponse proof = measured(1.5, 9.0, 0.5);
         proof.crossover_hz.reset();
         QCOMPARE(keptBy(proof, promise), Kept::Unclear);

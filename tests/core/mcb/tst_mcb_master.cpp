@@ -1,5 +1,5 @@
-// The master of MCB: every session of the vectors from its side, byte for byte, then what a bad wire and a bad slave do to
-// it. Virtual time.
+// The master of MCB: every session of the vectors from its side, byte for byte, then what a bad wire and a bad slave do
+// to it. Virtual time.
 #include "support/mcb/bus.h"
 #include "support/mcb/vectors.h"
 

@@ -97,8 +97,8 @@ void TestDatalog::twoSignalsIn2048BytesFill2046()
     QCOMPARE(*layout.fullLength(), std::size_t{2046});
     QCOMPARE(layout.fullBlocks(), std::size_t{510});
     QCOMPARE(*layout.blocksIn(2046), std::size_t{510});
-    QVERIFY(
-        !DatalogLayout(config(9, {kIa, kIb})).fullLength()); // refused: below one block and 6 bytes
+    // refused: below one block and 6 bytes
+    QVERIFY(!DatalogLayout(config(9, {kIa, kIb})).fullLength());
     QCOMPARE(*DatalogLayout(config(10, {kIa, kIb})).fullLength(), std::size_t{10});
 }
 

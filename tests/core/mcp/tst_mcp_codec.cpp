@@ -194,8 +194,8 @@ void TestMcpCodec::setAnswersComeInFourShapes()
         (decodeSetAnswer(6, hex("00 04 00 05 04 00 01"))->registers == Statuses{0, 4, 0, 5, 4, 0}));
     QVERIFY((decodeSetAnswer(1, hex("0A 01"))->registers == Statuses{0x0A}));
     QVERIFY((decodeSetAnswer(1, hex("07 01"))->registers == Statuses{0x07}));
-    QVERIFY(
-        (decodeSetAnswer(3, hex("00 0A 01"))->registers == Statuses{0, 0x0A})); // it stopped there
+    // It stopped there.
+    QVERIFY((decodeSetAnswer(3, hex("00 0A 01"))->registers == Statuses{0, 0x0A}));
     QVERIFY(decodeSetAnswer(3, hex("01"))->registers.empty()); // motor above the number of motors
     QCOMPARE(decodeSetAnswer(1, hex("00 00 01")).error(), CodecError::Leftover);
     QCOMPARE(decodeSetAnswer(1, {}).error(), CodecError::Empty);

@@ -107,7 +107,8 @@ private Q_SLOTS:
         QVERIFY(nearByShare(plan.speed->lag_s, lag, 1e-12));
         QVERIFY(nearByShare(plan.speed->margin.crossover_radps, 1.0 / (damping * lag), 0.01));
         QVERIFY(std::abs(plan.speed->margin.phase_deg - margin_deg) < 0.3);
-        // The rule takes the average of the speed for a lag. As the delay that it is, it lets a loop near its limit ring more.
+        // The rule takes the average of the speed for a lag. As the delay that it is, it lets a loop near its limit
+        // ring more.
         const double more = plan.speed->step.overshoot - overshoot;
         QVERIFY(more > -0.01 && more < (damping < 2.41 ? 0.06 : 0.01));
         QVERIFY(plan.speed->step.rise_s > lag && plan.speed->step.rise_s < 3 * damping * lag);

@@ -249,8 +249,8 @@ void TestScopeStep::rippleIsWhatRemains()
 {
     const auto channel = fastChannel(8000,
         [](double t) { return firstOrderStep(0.0, 10.0, 0.005)(t) + 0.1 * std::sin(2000.0 * t); });
-    QVERIFY(near(
-        measure(channel, Quantity::Ripple, stepAt()), 0.2 + 0.1, 0.12)); // entered with up to 2 %
+    // Entered with up to 2 %.
+    QVERIFY(near(measure(channel, Quantity::Ripple, stepAt()), 0.2 + 0.1, 0.12));
     QVERIFY(near(measure(channel, Quantity::RippleRms, stepAt()), 0.1 / std::sqrt(2.0), 0.01));
 }
 

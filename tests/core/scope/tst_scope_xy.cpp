@@ -79,8 +79,8 @@ void TestScopeXy::theSlowerChannelHolds()
     const XyTrace turned = xyTrace(slow, fast, 0, kSecond, {});
     QCOMPARE(turned.points.size(), 8U);
     QCOMPARE(turned.points[5].y, 9.0);
-    QCOMPARE(
-        xyTrace(fast, slow, 6 * kSample, kSecond, {}).points.size(), 6U); // a value from before
+    // A value from before.
+    QCOMPARE(xyTrace(fast, slow, 6 * kSample, kSecond, {}).points.size(), 6U);
 }
 
 void TestScopeXy::gapsBreakTheLine()

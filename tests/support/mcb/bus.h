@@ -1,4 +1,5 @@
-// A master and a slave of MCB, joined by wires that can be spoilt, on a virtual clock. The same seed gives the same run.
+// A master and a slave of MCB, joined by wires that can be spoilt, on a virtual clock. The same seed gives the same
+// run.
 #pragma once
 
 #include "mcb/master.h"
@@ -119,7 +120,7 @@ public:
         return runUntil([&] { return ended.size() > before; }, 5s) ? std::optional(ended.back())
                                                                    : std::nullopt;
     }
-    /// What is to travel from now on, as somebody wishes it.
+    /// What is to travel from now on, by the user's wish.
     void carry(mcb::Words words, const mcb::Mapping &mapping)
     {
         for (const mcb::MappedRegister &one : mapping.rx)

@@ -60,7 +60,7 @@ public:
     std::unique_ptr<simulation::McbBoard> board;
 
     std::map<drive::WishId, std::vector<drive::Ended>> ended;
-    std::vector<drive::MotionRecord> motions;
+    std::vector<drive::MotionEntry> motions;
     drive::LinkState link = drive::LinkState::Closed;
     drive::LinkReason reason = drive::LinkReason::None;
     std::vector<drive::LinkReason> reasons;
@@ -73,9 +73,9 @@ public:
     std::optional<capture::StreamLayout> layout;
     std::vector<capture::SampleBlock> blocks;
     std::vector<mcb::Frame> writes; ///< that left the drive
-    /// Where it wrote before it knew the drive; beside the way out of the cyclic state and a person's stop.
+    /// Where it wrote before it knew the drive; beside the way out of the cyclic state and the user's stop.
     std::optional<std::uint16_t> wroteUnidentified;
-    bool stopped = false; ///< a person has stopped the motors once
+    bool stopped = false; ///< the user has stopped the motors once
     std::function<void(const drive::Event &)> onEvent;
     std::function<void(Bytes &)> toBoard, toDrive;
     Duration look = 1ms; ///< the board's motor moves on at least so often
@@ -100,7 +100,7 @@ public:
         gone.kind = judge::Act::Kind::Unplugged;
         gone.at = now;
         judge.act(gone);
-        judge.said(judge::Link::Closed, now);
+        judge.said(judge::LinkState::Closed, now);
         drive = std::make_unique<JudgedDrive>(std::move(other), judge);
     }
     bool runUntil(const std::function<bool()> &condition, Duration limit)
@@ -226,7 +226,7 @@ private:
                 counters = *count;
             } else if (const auto *begun = std::get_if<drive::StreamStarted>(&event)) {
                 layout = begun->layout;
-            } else if (const auto *motion = std::get_if<drive::MotionRecord>(&event)) {
+            } else if (const auto *motion = std::get_if<drive::MotionEntry>(&event)) {
                 motions.push_back(*motion);
             } else if (auto *block = std::get_if<capture::SampleBlock>(&event)) {
                 blocks.push_back(std::move(*block));

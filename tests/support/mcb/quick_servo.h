@@ -1,5 +1,5 @@
-// A drive of MCB without a motor model: what its control word says is so at once. Behind the slave of the simulated drives it
-// is cheap enough for thousands of runs.
+// A drive of MCB without a motor model: what its control word says is so at once. Behind the slave of the simulated
+// drives it is cheap enough for thousands of runs.
 #pragma once
 
 #include "drive/mcb/mcb_protocol.h"

@@ -1,5 +1,5 @@
-// A drive of MCB reduced to what a stop needs, as the boards of scripted_boards.h. Both sides of this bus send at once: what
-// a request brings comes in a later exchange, so what fares badly there happens to that one.
+// A drive of MCB reduced to what a stop needs, as the boards of scripted_boards.h. Both sides of this bus send at once:
+// what a request brings comes in a later exchange, so what fares badly there happens to that one.
 #pragma once
 
 #include "drive/protocol_table.h"
@@ -16,7 +16,7 @@ public:
     bool needsExpert() const override { return false; }
     bool beginsStartsWithStop() const override { return true; }
     Duration late() const override { return std::chrono::milliseconds(700); }
-    bool take(const Bytes &output) override
+    bool accept(const Bytes &output) override
     {
         m_frame = output;
         return true;
@@ -82,8 +82,8 @@ public:
     }
 
 private:
-    static constexpr int kLateFetches =
-        300; ///< exchanges of 2 ms each, at least: longer than a drive waits
+    /// Exchanges of 2 ms each, at least: longer than a drive waits.
+    static constexpr int kLateFetches = 300;
 
     QuickServo m_servo;
     simulation::McbSlave m_slave{QuickServo::rig(), &m_servo};

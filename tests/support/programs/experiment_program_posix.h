@@ -1,5 +1,5 @@
-// An experiment of the command line on a simulated board of its own, both as programs in real time. Whether the machine let them
-// run is looked at: a program that has no core cannot keep its motor in bounds, and ends as its documents say.
+// An experiment of the command line on a simulated board of its own, both as programs in real time. Whether the machine
+// let them run is looked at: a program that has no core cannot keep its motor in bounds, and ends as its documents say.
 #pragma once
 
 #include "support/programs/programs_posix.h"
@@ -97,8 +97,8 @@ public:
             m_run = resultOf(m_process);
         return *m_run;
     }
-    /// What came of it. One that ended early, other than expected, is played again, twice, though no program of it was seen
-    /// without a core: the machine below a virtual one stands still unseen.
+    /// What came of it. One that ended early, other than expected, is played again, twice, though no program of it was
+    /// seen without a core: the machine below a virtual one stands still unseen.
     template <class Expected>
     const CliRun &outcome(Expected expected, const std::function<void()> &play = {})
     {

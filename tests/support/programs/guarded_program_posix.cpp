@@ -1,9 +1,9 @@
 // A program for tests of the guardian: the window's process without its panels. A window on the screen that there is, a
 // session in a thread of its own, a guardian; it arms and starts the motor as soon as it knows the board, and streams.
 //
-//   guarded_program PORT drive    drives until somebody ends it
+//   guarded_program PORT drive    drives until it is ended
 //                        idle     arms, moves nothing
-//                        leave    starts, then closes the port as a person does who leaves the motor running, and ends
+//                        leave    starts, then closes the port as the user does who leaves the motor running, and ends
 #include "session/link/guardian.h"
 #include "session/link/session.h"
 #include "session/link/session_thread.h"
@@ -25,7 +25,7 @@ public:
         using session::Session;
         connect(&session, &Session::batch, this, [this](const session::BatchPtr &batch) {
             for (const drive::Event &event : batch->events)
-                take(event);
+                accept(event);
             call([](Session &s) { s.acknowledge(); });
         });
         connect(&session, &Session::armedChanged, this, [this](bool armed) {
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    void take(const drive::Event &event)
+    void accept(const drive::Event &event)
     {
         const auto *board = std::get_if<drive::Identified>(&event);
         if (board != nullptr && !std::exchange(m_met, true)) {
@@ -113,7 +113,7 @@ int main(int argc, char **argv)
     auto endpoint =
         session::endpointFor(QString::fromLocal8Bit(argv[1]), 1843200, drive::Protocol::Mcp);
     endpoint.patience = std::chrono::milliseconds(1500); // of a busy machine
-    QTimer pulse; // the person is there
+    QTimer pulse; // the user is there
     QObject::connect(&pulse, &QTimer::timeout, &window,
         [session = thread.session()] { session->attendFromAnyThread(); });
     pulse.start(100);

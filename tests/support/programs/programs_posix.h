@@ -11,8 +11,8 @@
 
 namespace support {
 
-/// The program never repeats what moves a motor; what it says the board did not get, because this machine stalled, is typed
-/// again here.
+/// The program never repeats what moves a motor; what it says the board did not get, because this machine stalled, is
+/// typed again here.
 template <class Run>
 CliRun typedAgain(Run runOnce)
 {

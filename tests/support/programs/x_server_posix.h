@@ -1,4 +1,4 @@
-// An X server without a screen, and the hands of a person on it: a pointer and keys that reach a program as any
+// An X server without a screen, and the hands of a user on it: a pointer and keys that reach a program as any
 // keyboard's and mouse's do. POSIX; needs Xvfb and xdotool.
 #pragma once
 

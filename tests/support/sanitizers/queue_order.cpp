@@ -1,7 +1,7 @@
-// ThreadSanitizer does not see the locks of Qt, because Debian's Qt is not instrumented: whatever a queued call or a job of a
-// pool carries looks like a race, and so does what is ended after its thread. This tells it the order that there is: what comes
-// before a call or a job is queued comes before what that does; what a thread or a job has done comes before the return of
-// those who waited for it. Linked into every program of a build with it, and into no other.
+// ThreadSanitizer does not see the locks of Qt, because Debian's Qt is not instrumented: whatever a queued call or a
+// job of a pool carries looks like a race, and so does what is ended after its thread. This tells it the order that
+// there is: what comes before a call or a job is queued comes before what that does; what a thread or a job has done
+// comes before the return of those who waited for it. Linked into every program of a build with it, and into no other.
 #ifdef __SANITIZE_THREAD__
 
 #include <QCoreApplication>
@@ -26,8 +26,8 @@ char order; // its address stands for the lock
 std::atomic<bool> probing{false};
 std::atomic<std::size_t> ofCalls{0}; // bytes of the event that a queued call is
 
-/// A call is put into its event right before that is queued, also a signal: then all that it carries has been made. The event
-/// is known by its size, for other events carry nothing between threads.
+/// A call is put into its event right before that is queued, also a signal: then all that it carries has been made. The
+/// event is known by its size, for other events carry nothing between threads.
 void allocated(const volatile void *, std::size_t bytes)
 {
     if (probing.load(std::memory_order_relaxed))
@@ -38,7 +38,7 @@ void allocated(const volatile void *, std::size_t bytes)
 
 void freed(const volatile void *) { }
 
-/// Qt ends it in its thread behind all objects of that, and before anybody who waits for the thread goes on.
+/// Qt ends it in its thread behind all objects of that, and before what waits for the thread goes on.
 struct LastOfThread {
     ~LastOfThread() { __tsan_release(&order); }
 };
@@ -66,11 +66,11 @@ Function hidden(const char *symbol)
 
 } // namespace
 
-// What begins or awaits something, with its order told. The linker takes these for the calls of this program and of other
-// libraries; an object is the first argument.
+// What begins or awaits something, with its order told. The linker takes these for the calls of this program and of
+// other libraries; an object is the first argument.
 
-/// The last of posting an event: a signal's arguments have been copied since its call was made. Where the other thread is
-/// quicker than this, `allocated` has told of what came before, and tests/tsan.supp passes over the copies.
+/// The last of posting an event: a signal's arguments have been copied since its call was made. Where the other thread
+/// is quicker than this, `allocated` has told of what came before, and tests/tsan.supp passes over the copies.
 extern "C" void g_main_context_wakeup(void *context)
 {
     static const auto wakeUp = hidden<void (*)(void *)>("g_main_context_wakeup");
@@ -130,8 +130,9 @@ const bool told = [] {
     if (__sanitizer_install_malloc_and_free_hooks(allocated, freed) == 0)
         return false;
     QObject object;
+    // Room in the queue.
     QMetaObject::invokeMethod(
-        &object, [] {}, Qt::QueuedConnection); // room in the queue
+        &object, [] {}, Qt::QueuedConnection);
     probing = true;
     QMetaObject::invokeMethod(
         &object, [] {}, Qt::QueuedConnection);

@@ -1,5 +1,5 @@
-// Whether the message over the scope is true: of the link while the board answers, of a reset that was none, of files that are
-// not there or not so large.
+// Whether the message over the scope is true: of the link while the board answers, of a reset that was none, of files
+// that are not there or not so large.
 #pragma once
 
 #include "support/screen/screen_moment.h"
@@ -37,7 +37,7 @@ public:
                 untrue("beside a board that answers");
         if (is("was reset") && !m_moment.world().wasReset())
             untrue("and nobody reset it");
-        // Nobody else starts these boards: what was at rest when it was last heard is so now.
+        // Only the user starts these boards: what was at rest when it was last heard is so now.
         if (is("No motor was driven") && m_moment.world().isDriven())
             untrue("and a motor is driven");
         if (m_judged.insert(sentence).second) // what is written there later is another file

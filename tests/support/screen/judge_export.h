@@ -1,5 +1,6 @@
-// Whether a CSV of what the scope showed holds what the board sent: every stretch of rows of a signal at the rate of the rows is a
-// stretch of its samples, digit for digit, and what was read in turn is what the board gave. The newest rows are looked at.
+// Whether a CSV of what the scope showed holds what the board sent: every stretch of rows of a signal at the rate of
+// the rows is a stretch of its samples, digit for digit, and what was read in turn is what the board gave. The newest
+// rows are looked at.
 #pragma once
 
 #include "support/screen/judged_register.h"
@@ -26,8 +27,8 @@ public:
     {
     }
 
-    /// Whether what is shown now can be judged when it is written: it follows, nothing was lost lately, and all of it is
-    /// of this connection, of the board as it is since its reset, and not forgotten.
+    /// Whether what is shown now can be judged when it is written: it follows, nothing was lost lately, and all of it
+    /// is of this connection, of the board as it is since its reset, and not forgotten.
     bool canJudge() const
     {
         const auto *view = m_moment.find<widgets::ScopeView>("scope");

@@ -1,6 +1,6 @@
-// Whether a recording holds the samples that the board sent while it ran: as many as arrived between its beginning and its end,
-// give or take what was on its way, and of the registers that were sent; and whether what was read in turn is what the board
-// gave. Asked when the file is whole.
+// Whether a recording holds the samples that the board sent while it ran: as many as arrived between its beginning and
+// its end, give or take what was on its way, and of the registers that were sent; and whether what was read in turn is
+// what the board gave. Asked when the file is whole.
 #pragma once
 
 #include "capture/capture.h"
@@ -42,7 +42,8 @@ public:
             if (info.kind == capture::ChannelInfo::Kind::Fast)
                 held += capture.size(info.id);
         ++m_moment.statements;
-        // The samples of half a second may have been on their way at each end; of a second more, while the board was met anew.
+        // The samples of half a second may have been on their way at each end; of a second more, while the board was
+        // met anew.
         const double seconds = toSeconds(m_moment.world().now() - m_begun);
         const double onTheWay = m_moment.world().linkChanged() > m_begun ? 2.0 : 1.0;
         const auto slack = std::max(kFew,

@@ -1,8 +1,8 @@
-// Whether the scope draws what the board sent: in some columns of the picture that is on the screen, a trace's pixels lie within
-// the least and the greatest of the samples of that time, are there where samples are, and are not where none are. Time on
-// the picture and the board's ticks are laid together first: the picture may be a frame old, and its zero is told nowhere.
-// Where samples are told apart, or the picture does not follow, nothing is judged. And what stands in the legend is what
-// came last.
+// Whether the scope draws what the board sent: in some columns of the picture that is on the screen, a trace's pixels
+// lie within the least and the greatest of the samples of that time, are there where samples are, and are not where
+// none are. Time on the picture and the board's ticks are laid together first: the picture may be a frame old, and its
+// zero is told nowhere. Where samples are told apart, or the picture does not follow, nothing is judged. And what
+// stands in the legend is what came last.
 #pragma once
 
 #include "support/screen/picture_ink.h"
@@ -22,8 +22,8 @@ public:
     static constexpr int kLabels = 24; ///< rows
     static constexpr double kLetters = 0.07; ///< of the width, where references have theirs
     static constexpr int kEdge = 2; ///< rows: there the frame of the plot lies over a trace
-    static constexpr int kLoose =
-        3; ///< columns by which a time, and rows by which a value may be off
+    /// Columns by which a time, and rows by which a value may be off.
+    static constexpr int kLoose = 3;
     static constexpr int kGap = 10; ///< columns without samples that a gap has at least
     static constexpr Duration kJitter = 400ms; ///< of arrivals, from packet to packet
     static constexpr Duration kLately = 2500ms; ///< as values may be old
@@ -156,8 +156,8 @@ private:
         m_known = m_drawn = 0;
         const TimePoint now = m_moment.world().now();
         const TimePoint linked = m_moment.world().linkChanged();
-        // While a thread stood still the board's time and the picture's went apart, and a board that was met anew has an axis
-        // of its own: before that they do not fit as a whole.
+        // While a thread stood still the board's time and the picture's went apart, and a board that was met anew has
+        // an axis of its own: before that they do not fit as a whole.
         const TimePoint whole = std::max(now - m_moment.calm, linked);
         m_steady =
             static_cast<int>((toSeconds(whole.time_since_epoch()) - range.from) / perColumn) + off;
@@ -227,7 +227,7 @@ private:
         }
         m_moment.statements += static_cast<int>(m_painted.size());
         const QString folder = qEnvironmentVariable("ROTORSCOPE_PICTURES");
-        if (least > 0 && !folder.isEmpty()) // for whoever wants to see it
+        if (least > 0 && !folder.isEmpty()) // to look at it
             ink.picture().save(folder + QStringLiteral("/untrue-%1.png").arg(m_moment.statements));
         if (least == 0)
             return {};
@@ -310,7 +310,7 @@ private:
     int m_letters = 0; ///< columns in which those of references stand, in the colours of the traces
     int m_linked = 0; ///< columns before the link stood
     int m_steady = 0; ///< the first column that is judged
-    int m_known = 0, m_drawn = 0; ///< columns from and to which the judge knows what is to be seen
+    int m_known = 0, m_drawn = 0; ///< columns from and to which the judge can tell what is right
 };
 
 } // namespace support

@@ -1,6 +1,6 @@
-// Whether the scope draws what is read in turn as the board gave it: in some columns of a picture that follows, a trace lies
-// within what the board gave at that time, give or take what a value needs to come here; is there where values came one after
-// the other; and is not where none came for as long as one holds.
+// Whether the scope draws what is read in turn as the board gave it: in some columns of a picture that follows, a trace
+// lies within what the board gave at that time, give or take what a value needs to come here; is there where values
+// came one after the other; and is not where none came for as long as one holds.
 #pragma once
 
 #include "support/screen/judged_register.h"
@@ -95,7 +95,7 @@ private:
                     columnIs(trace, column, values, at, around, known->factor);
                 if (!wrong.empty()) {
                     const QString folder = qEnvironmentVariable("ROTORSCOPE_PICTURES");
-                    if (!folder.isEmpty()) // for whoever wants to see it
+                    if (!folder.isEmpty()) // to look at it
                         ink->picture().save(
                             folder + QStringLiteral("/untrue-%1.png").arg(m_moment.statements));
                     return wrong;

@@ -1,6 +1,5 @@
-// Whether the trigger's state is true: what it waits for did not come while it says "Armed", and what it says it found was
-// there. Judged for faults, set-points and edges of a trace; a trigger that a person forced is
-// none that was found.
+// Whether the trigger's state is true: what it waits for did not come while it says "Armed", and what it says it found
+// was there. Judged for faults, set-points and edges of a trace; a trigger that the user forced is none that was found.
 #pragma once
 
 #include "support/screen/judged_register.h"
@@ -21,7 +20,7 @@ public:
     {
     }
 
-    /// A person asked for a trigger, took one that was not what is waited for, or set it up again.
+    /// The user asked for a trigger, took one that was not what is waited for, or set it up again.
     void forced() { m_setUpAt = m_moment.world().now(); }
 
     /// @param unwell  when the board was last not heard, or time jumped

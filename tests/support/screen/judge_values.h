@@ -1,5 +1,6 @@
-// Whether the values of registers that a window shows are those that the board holds: in the rows of the tree that are on the
-// screen, in the fields of forms, and in the legend where signals are read in turn. A value without a mark is one that the board gave lately; an older one is greyed.
+// Whether the values of registers that a window shows are those that the board holds: in the rows of the tree that are
+// on the screen, in the fields of forms, and in the legend where signals are read in turn. A value without a mark is
+// one that the board gave lately; an older one is greyed.
 #pragma once
 
 #include "support/screen/judged_register.h"
@@ -15,10 +16,10 @@ namespace support {
 
 class ValuesJudge {
 public:
-    static constexpr Duration kOld =
-        2500ms; ///< polled four times a second, read again after a silence
-    static constexpr Duration kDrawn =
-        3500ms; ///< the same of one that counts for 2 s in the picture
+    /// Polled four times a second, read again after a silence.
+    static constexpr Duration kOld = 2500ms;
+    /// The same of one that counts for 2 s in the picture.
+    static constexpr Duration kDrawn = 3500ms;
 
     explicit ValuesJudge(ScreenMoment &moment)
         : m_moment(moment)

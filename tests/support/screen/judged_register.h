@@ -1,5 +1,5 @@
-// How the judge knows a register by the name that is shown: its number in what the board gives, and what a digit of it is in
-// the unit that is shown.
+// How the judge knows a register by the name that is shown: its number in what the board gives, and what a digit of it
+// is in the unit that is shown.
 #pragma once
 
 #include "support/judged_line.h"

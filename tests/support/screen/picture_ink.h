@@ -1,4 +1,5 @@
-// What is painted of a trace in some columns of the scope's picture: which rows have its colour, and which that of any trace.
+// What is painted of a trace in some columns of the scope's picture: which rows have its colour, and which that of any
+// trace.
 #pragma once
 
 #include "widgets/scope/scope_view.h"

@@ -1,10 +1,10 @@
-// The judge of the screen: whether what the window says is what the board is. It reads what a person reads, texts and
+// The judge of the screen: whether what the window says is what the board is. It reads what the user reads, texts and
 // accessible names of the real window in English, and compares it with the simulated board's truth; it never looks into
-// the models behind. A statement may be as old as the link allows (kOld); what nothing was heard about for longer has to
-// be marked as not known.
+// the models behind. A statement may be as old as the link allows (kOld); what nothing was heard about for longer has
+// to be marked as not known.
 //
-// Each rule is a function; what it finds names the widget, its text and the truth. Values, the picture, the trigger and the
-// message over the scope have judges of their own beside this one.
+// Each rule is a function; what it finds names the widget, its text and the truth. Values, the picture, the trigger and
+// the message over the scope have judges of their own beside this one.
 #pragma once
 
 #include "support/screen/judge_banner.h"
@@ -31,15 +31,15 @@ namespace support {
 
 class ScreenJudge {
 public:
-    static constexpr Duration kOld =
-        1500ms; ///< a state is polled every 250 ms, and doubted after 600 ms of silence
-    static constexpr Duration kRead =
-        2500ms; ///< a value: polled four times a second, read again after a silence
+    /// A state is polled every 250 ms, and doubted after 600 ms of silence.
+    static constexpr Duration kOld = 1500ms;
+    /// A value: polled four times a second, read again after a silence.
+    static constexpr Duration kRead = 2500ms;
     static constexpr Duration kAwake = 400ms; ///< after a thread stood still
     static constexpr Duration kAsked = 300ms; ///< from one question for a state to the next
     static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
-    static constexpr Duration kLeft =
-        15s; ///< until a port is closed, where a motor is stopped before
+    /// Until a port is closed, where a motor is stopped before.
+    static constexpr Duration kLeft = 15s;
 
     ScreenJudge(const QWidget &window, JudgedWorld &world, int motors)
         : m_world(world)
@@ -96,10 +96,10 @@ public:
     bool canJudgeExports() const { return m_exports.canJudge(); }
     std::string exportedAsSent(const QString &path) { return m_exports.asSent(path); }
 
-    /// A person pressed what makes a trigger of its own.
+    /// The user pressed what makes a trigger of its own.
     void forcesTrigger() { m_trigger.forced(); }
 
-    /// Somebody pressed what closes the port, or the wait for one.
+    /// The user pressed what closes the port, or the wait for one.
     void closes() { m_closed = m_world.now(); }
 
     /// What is sent is what the field said would be sent.
@@ -136,8 +136,8 @@ public:
         return {};
     }
 
-    /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register; without those of which it is said that another
-    /// number waits.
+    /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register; without those of which it is said that
+    /// another number waits.
     std::map<QString, int> plannedGains() const
     {
         std::map<QString, int> planned;
@@ -343,7 +343,7 @@ private:
             finds("firmware", name, "beside \"no board\"");
     }
 
-    /// Nobody but the user changes it while the port is open.
+    /// Only the user changes it while the port is open.
     void theChosenMotorStays()
     {
         const auto *box = find<QComboBox>("motor");
@@ -430,7 +430,7 @@ private:
             if (m_unwell + kOld > at || m_hidden + kListed > at)
                 continue; // the board was not heard all the time, or not all rows were shown
             if (at > m_world.resetAt() && at - m_world.resetAt() < kAsked)
-                continue; // nobody could see that it had none in between
+                continue; // that it had none in between could not be seen
             ++m_moment.statements;
             const bool listed = std::any_of(
                 m_listed.begin(), m_listed.end(), [at](TimePoint seen) { return seen >= at; });

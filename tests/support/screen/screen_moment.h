@@ -25,7 +25,7 @@ public:
     {
     }
 
-    Duration more{}; ///< that a statement may be older, because nobody could know better
+    Duration more{}; ///< that a statement may be older, because nothing newer was known
     bool heard = false; ///< the board was, lately
     Duration calm{}; ///< since a thread stood still, or time jumped
     int statements = 0; ///< that were compared

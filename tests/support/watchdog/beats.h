@@ -1,9 +1,10 @@
-// A watchdog for the window's thread: it tells of each beat of the event loop that computed for longer than 50 ms, what it was
-// for and what ran then. A beat is one event with all that it brings about at once; that of a loop inside it (a menu, a
-// dialog) is a beat of its own. The clock counts what the thread computes, not how long a busy machine let it wait.
+// A watchdog for the window's thread: it tells of each beat of the event loop that computed for longer than 50 ms, what
+// it was for and what ran then. A beat is one event with all that it brings about at once; that of a loop inside it (a
+// menu, a dialog) is a beat of its own. The clock counts what the thread computes, not how long a busy machine let it
+// wait.
 //
-// Every test with a window has it, see test_program.h. A beat of more than a quarter of a second fails its test; sanitizers slow
-// everything and fail none.
+// Every test with a window has it, see test_program.h. A beat of more than a quarter of a second fails its test;
+// sanitizers slow everything and fail none.
 #pragma once
 
 #include <QCoreApplication>
@@ -51,7 +52,7 @@ public:
         return App::notify(receiver, event);
     }
 };
-/// Without a window there is nobody to wait.
+/// Without a window no user waits.
 template <>
 class Watched<QCoreApplication> : public QCoreApplication {
 public:

@@ -1,5 +1,5 @@
-// Takes apart what a drive sends that looks for the protocol of its board: a header of ASPEP is told from a frame of the
-// older protocol by its length and its check bits, as a board would tell them.
+// Takes apart what a drive sends that looks for the protocol of its board: a header of ASPEP is told from a frame of
+// the older protocol by its length and its check bits, as a board would tell them.
 #pragma once
 
 #include "aspep/packet.h"

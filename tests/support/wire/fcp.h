@@ -1,5 +1,5 @@
-// Takes apart what goes to a board of the older serial protocol, in both its dialects, by the text of the protocol alone.
-// Frames and numbers: mcp-legacy, sections 1 to 3. Registers are numbered as number << 3 | motor.
+// Takes apart what goes to a board of the older serial protocol, in both its dialects, by the text of the protocol
+// alone. Frames and numbers: mcp-legacy, sections 1 to 3. Registers are numbered as number << 3 | motor.
 #pragma once
 
 #include "support/ms_rules.h"

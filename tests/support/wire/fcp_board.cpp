@@ -36,7 +36,7 @@ const FcpRegister *findFcpRegister(std::string_view name)
     return nullptr;
 }
 
-bool FcpBoard::Frame::take(std::uint8_t byte, bool arrived)
+bool FcpBoard::Frame::accept(std::uint8_t byte, bool arrived)
 {
     bytes.push_back(byte);
     arrives = arrives && arrived;
@@ -55,7 +55,7 @@ void FcpBoard::asks(ByteView bytes, bool arrives)
     if (m_asked.bytes.empty() && bytes.size() == 1)
         return; // a lone byte of ones, which fills up a frame that hangs half received in the board
     for (const std::uint8_t byte : bytes) {
-        if (!m_asked.take(byte, arrives))
+        if (!m_asked.accept(byte, arrives))
             continue;
         const Bytes &frame = m_asked.bytes;
         m_due.reset();
@@ -68,7 +68,7 @@ void FcpBoard::asks(ByteView bytes, bool arrives)
 void FcpBoard::says(ByteView bytes, TimePoint at, bool arrives)
 {
     for (const std::uint8_t byte : bytes) {
-        if (!m_said.take(byte, arrives))
+        if (!m_said.accept(byte, arrives))
             continue;
         const Bytes &frame = m_said.bytes;
         if (m_said.arrives && m_due && frame[0] == kAck && frame[1] > 0 && frame[1] <= 4)

@@ -1,6 +1,6 @@
-// What a board of the older serial protocol gives for its registers when it is asked, by the text of the protocol alone. It
-// sees the line at the board's end; what was lost on the way is not taken. Registers are numbered as number << 3 | motor.
-// Frames and answers: mcp-legacy, sections 1 to 4.
+// What a board of the older serial protocol gives for its registers when it is asked, by the text of the protocol
+// alone. It sees the line at the board's end; what was lost on the way is not taken. Registers are numbered as number
+// << 3 | motor. Frames and answers: mcp-legacy, sections 1 to 4.
 #pragma once
 
 #include "base/bytes.h"
@@ -35,7 +35,7 @@ private:
         Bytes bytes;
         bool arrives = true;
         /// True if it is whole with this byte.
-        bool take(std::uint8_t byte, bool arrived);
+        bool accept(std::uint8_t byte, bool arrived);
         void clear() { *this = {}; }
     };
 

@@ -59,8 +59,8 @@ std::vector<Sent> WireMcb::sent(ByteView bytes, TimePoint)
     m_length = bytes.size();
     Sent one;
     if (std::all_of(bytes.begin(), bytes.end(), [](auto byte) { return byte == 0xFF; })) {
-        one.kind =
-            Kind::LinkControl; // no frame at all: the clock only, to find the length of the slave's
+        // No frame at all: the clock only, to find the length of the slave's.
+        one.kind = Kind::LinkControl;
         m_sought = true;
         return {one};
     }
@@ -157,7 +157,7 @@ void WireMcb::travels(const std::vector<unsigned> &words, std::vector<Sent> &all
         const bool isZero = value == Words{};
         one.rests = one.kind == Kind::SetPoint && (one.rpm || one.amps) && isZero;
         one.goesOn = !changes(entry, value) && one.kind != Kind::Stop;
-        // Of a drive that was found cycling nobody knows what it holds: zeros go with what ends that.
+        // What a drive that was found cycling holds is unknown: zeros go with what ends that.
         if (isZero && m_brought)
             continue;
         if (!one.goesOn || (one.kind == Kind::SetPoint && !isZero))
@@ -180,12 +180,12 @@ bool WireMcb::heard(ByteView bytes)
 {
     m_heard.insert(m_heard.end(), bytes.begin(), bytes.end());
     if (m_length >= 2 * kConfigWords && m_heard.size() >= m_length)
-        take(ByteView(m_heard).first(m_length));
+        accept(ByteView(m_heard).first(m_length));
     return !bytes.empty();
 }
 
 /// The answer to a question for a value, in one piece, is what the drive holds.
-void WireMcb::take(ByteView bytes)
+void WireMcb::accept(ByteView bytes)
 {
     m_length = 0;
     if (bytes.size() % 2 != 0 || checkOf(bytes) != 0)

@@ -1,9 +1,9 @@
 // Takes apart frames of MCB, by the text of the protocol alone. Each output is one frame. Registers are numbered as
 // address << 3 | 1: there is one motor.
 //
-// What travels with every frame is an act where it changes: which registers that are, and how long a frame is, is what was
-// written to the drive; what the drive holds already is what it told last, or what it was last told. Words for which no
-// mapping was seen have to be zero.
+// What travels with every frame is an act where it changes: which registers that are, and how long a frame is, is what
+// was written to the drive; what the drive holds already is what it told last, or what it was last told. Words for
+// which no mapping was seen have to be zero.
 #pragma once
 
 #include "support/ms_rules.h"
@@ -33,13 +33,13 @@ private:
     std::vector<Entry> entriesOf(unsigned count) const;
     void travels(const std::vector<unsigned> &words, std::vector<Sent> &all);
     bool changes(const Entry &entry, const Words &words);
-    void take(ByteView bytes);
+    void accept(ByteView bytes);
 
     bool m_continues = false; ///< a value in fragments is under way
     bool m_sought = false; ///< the length of its frames, since it was last made to cycle
     bool m_brought = false; ///< this frame ends the cycling of a drive that was found in it
-    std::map<unsigned, unsigned>
-        m_list; ///< counts and entries of the mapping, as they were written
+    /// Counts and entries of the mapping, as they were written.
+    std::map<unsigned, unsigned> m_list;
     std::vector<Entry> m_rx; ///< of the mapping that was last switched on
     std::size_t m_words = 0; ///< of a frame with it
     std::map<unsigned, Words> m_holds; ///< by address, of the drive

@@ -90,7 +90,7 @@ void McbBoard::says(ByteView bytes, TimePoint at, bool arrives)
     const Bytes frame(m_said.begin(), m_said.begin() + static_cast<std::ptrdiff_t>(m_length));
     m_length = 0;
     if (m_arrives && isFrame(frame))
-        take(frame, at);
+        accept(frame, at);
     m_given.forgetOld(at);
 }
 
@@ -108,7 +108,7 @@ std::vector<McbBoard::Entry> McbBoard::mapped() const
     return entries;
 }
 
-void McbBoard::take(ByteView bytes, TimePoint at)
+void McbBoard::accept(ByteView bytes, TimePoint at)
 {
     const unsigned address = addressOf(bytes);
     if (const auto due = m_due.find(address);

@@ -1,6 +1,7 @@
-// What a drive on the Motion Control Bus gives for its registers, by the text of the protocol alone: in answers to questions for
-// a value, and in the words that travel with every frame by the mapping that was switched on. It sees the line at the drive's
-// end; what was lost on the way is not taken. Registers are numbered as address << 3 | 1: there is one motor.
+// What a drive on the Motion Control Bus gives for its registers, by the text of the protocol alone: in answers to
+// questions for a value, and in the words that travel with every frame by the mapping that was switched on. It sees the
+// line at the drive's end; what was lost on the way is not taken. Registers are numbered as address << 3 | 1: there is
+// one motor.
 #pragma once
 
 #include "base/bytes.h"
@@ -38,7 +39,7 @@ private:
         unsigned address = 0, words = 0;
     };
     std::vector<Entry> mapped() const;
-    void take(ByteView bytes, TimePoint at);
+    void accept(ByteView bytes, TimePoint at);
     void keep(unsigned address, unsigned low, unsigned high, TimePoint at);
 
     std::map<unsigned, unsigned> m_list; ///< of the mapping, as it was written

@@ -1,5 +1,5 @@
-// Takes apart what goes to a board of MCP over ASPEP, by the text of the protocol alone: nothing of the product's codec is
-// in here. Lengths and numbers: mcp-aspep, sections 1, 2.1 and 4.
+// Takes apart what goes to a board of MCP over ASPEP, by the text of the protocol alone: nothing of the product's codec
+// is in here. Lengths and numbers: mcp-aspep, sections 1, 2.1 and 4.
 #pragma once
 
 #include "support/ms_rules.h"

@@ -63,8 +63,8 @@ void McpBoard::reset()
 
 void McpBoard::asks(ByteView bytes, bool arrives)
 {
-    // A blind stop drops a payload whose header has left, and a board that begins anew behind a header takes the payload
-    // for headers: what comes then begins a packet, and no request begins like it.
+    // A blind stop drops a payload whose header has left, and a board that begins anew behind a header takes the
+    // payload for headers: what comes then begins a packet, and no request begins like it.
     if (const std::uint32_t word = little(bytes, 0, 4); bytes.size() == 4
         && (word % 16 == kBeacon || word % 16 == kPing) && WireMcp::checkOf(word) == word >> 28) {
         m_asked.clear();

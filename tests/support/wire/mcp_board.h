@@ -1,6 +1,7 @@
-// What a board of MCP says, taken apart by the text of the protocol alone: the values it gives when it is asked, and the
-// samples it sends by itself. It sees the line at the board's end, so that no packet is ever in pieces; what was lost on the
-// way is not taken. Values and samples of the last kKept only. Lengths and numbers: mcp-aspep, sections 2.1, 4.5 and 6.
+// What a board of MCP says, taken apart by the text of the protocol alone: the values it gives when it is asked, and
+// the samples it sends by itself. It sees the line at the board's end, so that no packet is ever in pieces; what was
+// lost on the way is not taken. Values and samples of the last kKept only. Lengths and numbers: mcp-aspep, sections
+// 2.1, 4.5 and 6.
 #pragma once
 
 #include "base/bytes.h"

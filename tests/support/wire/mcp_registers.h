@@ -1,5 +1,5 @@
-// Registers of the MCSDK that a window shows, by the protocol's table: their numbers and what a digit of them is. Those that
-// are texts, structures, flags or states are left out, and what other builds have.
+// Registers of the MCSDK that a window shows, by the protocol's table: their numbers and what a digit of them is. Those
+// that are texts, structures, flags or states are left out, and what other builds have.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What went over a line lately, for whoever reads a finding: pieces with their times, the newest last. Ones that begin alike, as
-// a stream's do, are told once with how many they were.
+// What went over a line lately, for the report of a finding: pieces with their times, the newest last. Ones that begin
+// alike, as a stream's do, are told once with how many they were.
 #pragma once
 
 #include "base/bytes.h"

@@ -153,8 +153,8 @@ private Q_SLOTS:
         QVERIFY2(speed->echo().contains(QStringLiteral("1500")), qPrintable(speed->echo()));
         QCOMPARE(speed->sentValue(), std::optional(1500.0));
         speed->setText(QStringLiteral("4001"));
-        QVERIFY2(
-            speed->echo().contains(QStringLiteral("4000")), qPrintable(speed->echo())); // the limit
+        // The limit.
+        QVERIFY2(speed->echo().contains(QStringLiteral("4000")), qPrintable(speed->echo()));
         QVERIFY(!speed->sentValue());
         speed->setText(QStringLiteral("4000"));
         QCOMPARE(speed->sentValue(),
@@ -482,7 +482,7 @@ private Q_SLOTS:
         mode->setCurrentIndex(mode->findText(QStringLiteral("Position")));
         QVERIFY(edit("position")->isVisible() && !edit("speed")->isVisible());
         QCOMPARE(label("shaftNow"), QStringLiteral("\u2013")); // it was not read yet
-        m_registers->take({facts::reading(kShaft, std::numbers::pi)}, {});
+        m_registers->accept({facts::reading(kShaft, std::numbers::pi)}, {});
         facts::feed(*m_device, {facts::status(drive::MotorState::Running)});
         QCOMPARE(label("shaftNow"), QStringLiteral("180.0\u202f\u00b0"));
         QTest::keyClick(edit("position"), Qt::Key_Return); // an empty field is no zero
@@ -677,8 +677,8 @@ private Q_SLOTS:
         using drive::LinkState;
         facts::feed(*m_device, {drive::LinkChanged{LinkState::Recovering, LinkReason::None}});
         facts::feed(*m_device, {drive::LinkChanged{LinkState::Connected, LinkReason::None}});
-        QCOMPARE(
-            state->text(), QStringLiteral("board answering")); // and has not told its state yet
+        // And has not told its state yet.
+        QCOMPARE(state->text(), QStringLiteral("board answering"));
         QVERIFY(!state->isEnabled());
         facts::feed(*m_device, {facts::status(drive::MotorState::Idle)});
         QCOMPARE(state->text(), QStringLiteral("Idle"));

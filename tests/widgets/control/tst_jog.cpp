@@ -1,5 +1,5 @@
-// Jogging on a simulated board in virtual time: the motor turns while something is held, and nothing that takes the hand
-// or the eye away leaves it turning.
+// Jogging on a simulated board in virtual time: the motor turns while something is held, and nothing that takes the
+// hand or the eye away leaves it turning.
 #include "support/edit_bench.h"
 #include "widgets/control/jog_box.h"
 #include "widgets/control/motion_gate.h"

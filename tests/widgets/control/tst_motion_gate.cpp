@@ -1,4 +1,4 @@
-// What a person is asked before a motor moves: the gate on a simulated board in virtual time, and its dialog in the
+// What the user is asked before a motor moves: the gate on a simulated board in virtual time, and its dialog in the
 // real window.
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
@@ -378,7 +378,7 @@ private Q_SLOTS:
             bench.device.setMotor(2);
         }
         QCOMPARE(withdrawn.size(), 1);
-        QCOMPARE(failed.size(), 0); // somebody's own act
+        QCOMPARE(failed.size(), 0); // the user's own act
         bench.sayYes(); // too late
         QCOMPARE(bench.sent, 0);
     }

@@ -21,9 +21,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-drive::MotionRecord ramp()
+drive::MotionEntry ramp()
 {
-    drive::MotionRecord record;
+    drive::MotionEntry record;
     record.act = drive::MotionAct::SpeedRamp;
     record.motor = 1;
     record.detail = "1200 rpm in 500 ms";
@@ -62,11 +62,11 @@ private Q_SLOTS:
         QAbstractItemModelTester tester(
             &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
-        model.take(ramp(), now);
-        drive::MotionRecord stop;
+        model.accept(ramp(), now);
+        drive::MotionEntry stop;
         stop.act = drive::MotionAct::Stop;
         stop.stop = drive::StopWord::NotConfirmed;
-        model.take(stop, now);
+        model.accept(stop, now);
         QCOMPARE(model.rowCount(), 2);
         const auto cell = [&](int row, int column) {
             return model.index(row, column).data().toString();
@@ -88,12 +88,12 @@ private Q_SLOTS:
         MotionLogModel model;
         const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
         const auto take = [&](drive::StopWord word, TimePoint ended, int notedMs) {
-            drive::MotionRecord record;
+            drive::MotionEntry record;
             record.act = drive::MotionAct::Stop;
             record.stop = word;
             record.asked = TimePoint(10s);
             record.ended = ended;
-            model.take(record, now.addMSecs(notedMs));
+            model.accept(record, now.addMSecs(notedMs));
         };
         take(drive::StopWord::Requested, TimePoint(10s), 20); // the window heard of it so late
         take(drive::StopWord::Accepted, TimePoint(10s + 9ms), 12);

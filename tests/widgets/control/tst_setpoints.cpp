@@ -1,5 +1,5 @@
-// The set-point fields under any board, any limits of one's own, any text and any locale: what leaves is a finite number
-// inside both limits, and it is the one that was echoed.
+// The set-point fields under any board, any limits of one's own, any text and any locale: what leaves is a finite
+// number inside both limits, and it is the one that was echoed.
 #include "support/link_pair.h"
 #include "support/window_facts.h"
 #include "widgets/base/value_text.h"

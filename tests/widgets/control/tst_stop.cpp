@@ -141,8 +141,8 @@ private Q_SLOTS:
             QVERIFY(button->height() >= 48);
             QTest::mousePress(button, Qt::LeftButton);
             QCOMPARE(m_stops->size(), 1);
-            QTest::mouseRelease(
-                button, Qt::LeftButton, Qt::NoModifier, QPoint(-50, -50)); // slid off
+            // Slid off.
+            QTest::mouseRelease(button, Qt::LeftButton, Qt::NoModifier, QPoint(-50, -50));
             QCOMPARE(m_stops->size(), 1);
         }
     }

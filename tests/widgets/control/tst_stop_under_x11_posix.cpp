@@ -1,5 +1,5 @@
-// Esc stops the motors while Qt runs one of its own loops, proved on a real X server with a real pointer and real keys: a
-// drag of a register over the scope, menus, lists and dialogs. The offscreen platform has no such drag.
+// Esc stops the motors while Qt runs one of its own loops, proved on a real X server with a real pointer and real keys:
+// a drag of a register over the scope, menus, lists and dialogs. The offscreen platform has no such drag.
 #include "support/programs/x_server_posix.h"
 #include "support/window_rig.h"
 #include "widgets/window/connect_bar.h"
@@ -82,7 +82,7 @@ private Q_SLOTS:
         DragWatch drag;
         bool pressed = false;
         int step = 0;
-        // A person does not wait for the loop that runs meanwhile: the drag's own, and the test's before and after it.
+        // The user does not wait for the loop that runs meanwhile: the drag's own, and the test's before and after it.
         QTimer hand;
         connect(&hand, &QTimer::timeout, this, [&] {
             if (drag.entered == 0) {
@@ -102,8 +102,8 @@ private Q_SLOTS:
         hand.stop();
         QTRY_COMPARE_WITH_TIMEOUT(m_stops->size(), 1, kLong_ms);
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Idle, kLong_ms); // by the board's own word
-        QTRY_VERIFY_WITH_TIMEOUT(
-            drag.left > 0, kLong_ms); // and it ended the drag, as it always does
+        // And it ended the drag, as it always does.
+        QTRY_VERIFY_WITH_TIMEOUT(drag.left > 0, kLong_ms);
         QVERIFY(Hands::release());
         QTRY_COMPARE_WITH_TIMEOUT(QGuiApplication::mouseButtons(), Qt::NoButton, kLong_ms);
         QCOMPARE(drag.dropped, 0);
@@ -189,7 +189,7 @@ private:
         QVERIFY(device().armed());
         for (const auto act :
             {judge::Act::Kind::Arm, judge::Act::Kind::Input, judge::Act::Kind::Confirm})
-            m_rig->boards.act(act); // no input of this test, but a person's
+            m_rig->boards.act(act); // no input of this test, but the user's
         device().submit(drive::Command{drive::MotorAction::Start, 1});
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Running, kLong_ms);
     }

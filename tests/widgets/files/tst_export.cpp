@@ -191,8 +191,8 @@ private Q_SLOTS:
             rig.window.findChild<widgets::Exporting *>()->ask();
             rig.find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
             QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
-            QTRY_VERIFY(
-                QFile::exists(rig.files.answer)); // the banner warns of the board that is none
+            // The banner warns of the board that is none.
+            QTRY_VERIFY(QFile::exists(rig.files.answer));
             QTRY_VERIFY(!rig.window.findChild<widgets::FileJob *>());
             rig.device().portChanged(session::PortState::Closed, {});
             rig.files.answer.clear();

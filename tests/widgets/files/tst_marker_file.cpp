@@ -22,7 +22,7 @@ void writeNotedRecording(const QString &path, bool ended = true)
     QVERIFY(file.open());
     file.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
     file.add(0, capture::SampleBlock{1, 0, 5000, std::vector<std::int16_t>(5000, 7), {}, 0});
-    file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
+    file.add(1'500'000'000, recorded::Note{1'500'000'000, 1'500'000'000, "look here"});
     if (ended)
         QVERIFY(file.end());
 }

@@ -38,17 +38,17 @@ void writeRecording(const QString &path)
     QString text;
     session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
     file.open();
-    file.add(0, record::Happening{"board", {{"firmware", "ST MC SDK"}, {"version", "6.4.0"}}});
+    file.add(0, recorded::Happening{"board", {{"firmware", "ST MC SDK"}, {"version", "6.4.0"}}});
     file.add(0,
         capture::StreamLayout{1, 16000.0, 0.0, 1,
             {{kSquare, "SQUARE", "A", 0.01, 0.0}, {(10U << 6) | 1U, "RAMP", "V", 1.0, 0.0}}, {}});
-    file.add(0, record::PolledRegister{kTemperature, "TEMPERATURE", "\u00b0C"});
-    file.add(0, record::PolledRegister{kSquare, "SQUARE", "A"}); // for a table
+    file.add(0, recorded::PolledRegister{kTemperature, "TEMPERATURE", "\u00b0C"});
+    file.add(0, recorded::PolledRegister{kSquare, "SQUARE", "A"}); // for a table
     file.add(0,
-        record::Happening{
+        recorded::Happening{
             "motor state", {{"motor", "1"}, {"state", "running"}, {"raw", "6"}, {"name", "RUN"}}});
     for (capture::Tick tick = 0; tick < kTicks; tick += 160) {
-        const record::Nanos at = (tick + 160) * 62'500;
+        const recorded::Nanos at = (tick + 160) * 62'500;
         capture::SampleBlock block{1, tick, 160, {}, {}, 0};
         for (capture::Tick i = tick; i < tick + 160; ++i)
             block.fast.push_back(i % 1600 < 800 ? -1000 : 1000);
@@ -58,18 +58,18 @@ void writeRecording(const QString &path)
         file.flush(at);
         if (tick == 7 * kSecondTicks || tick == 8 * kSecondTicks) { // the first one is refused
             const std::string wish = tick == 7 * kSecondTicks ? "6" : "7";
-            file.add(at, record::Happening{"write", {{"SPEED_KP", "520"}, {"wish", wish}}});
+            file.add(at, recorded::Happening{"write", {{"SPEED_KP", "520"}, {"wish", wish}}});
             file.add(at + 10'000'000,
-                record::Happening{"ended",
+                recorded::Happening{"ended",
                     {{"wish", wish}, {"outcome", "ok"}, {"reason", ""},
                         {"SPEED_KP", wish == "6" ? "refused, was 400" : "ok, was 400, is 520"}}});
         }
         if (tick % kSecondTicks == 0)
-            file.add(at, record::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
+            file.add(at, recorded::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
     }
     file.add(1'000'000'000,
-        record::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}, {"ms", "1000"}}});
-    file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
+        recorded::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}, {"ms", "1000"}}});
+    file.add(1'500'000'000, recorded::Note{1'500'000'000, 1'500'000'000, "look here"});
     file.end();
 }
 
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
         QVERIFY(m_rig->find<QWidget>("replayBar")->isVisible());
         QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Replay"));
-        for (const char *name : {"portLamp", "boardLamp"}) // no port, and nobody who answers
+        for (const char *name : {"portLamp", "boardLamp"}) // no port, and no board
             QVERIFY(m_rig->find<widgets::Lamp>(name)->light() == widgets::Lamp::Light::Off);
         QCOMPARE(
             m_rig->find<widgets::Lamp>("boardLamp")->text(), QStringLiteral("board as recorded"));
@@ -223,7 +223,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         QFETCH(QString, fields);
-        record::Happening happening{name.toStdString(), {}};
+        recorded::Happening happening{name.toStdString(), {}};
         for (const QString &field : fields.split(QLatin1Char(';')))
             happening.fields.emplace_back(field.section(QLatin1Char('='), 0, 0).toStdString(),
                 field.section(QLatin1Char('='), 1).toStdString());
@@ -323,9 +323,9 @@ private Q_SLOTS:
 
     void notesThatWereSavedLaterAreAtTheirTime()
     {
-        const record::Note later{500'000'000, 500'000'000, "said later"};
+        const recorded::Note later{500'000'000, 500'000'000, "said later"};
         const QString path = m_folder.filePath(QStringLiteral("noted.pcapng"));
-        QCOMPARE(session::saveNotes(m_path, path, {later, record::noNote(1'500'000'000)}).why,
+        QCOMPARE(session::saveNotes(m_path, path, {later, recorded::noNote(1'500'000'000)}).why,
             QString());
         replay(path);
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));

@@ -1,5 +1,5 @@
-// A person tells the window the current scale of a board that does not: the refused set-point says so, the control panel
-// asks, units follow at once, and the board gets its scale back when it is met again.
+// The user tells the window the current scale of a board that does not: the refused set-point says so, the control
+// panel asks, units follow at once, and the board gets its scale back when it is met again.
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/control/control_panel.h"

@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(bench.edits.pendingCount(), 0);
         QVERIFY(told->text().contains(QStringLiteral("dropped")));
 
-        // What a person has edited by hand since is theirs.
+        // What the user has edited by hand since is theirs.
         bench.typeInto("labBandwidth", QStringLiteral("3000"));
         bench.button("labPreview")->click();
         QVERIFY(bench.type("I_Q_KP", QStringLiteral("77")));
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY2(qobject_cast<QLineEdit *>(focused) == nullptr, qPrintable(focused->objectName()));
         QTest::keySequence(focused, QKeySequence::Undo);
         QCOMPARE(undone, 1);
-        // A field that nobody typed into has nothing to undo.
+        // A field that was not typed into has nothing to undo.
         bench.field("labPolePairs")->setFocus();
         QTest::keySequence(bench.field("labPolePairs"), QKeySequence::Undo);
         QCOMPARE(undone, 2);

@@ -172,8 +172,8 @@ private Q_SLOTS:
             options.plant->motor.viscous_nms = 0.0;
         GainBench bench(options);
         bench.typeInto("labInertia", QStringLiteral("500"));
-        bench.typeInto(
-            "labDelay", QStringLiteral("4")); // this firmware averages eight periods of 1 ms
+        // This firmware averages eight periods of 1 ms.
+        bench.typeInto("labDelay", QStringLiteral("4"));
         bench.typeInto("labBandwidth", QStringLiteral("1500"));
         bench.typeInto("labDamping", damping);
         QVERIFY(bench.previewAndApply());
@@ -194,7 +194,8 @@ private Q_SLOTS:
                                  .arg(forecast.step.rise_s * 1e3)
                                  .arg(step.overshoot)
                                  .arg(forecast.step.overshoot);
-        // The bounds of docs/tuning.md: friction that grows with the speed is not in the prediction; it takes overshoot away.
+        // The bounds of docs/tuning.md: friction that grows with the speed is not in the prediction; it takes overshoot
+        // away.
         const double off = step.rise_s / forecast.step.rise_s - 1.0;
         QVERIFY2(std::abs(off) < (friction ? 0.2 : 0.1), qPrintable(seen));
         const double more = step.overshoot - forecast.step.overshoot;

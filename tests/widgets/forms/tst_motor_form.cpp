@@ -126,7 +126,7 @@ private Q_SLOTS:
                 qPrintable(remark));
             for (int j = 0; j < model.rowCount(group); ++j) {
                 const QModelIndex row = model.index(j, 0, group);
-                // A name that is the key itself is one that nobody has put into words.
+                // A name that is the key itself is one that has no words yet.
                 QVERIFY2(row.data().toString() != row.data(MotorModel::KeyRole).toString(),
                     qPrintable(row.data().toString()));
                 QVERIFY(!row.siblingAtColumn(1).data().toString().isEmpty());

@@ -324,8 +324,8 @@ private Q_SLOTS:
         QVERIFY(plain.find<QLineEdit>("rampPosition")->isHidden());
         RampBench bench(positions());
         QVERIFY(!bench.find<QLineEdit>("rampPosition")->isHidden());
-        QVERIFY(
-            !bench.find<widgets::SetpointEdit>("rampPosition")->sentValue()); // no 0 by accident
+        // No 0 by accident.
+        QVERIFY(!bench.find<widgets::SetpointEdit>("rampPosition")->sentValue());
         QVERIFY(bench.start());
         bench.type("rampPosition", QStringLiteral("90"));
         bench.type("rampPositionTime", QStringLiteral("1500"));

@@ -280,7 +280,7 @@ private Q_SLOTS:
         QVERIFY2(torque.contains(QStringLiteral("182\u202fmN\u00b7m")), qPrintable(torque));
         QVERIFY2(torque.contains(QStringLiteral("87\u202fms")), qPrintable(torque));
         QVERIFY2(torque.contains(QStringLiteral("4.67\u202fA")), qPrintable(torque));
-        rig.bench.device.setUserLimits({0.0, 3.0}); // advice that nobody may take is none
+        rig.bench.device.setUserLimits({0.0, 3.0}); // advice that is not allowed is none
         QVERIFY(!findingsOf(rig).contains(QStringLiteral("4.67\u202fA")));
         QVERIFY(findingsOf(rig).contains(QStringLiteral("87\u202fms")));
         rig.bench.device.setUserLimits({});

@@ -156,7 +156,7 @@ private Q_SLOTS:
     void aStartThatFailsIsShownUntilItsFault()
     {
         RevUpBench rig;
-        QVERIFY(rig.setAll({{0, 1361, 100}, {3996, 1361, 60}})); // nobody could follow
+        QVERIFY(rig.setAll({{0, 1361, 100}, {3996, 1361, 60}})); // too fast to follow
         rig.bench.arm();
         QVERIFY(rig.bench.apply());
         QVERIFY(startAndWait(rig));

@@ -1,5 +1,5 @@
-// The window with a simulated board that the judge watches, and a person who arms, presses the buttons of the lab's pages and
-// answers their question.
+// The window with a simulated board that the judge watches, and a user who arms, presses the buttons of the lab's pages
+// and answers their question.
 #pragma once
 
 #include "simulation/plant/presets.h"

@@ -1,5 +1,5 @@
-// The identification of a motor through the real window: what is asked, what stands in the table beside board and motor file,
-// and that figures come into the motor description only when they are wanted, and out again.
+// The identification of a motor through the real window: what is asked, what stands in the table beside board and motor
+// file, and that figures come into the motor description only when they are wanted, and out again.
 #include "simulation/plant/presets.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/si_text.h"
@@ -77,12 +77,12 @@ private Q_SLOTS:
         lab::Electrics windings;
         windings.rs_ohm = {0.351234, 0.339876, 0.362592};
         windings.ld_h = {0.99961e-3, 0.98761e-3, 1.01161e-3};
-        findings.take(windings);
+        findings.accept(windings);
         lab::Mechanics mechanics;
         mechanics.inertia_kgm2 = {2.40004e-5, 2.38765e-5, 2.41243e-5};
         mechanics.viscous_nms = {0.0, 0.0, 4.1234e-5};
         mechanics.fan_nms2 = {0.0, 0.0, 1.23456e-6};
-        findings.take(mechanics);
+        findings.accept(mechanics);
         const auto cell = [&](int row, int column) {
             return findings.index(row, column).data().toString().replace(QChar(0x202f), u' ');
         };
@@ -173,11 +173,11 @@ private Q_SLOTS:
         lab::Electrics windings;
         windings.rs_ohm = {0.35, 0.34, 0.36};
         windings.ld_h = {1e-3, 0.9e-3, 1.1e-3};
-        findings.take(windings);
+        findings.accept(windings);
         const auto run = identification.electricalRun();
         QVERIFY(run);
         const auto toldOfEnd = [&](lab::End end) {
-            widgets::Experiments::Record record;
+            widgets::Experiments::Run record;
             record.outcome.end = end;
             record.outcome.reason = "the motor is not in speed control";
             return run->evaluate(record)();
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QCOMPARE(findings.measured().ld_h, std::optional(1e-3));
         lab::Electrics atRest;
         atRest.rs_ohm = {0.4, 0.39, 0.41};
-        findings.take(atRest, false);
+        findings.accept(atRest, false);
         QCOMPARE(findings.measured().rs_ohm, std::optional(0.4));
         QCOMPARE(findings.measured().ld_h, std::optional(1e-3));
         QVERIFY(!toldOfEnd(lab::End::Complete).isEmpty());
@@ -205,12 +205,12 @@ private Q_SLOTS:
         const auto run = identification.electricalRun();
         QVERIFY(run);
         const auto shown = [&] { // of a run that tells nothing, which empties the rows
-            widgets::Experiments::Record record;
+            widgets::Experiments::Run record;
             record.outcome.end = lab::End::Complete;
             lab::Electrics windings;
             windings.rs_ohm = {0.35, 0.34, 0.36};
             const auto show = run->evaluate(record);
-            findings.take(windings);
+            findings.accept(windings);
             return !show().isEmpty();
         };
         bench.device().setMotor(2);

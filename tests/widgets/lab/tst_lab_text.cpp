@@ -1,5 +1,5 @@
-// What core says of experiments, in German, with its numbers, alone and together; and that a sentence of the lab's sources is
-// known here, as far as five words or more of it stand together.
+// What core says of experiments, in German, with its numbers, alone and together; and that a sentence of the lab's
+// sources is known here, as far as five words or more of it stand together.
 #include "support/places.h"
 #include "widgets/lab/lab_text.h"
 

@@ -1,5 +1,6 @@
-// Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves in
-// the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of it.
+// Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves
+// in the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of
+// it.
 #include "session/recording/recording_reader.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/lab/experiment_bar.h"
@@ -29,7 +30,7 @@ constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
 
 /// A motor with an encoder, and the page open.
 struct Bench : support::LabWindow {
-    int actions = 0; ///< of a person, since the test set it to 0
+    int actions = 0; ///< of the user, since the test set it to 0
 
     explicit Bench(const char *motor = "servo24")
         : LabWindow(motor)
@@ -71,7 +72,7 @@ struct Bench : support::LabWindow {
             agree();
         return QTest::qWaitFor([&] { return rows().rowCount() > before; }, kSeriesMs);
     }
-    /// As a person turns the wheel over a field, one notch.
+    /// As the user turns the wheel over a field, one notch.
     void wheel(QWidget *over, int notches)
     {
         ++actions;

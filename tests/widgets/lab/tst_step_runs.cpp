@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(runs.results()[0].number, 1);
         QCOMPARE(runs.results()[1].number, 4);
     }
-    /// Whoever sees no colours tells them by their ticks.
+    /// Users who see no colours tell them by their ticks.
     void eachOfSixtyFourLooksDifferent()
     {
         QSet<QString> looks;

@@ -1,6 +1,6 @@
-// The tour through the real window, from gains that are wrong to proved ones, on boards with an encoder, with Hall sensors and
-// without a sensor: what is asked, what each station says, and that what a board cannot have is told. The judge of the wire
-// watches all of it.
+// The tour through the real window, from gains that are wrong to proved ones, on boards with an encoder, with Hall
+// sensors and without a sensor: what is asked, what each station says, and that what a board cannot have is told. The
+// judge of the wire watches all of it.
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/loop/loop_tuning.h"
 #include "widgets/lab/tour_steps.h"
@@ -117,7 +117,8 @@ private Q_SLOTS:
         QCOMPARE(bench.questions, 1);
         QVERIFY(bench.rig.workbench.edits().steps().count() == 1);
         QVERIFY(bench.held("SPEED_KP") != kp || bench.held("SPEED_KI") != ki);
-        // The noisy speed of a board without an encoder may be worse than its prediction: that is told, with the way back.
+        // The noisy speed of a board without an encoder may be worse than its prediction: that is told, with the way
+        // back.
         const QString proof = bench.cell("tourSteps", Steps::Proof, Steps::ResultColumn);
         QVERIFY2(stepsOf(bench).state(Steps::Proof) == State::Done
                 || (!encoder
@@ -149,8 +150,8 @@ private Q_SLOTS:
         QTest::newRow("the first one") << false;
         QTest::newRow("one from before") << true;
     }
-    /// Gains that are changed meanwhile make the response that of no loop: what follows from it is not waited for, and nothing
-    /// follows from another one.
+    /// Gains that are changed meanwhile make the response that of no loop: what follows from it is not waited for, and
+    /// nothing follows from another one.
     void withoutAResponseTheRestIsPassedOver()
     {
         QFETCH(const bool, before);

@@ -348,8 +348,8 @@ void TestMathPanel::aRemovedOneIsGoneEverywhere()
     QVERIFY(!capture().info(first));
     QCOMPARE(view().plotOf(first), -1);
     QCOMPARE(cell(0, MathTable::NameColumn), QStringLiteral("N"));
-    QTest::mouseClick(
-        m_rig->find<QWidget>("removeMath"), Qt::LeftButton); // the row that is chosen now
+    // The row that is chosen now.
+    QTest::mouseClick(m_rig->find<QWidget>("removeMath"), Qt::LeftButton);
     QCOMPARE(list()->model()->rowCount(), 0);
     QCOMPARE(m_rig->find<QLineEdit>("mathName")->text(), QStringLiteral("M1"));
 }
@@ -400,7 +400,7 @@ void TestMathPanel::aLongRecordingIsComputedInTurns()
     m_rig->record(50'000, [](int, int) { return 1; });
     write(QStringLiteral("M"), QStringLiteral("I_A + I_A"));
     QTest::keyClick(m_rig->find<QLineEdit>("mathFormula"), Qt::Key_Return);
-    QVERIFY(capture().size(channel(0)) < 51'000); // nobody waits for all of it
+    QVERIFY(capture().size(channel(0)) < 51'000); // it does not wait for all
     QTRY_COMPARE(capture().size(channel(0)), std::uint64_t(51'000));
 }
 

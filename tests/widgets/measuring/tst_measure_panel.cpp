@@ -207,8 +207,8 @@ void TestMeasurePanel::everyRecordOfABatchIsCounted()
     QVERIFY(complete(trigger) >= 38);
     QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), complete(trigger));
     QCOMPARE(cell(1, MeasureTable::CountColumn).toInt(), complete(trigger));
-    QCOMPARE(
-        cell(0, MeasureTable::MinColumn), QStringLiteral("40.0\u00a0A")); // each its own samples
+    // Each its own samples.
+    QCOMPARE(cell(0, MeasureTable::MinColumn), QStringLiteral("40.0\u00a0A"));
     QCOMPARE(cell(0, MeasureTable::MaxColumn), QStringLiteral("43.0\u00a0A"));
 }
 

@@ -1,5 +1,6 @@
-// Spectra in the real window: what is computed, shown, averaged and told in orders. The numbers are core's own business;
-// here one of each kind shows that the right samples are asked and that what comes back is what a person sees.
+// Spectra in the real window: what is computed, shown, averaged and told in orders. The numbers are core's own
+// business; here one of each kind shows that the right samples are asked and that what comes back is what the user
+// sees.
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/measuring/spectrum_job.h"
@@ -336,7 +337,7 @@ void TestSpectrumPanel::keysMoveTheFrequencies()
     QVERIFY(plot().to() - plot().from() < 400.0);
     QTest::keyClick(&plot(), Qt::Key_Minus, Qt::KeypadModifier);
     QCOMPARE(plot().to(), 500.0);
-    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // somebody else's
+    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // not the plot's
     QCOMPARE(plot().to(), 500.0);
     QTest::keyClick(&plot(), Qt::Key_Plus);
     const double before = plot().from();

@@ -1,4 +1,5 @@
-// XY pictures in the real window: which signals go over which, what is drawn around them, and that it follows the scope.
+// XY pictures in the real window: which signals go over which, what is drawn around them, and that it follows the
+// scope.
 #include "support/scope_window.h"
 #include "widgets/measuring/xy_panel.h"
 #include "widgets/scope/signals/signal_selection.h"
@@ -192,7 +193,7 @@ void TestXyPanel::theBusLimitsVoltages()
     QVERIFY(plot().ranges().top < 10.0);
     const auto watched = panel().watchedRegisters(); // the board is asked for it
     QCOMPARE(watched, std::vector<catalog::RegisterId>{facts::kVoltage});
-    m_rig->workbench.registers().take(
+    m_rig->workbench.registers().accept(
         {{facts::kVoltage, drive::ReadStatus::Ok, std::int64_t(24), {}}}, m_rig->workbench.now());
     update();
     QVERIFY2(note().contains(QStringLiteral("Dashed")), qPrintable(note()));
@@ -303,7 +304,7 @@ void TestXyPanel::keysMoveIt()
     QTest::keyClick(&plot(), Qt::Key_Up);
     QVERIFY(plot().ranges().top > zoomed.top);
     const auto moved = plot().ranges();
-    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // somebody else's
+    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // not the plot's
     QCOMPARE(plot().ranges().left, moved.left);
     QTest::keyClick(&plot(), Qt::Key_Minus, Qt::KeypadModifier);
     QVERIFY(plot().ranges().left < moved.left);

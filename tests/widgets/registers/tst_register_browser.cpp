@@ -125,10 +125,10 @@ private Q_SLOTS:
             delegate.initStyleOption(&option, bench.model.indexOf(power, column));
             return option.text;
         };
-        bench.model.take({{power, drive::ReadStatus::Ok, 0.005509190, {}, {}}}, bench.ms());
+        bench.model.accept({{power, drive::ReadStatus::Ok, 0.005509190, {}, {}}}, bench.ms());
         const QString whole = textOf(bench, "MOTOR_POWER", RegisterModel::ValueColumn);
-        QCOMPARE(
-            whole, QStringLiteral("0.005509\u202fW")); // measured: so many digits mean something
+        // measured: so many digits mean something
+        QCOMPARE(whole, QStringLiteral("0.005509\u202fW"));
         const int wide = bench.panel.fontMetrics().horizontalAdvance(whole) + 20;
         const int digit = bench.panel.fontMetrics().horizontalAdvance(QLatin1Char('1'));
         QCOMPARE(shown(RegisterModel::ValueColumn, wide), whole);

@@ -110,8 +110,8 @@ private Q_SLOTS:
         EditBench bench;
         bench.arm();
         bench.type("SPEED_KP", QStringLiteral("77"));
-        bench.model.setPending(
-            bench.id("FF_2"), whole(3)); // not in this build, nobody has looked yet
+        // Not in this build, which is not known yet.
+        bench.model.setPending(bench.id("FF_2"), whole(3));
         const auto reading = bench.link.values[bench.id("FF_2")].status;
         QVERIFY(reading != drive::ReadStatus::Ok);
         QVERIFY(bench.apply());

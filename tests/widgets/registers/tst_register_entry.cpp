@@ -1,4 +1,4 @@
-// What a person types into a register, strictly read, and the editors it is typed into.
+// What the user types into a register, strictly read, and the editors it is typed into.
 #include "catalog/names.h"
 #include "support/edit_bench.h"
 #include "widgets/registers/entry_edit.h"
@@ -165,9 +165,9 @@ private Q_SLOTS:
         auto *editor = open<widgets::EntryEdit>(bench, "SPEED_KP");
         QVERIFY(editor);
         QTest::keyClicks(editor, QStringLiteral("15"));
-        bench.model.take({facts::reading(bench.id("SPEED_KP"), std::int64_t{4711})}, bench.ms());
+        bench.model.accept({facts::reading(bench.id("SPEED_KP"), std::int64_t{4711})}, bench.ms());
         QCOMPARE(editor->text(), QStringLiteral("15"));
-        QCOMPARE(bench.edits.pendingCount(), 0); // nothing leaves while a person types
+        QCOMPARE(bench.edits.pendingCount(), 0); // nothing leaves while the user types
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE(bench.edits.pendingCount(), 1);
         QVERIFY(bench.model.pending().front().value == Value(std::int64_t{15}));
@@ -177,7 +177,7 @@ private Q_SLOTS:
     {
         EditBench bench;
         auto *editor = open<widgets::EntryEdit>(bench, "SPEED_KP");
-        bench.model.take({facts::reading(bench.id("SPEED_KP"), std::int64_t{4711})}, bench.ms());
+        bench.model.accept({facts::reading(bench.id("SPEED_KP"), std::int64_t{4711})}, bench.ms());
         const QPointer<QWidget> open = editor;
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_VERIFY(!open);

@@ -31,12 +31,12 @@ void TestRegisterField::anOldValueIsMarkedUntilANewOneComes()
         return std::vector<drive::Reading>{
             facts::reading(facts::kSpeed, catalog::Value(std::int64_t(rpm)))};
     };
-    model.take(value(1500), widgets::Milliseconds(0));
+    model.accept(value(1500), widgets::Milliseconds(0));
     QVERIFY(ink() != pale);
     model.setBelieved(false);
     QCOMPARE(ink(), pale);
     model.setBelieved(true);
-    model.take(value(1600), widgets::Milliseconds(500));
+    model.accept(value(1600), widgets::Milliseconds(500));
     QVERIFY(ink() != pale);
     model.refresh(widgets::Milliseconds(60'000)); // it is not read any more
     QCOMPARE(ink(), pale);

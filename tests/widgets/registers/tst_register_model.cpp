@@ -48,7 +48,7 @@ private Q_SLOTS:
 
     void aValueIsShownInItsUnitAndRaw()
     {
-        m_model->take({facts::reading(facts::kCurrentA, std::int64_t{500})}, 0ms);
+        m_model->accept({facts::reading(facts::kCurrentA, std::int64_t{500})}, 0ms);
         QCOMPARE(shown(facts::kCurrentA), QStringLiteral("1.000\u202fA"));
         QCOMPARE(m_model->indexOf(facts::kCurrentA, RegisterModel::RawColumn).data().toString(),
             QStringLiteral("500"));
@@ -57,17 +57,17 @@ private Q_SLOTS:
 
     void flagsAreShownByName()
     {
-        m_model->take({facts::reading(facts::kFlags, std::int64_t{0x00020041})}, 0ms);
+        m_model->accept({facts::reading(facts::kFlags, std::int64_t{0x00020041})}, 0ms);
         QCOMPARE(
             shown(facts::kFlags), QStringLiteral("now: OVER_VOLT; past: DURATION | OVER_CURR"));
-        m_model->take({facts::reading(facts::kFlags, std::int64_t{0})}, 0ms);
+        m_model->accept({facts::reading(facts::kFlags, std::int64_t{0})}, 0ms);
         QCOMPARE(shown(facts::kFlags), QStringLiteral("none"));
     }
 
     void aPinnedRegisterChangesInBothPlaces()
     {
         QSignalSpy changed(m_model.get(), &QAbstractItemModel::dataChanged);
-        m_model->take({facts::reading(facts::kVoltage, std::int64_t{24})}, 0ms);
+        m_model->accept({facts::reading(facts::kVoltage, std::int64_t{24})}, 0ms);
         QCOMPARE(changed.size(), 2);
         QCOMPARE(
             m_model->index(0, RegisterModel::ValueColumn, m_model->index(0, 0)).data().toString(),
@@ -77,8 +77,8 @@ private Q_SLOTS:
     void whatComesTogetherIsOneChangeAGroup()
     {
         QSignalSpy changed(m_model.get(), &QAbstractItemModel::dataChanged);
-        m_model->take({facts::reading(facts::kCurrentB, std::int64_t{7}),
-                          facts::reading(facts::kCurrentA, std::int64_t{5})},
+        m_model->accept({facts::reading(facts::kCurrentB, std::int64_t{7}),
+                            facts::reading(facts::kCurrentA, std::int64_t{5})},
             0ms);
         QCOMPARE(changed.size(), 1);
         for (const auto id : {facts::kCurrentA, facts::kCurrentB}) {
@@ -92,7 +92,7 @@ private Q_SLOTS:
 
     void aValueOlderThanThreePeriodsIsStale()
     {
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 1000ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1500})}, 1000ms);
         m_model->refresh(1300ms);
         QVERIFY(!stale(facts::kSpeed));
         m_model->refresh(1301ms);
@@ -101,14 +101,14 @@ private Q_SLOTS:
         QVERIFY(m_model->indexOf(facts::kSpeed, RegisterModel::ValueColumn)
                     .data(Qt::ForegroundRole)
                     .isValid());
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1506})}, 1400ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1506})}, 1400ms);
         QVERIFY(!stale(facts::kSpeed));
     }
 
     void aSlowLinkIsGivenThePeriodThatItReaches()
     {
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{2})}, 400ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{2})}, 400ms);
         m_model->refresh(1500ms);
         QVERIFY(!stale(facts::kSpeed));
         m_model->refresh(1700ms);
@@ -117,9 +117,9 @@ private Q_SLOTS:
 
     void timeInWhichNobodyAskedIsNoPeriod()
     {
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
         m_model->refresh(400ms);
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{2})}, 9000ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{2})}, 9000ms);
         m_model->refresh(9300ms);
         QVERIFY(!stale(facts::kSpeed));
         m_model->refresh(9400ms);
@@ -128,7 +128,7 @@ private Q_SLOTS:
 
     void aSilentLinkMakesEverythingStaleAtOnce()
     {
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);
         const auto heading = [this] {
             return m_model->headerData(widgets::RegisterModel::ValueColumn, Qt::Horizontal)
                 .toString();
@@ -145,7 +145,7 @@ private Q_SLOTS:
     {
         drive::Reading refused = facts::reading(facts::kVoltage, std::int64_t{0});
         refused.status = drive::ReadStatus::NotSupported;
-        m_model->take({refused}, 0ms);
+        m_model->accept({refused}, 0ms);
         QCOMPARE(shown(facts::kVoltage), QStringLiteral("not supported"));
         QVERIFY(!m_model->pollable(facts::kVoltage));
     }
@@ -159,7 +159,7 @@ private Q_SLOTS:
     void readingsOfUnknownRegistersChangeNothing()
     {
         QSignalSpy changed(m_model.get(), &QAbstractItemModel::dataChanged);
-        m_model->take({facts::reading(0xFFFFFFFF, std::int64_t{1})}, 0ms);
+        m_model->accept({facts::reading(0xFFFFFFFF, std::int64_t{1})}, 0ms);
         QVERIFY(changed.isEmpty());
     }
 
@@ -195,7 +195,7 @@ private Q_SLOTS:
 
     void anotherBoardReplacesEverything()
     {
-        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);
+        m_model->accept({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);
         m_model->setCatalog(nullptr, 1);
         QCOMPARE(m_model->rowCount(), 0);
         m_model->setCatalog(facts::smallCatalog(), 1);

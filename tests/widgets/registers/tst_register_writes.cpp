@@ -81,8 +81,8 @@ private Q_SLOTS:
         bench.edits.write({}, {to(bench, "SPEED_KP", 77), to(bench, "SPEED_KI", 78)});
         QVERIFY(bench.settle());
         QVERIFY(bench.model.editState(bench.id("SPEED_KP")) == State::Pending); // wants 55 still
-        QVERIFY(
-            bench.model.editState(bench.id("SPEED_KI")) == State::Verified); // has what it wanted
+        // Has what it wanted.
+        QVERIFY(bench.model.editState(bench.id("SPEED_KI")) == State::Verified);
         QVERIFY(bench.model.editState(bench.id("I_Q_KP")) == State::Pending);
         QCOMPARE(number(bench, "SPEED_KP"), 77);
         bench.edits.undo();

@@ -1,5 +1,5 @@
-// The run book through the real window: series of steps are kept by themselves, a run of before shows what differs from the
-// board and brings it back, and runs lie behind what is live.
+// The run book through the real window: series of steps are kept by themselves, a run of before shows what differs from
+// the board and brings it back, and runs lie behind what is live.
 #include "session/files/run_book.h"
 #include "support/judged_line.h"
 #include "support/window_rig.h"

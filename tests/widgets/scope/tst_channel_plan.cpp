@@ -71,8 +71,8 @@ private Q_SLOTS:
         };
         QCOMPARE(fit(16000.0, 1843200.0), 5U);
         QCOMPARE(fit(20000.0, 1843200.0), 4U);
-        QCOMPARE(
-            fit(30000.0, 1843200.0), 2U); // three need 98 % of it, and something has to stay free
+        // Three need 98 % of it, and something has to stay free.
+        QCOMPARE(fit(30000.0, 1843200.0), 2U);
         QCOMPARE(fit(16000.0, 921600.0), 2U);
         QCOMPARE(fit(30000.0, 921600.0), 1U);
         QCOMPARE(fit(16000.0, 115200.0), 0U);
@@ -89,8 +89,8 @@ private Q_SLOTS:
         drive::StreamLimits small = limits(1843200.0);
         small.maxPacket = 128;
         const auto often = widgets::planChannels(want(2), board(12), small, 1);
-        QVERIFY(
-            std::abs(often.packetSeconds * often.bytesPerSecond - 128.0) < 0.01); // full packets
+        // Full packets.
+        QVERIFY(std::abs(often.packetSeconds * often.bytesPerSecond - 128.0) < 0.01);
         const auto slow = widgets::planChannels(want(1), board(12), limits(115200.0), 64);
         QVERIFY(slow.packetSeconds < 0.0121);
         QCOMPARE(widgets::planChannels(want(0), board(12), limits(115200.0), 1).packetSeconds, 0.0);

@@ -1,4 +1,5 @@
-// What a recording costs, as the real window says it: before a set that does not fit starts, and beside what is measured.
+// What a recording costs, as the real window says it: before a set that does not fit starts, and beside what is
+// measured.
 #include "support/scope_window.h"
 #include "widgets/scope/signals/channel_strip.h"
 #include "widgets/scope/signals/signal_selection.h"
@@ -64,7 +65,7 @@ void TestChannelStrip::aSetThatDoesNotFitIsSaidBeforeItStarts()
     auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
     connect(&selection->plan(), &widgets::SignalPlan::noticed, this, [&](const QString &sentence) {
         order.append(QStringLiteral("notice"));
-        QCOMPARE(banner(), sentence); // where a person sees it
+        QCOMPARE(banner(), sentence); // where the user sees it
         QVERIFY2(
             sentence.contains(QStringLiteral("the link carries 11.5 kB/s")), qPrintable(sentence));
     });
@@ -85,8 +86,8 @@ void TestChannelStrip::theNoticeComesAgainWithTheNextConnection()
     QSignalSpy notices(&selection->plan(), &widgets::SignalPlan::noticed);
     connectBehind(11520.0);
     QCOMPARE(notices.size(), 1);
-    selection->plan().setRoute(
-        facts::kCurrentA, widgets::Route::Fast); // the same plan, the same board
+    // The same plan, the same board.
+    selection->plan().setRoute(facts::kCurrentA, widgets::Route::Fast);
     QCoreApplication::processEvents();
     QCOMPARE(notices.size(), 1);
     connectBehind(11520.0);
@@ -236,13 +237,13 @@ void TestChannelStrip::whatAStopBrokeOffIsAskedForAgain()
         return asked.size() - before;
     };
     QCOMPARE(ends(drive::Outcome::NotSent), std::size_t{1});
-    QCOMPARE(failures.size(), 0); // a Stop broke it off, and nobody has to be told
+    QCOMPARE(failures.size(), 0); // a Stop broke it off, which is not told
     QCOMPARE(ends(drive::Outcome::Unknown), std::size_t{1});
     QCOMPARE(failures.size(), 1); // it does not come to the board: told once
     QCOMPARE(ends(drive::Outcome::NotSent), std::size_t{1});
     QCOMPARE(failures.size(), 1);
-    QCOMPARE(
-        ends(drive::Outcome::Refused), std::size_t{0}); // of the board, which will not have changed
+    // Of the board, which will not have changed.
+    QCOMPARE(ends(drive::Outcome::Refused), std::size_t{0});
     QCOMPARE(failures.size(), 2);
 }
 

@@ -1,5 +1,5 @@
-// Events and markers in the real window: what is noted of a board's words and a person's wishes, where the lane shows it,
-// and what the list does with it.
+// Events and markers in the real window: what is noted of a board's words and the user's wishes, where the lane shows
+// it, and what the list does with it.
 #include "support/scope_window.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/open_recording.h"
@@ -113,13 +113,13 @@ void TestScopeEvents::aCommandIsNotedAndHowItEnded()
 
 void TestScopeEvents::whatAnExperimentAsksForIsNotedAtItsTime()
 {
-    drive::MotionRecord record;
+    drive::MotionEntry record;
     record.act = drive::MotionAct::SpeedRamp;
     record.motor = 1;
     record.detail = "1500 rpm in 200 ms";
     record.asked = TimePoint(1500ms);
     record.ended = TimePoint(1700ms);
-    facts::feed(m_rig->device(), {record}); // a person's, which was noted as it was asked for
+    facts::feed(m_rig->device(), {record}); // the user's, which was noted as it was asked for
     QCOMPARE(noted(), QStringList());
     record.source = drive::Source::Script;
     facts::feed(m_rig->device(), {record});
@@ -241,7 +241,7 @@ void TestScopeEvents::theSameFaultIsNotedAgainWhenItWasAcknowledgedInBetween()
     read(over, 1100ms);
     QCOMPARE(faults(), 1);
 
-    drive::MotionRecord acknowledged;
+    drive::MotionEntry acknowledged;
     acknowledged.act = drive::MotionAct::AcknowledgeFaults;
     acknowledged.motor = 1;
     acknowledged.ended = TimePoint(2000ms);

@@ -1,4 +1,4 @@
-// How often the scope draws: not at all for nobody, seldom while nothing is driven, at once for a hand.
+// How often the scope draws: not at all unseen, seldom while nothing is driven, at once for a hand.
 #include "support/scope_bench.h"
 #include "support/scope_window.h"
 #include "support/screen/text_catcher.h"
@@ -36,8 +36,8 @@ private Q_SLOTS:
         QVERIFY2(legend().contains(QLatin1Char('6')), qPrintable(legend()));
         m_rig->device().portChanged(session::PortState::Closed, {});
         beat();
-        QVERIFY2(
-            legend().contains(QLatin1Char('6')), qPrintable(legend())); // said to be old elsewhere
+        // Said to be old elsewhere.
+        QVERIFY2(legend().contains(QLatin1Char('6')), qPrintable(legend()));
         m_rig->device().portChanged(session::PortState::Open, {});
         QVERIFY2(!legend().contains(QLatin1Char('6')), qPrintable(legend()));
     }
@@ -176,8 +176,8 @@ private:
             QCoreApplication::processEvents();
         }
     }
-    /// Milliseconds between two of so many frames of a stream. The mean: it is seen when they end, and one takes longer than
-    /// another.
+    /// Milliseconds between two of so many frames of a stream. The mean: it is seen when they end, and one takes longer
+    /// than another.
     double apartOf(int frames)
     {
         const quint64 before = view().redraws();

@@ -1,4 +1,4 @@
-// The scope as a person drives it: keys, mouse, drops.
+// The scope as the user drives it: keys, mouse, drops.
 #include "support/scope_bench.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/scope/scope_overview.h"
@@ -58,7 +58,7 @@ void TestScopeGestures::keysDriveTheView()
     QTest::keyClick(&view, Qt::Key_F);
     QCOMPARE(view.visibleRange().from, 0.0);
     QCOMPARE(view.visibleRange().to, 20.0);
-    // With Ctrl they belong to somebody else.
+    // With Ctrl they are not the scope's.
     QTest::keyClick(&view, Qt::Key_Space, Qt::ControlModifier);
     QVERIFY(view.running());
 }
@@ -214,8 +214,8 @@ void TestScopeGestures::theWheelOnAnAxisStepsItsGain()
     QCOMPARE(turn(60), 2.0);
     const auto now = bench.view.valueRangeOf(bench.id(1));
     const double middle = before.from + (before.to - before.from) / 2;
-    QVERIFY(
-        std::abs(now.from + (now.to - now.from) / 2 - middle) < 1.0); // what is at the mouse stays
+    // What is at the mouse stays.
+    QVERIFY(std::abs(now.from + (now.to - now.from) / 2 - middle) < 1.0);
 }
 
 void TestScopeGestures::gainsAreOneTwoFive()

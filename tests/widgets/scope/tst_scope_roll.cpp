@@ -1,6 +1,6 @@
-// A picture that moved is made of the one before it, as far as that is still true: pixel by pixel it has to be the one that is
-// painted anew at the same columns. Two scopes show the same; one of them looks away and back before each comparison, so
-// that nothing of the picture before is left.
+// A picture that moved is made of the one before it, as far as that is still true: pixel by pixel it has to be the one
+// that is painted anew at the same columns. Two scopes show the same; one of them looks away and back before each
+// comparison, so that nothing of the picture before is left.
 #include "support/scope_bench.h"
 #include "support/seeds.h"
 #include "widgets/scope/drawing/scope_canvas.h"

@@ -1,4 +1,5 @@
-// Room for the plots at 1280 x 720, in German: one line for the trigger, and the chips fold while cursors and a tool are open.
+// Room for the plots at 1280 x 720, in German: one line for the trigger, and the chips fold while cursors and a tool
+// are open.
 #include "support/scope_window.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/signals/channel_strip.h"
@@ -72,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(fold->text().contains(QStringLiteral("3 Signale")));
         for (int plot = 0; plot < m_rig->scope().plotCount(); ++plot)
             QTRY_VERIFY(m_rig->scope().plotRect(plot).height() >= 75);
-        QTest::mouseClick(fold, Qt::LeftButton); // a person has the last word
+        QTest::mouseClick(fold, Qt::LeftButton); // the user has the last word
         m_rig->draw();
         QVERIFY(!folded());
         m_rig->scope().cursorActions().toggle();

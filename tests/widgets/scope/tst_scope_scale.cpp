@@ -1,5 +1,6 @@
-// The scope on a screen whose scale is no whole number: each pixel of the screen is painted once, and none is made of its
-// neighbours. What a screen is like is decided when a program begins, so the test runs itself once more for each scale.
+// The scope on a screen whose scale is no whole number: each pixel of the screen is painted once, and none is made of
+// its neighbours. What a screen is like is decided when a program begins, so the test runs itself once more for each
+// scale.
 #include "support/scope_bench.h"
 
 #include <QProcess>
@@ -44,8 +45,8 @@ std::vector<int> inkOf(const QImage &image, const QRect &plot, int x, const QCol
 
 } // namespace
 
-/// Steep ramps with a gap between: next to one another no two columns are alike, and the shade of the gap reaches from the
-/// upper edge to the lower one.
+/// Steep ramps with a gap between: next to one another no two columns are alike, and the shade of the gap reaches from
+/// the upper edge to the lower one.
 void TestScopeScale::everyPixelIsPaintedOnce()
 {
     constexpr int kSamples = 10'000, kRamp = 700, kSizes = 8;

@@ -36,10 +36,10 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         trace.advance(2.0);
-        trace.take(speed(2.1, 1500.0)); // known of only later
-        trace.take(speed(2.5, 500.0, 1000));
+        trace.accept(speed(2.1, 1500.0)); // known of only later
+        trace.accept(speed(2.5, 500.0, 1000));
         for (double now = 2.2; now < 5.0; now += 0.0167)
             trace.advance(now);
         const auto channel = bench.capture.find(*id(bench));
@@ -62,13 +62,13 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 1500.0, 1000));
+        trace.accept(speed(1.0, 1500.0, 1000));
         for (double now = 1.1; now < 5.0; now += 0.0167)
             trace.advance(now);
         QVERIFY(!at(bench, 1.0001) && !at(bench, 1.5) && !at(bench, 1.999));
         QCOMPARE(at(bench, 2.001), std::optional(1500.0));
         QCOMPARE(at(bench, 4.0), std::optional(1500.0));
-        trace.take(speed(6.0, 500.0, 1000)); // that of this one is known
+        trace.accept(speed(6.0, 500.0, 1000)); // that of this one is known
         trace.advance(8.0);
         QVERIFY(std::abs(*at(bench, 6.5) - 1000.0) < 2.0);
         QCOMPARE(bench.capture.refused().backwards, 0U);
@@ -78,22 +78,22 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 0.0));
-        trace.take(speed(2.0, 1000.0, 1000));
+        trace.accept(speed(1.0, 0.0));
+        trace.accept(speed(2.0, 1000.0, 1000));
         trace.advance(2.7);
         trace.finish(ends(2.5, true)); // known of only later
         trace.advance(5.0);
         QVERIFY(std::abs(*at(bench, 2.6) - 500.0) < 2.0);
         QVERIFY(std::abs(*at(bench, 4.0) - 500.0) < 2.0);
-        trace.take(speed(6.0, 1500.0, 1000)); // and goes on from there
+        trace.accept(speed(6.0, 1500.0, 1000)); // and goes on from there
         trace.advance(8.0);
         QVERIFY(std::abs(*at(bench, 6.5) - 1000.0) < 2.0);
-        trace.take(speed(9.0, 0.0, 1000));
-        trace.finish(ends(9.5, false)); // whether it heard nobody knows
+        trace.accept(speed(9.0, 0.0, 1000));
+        trace.finish(ends(9.5, false)); // whether it heard is unknown
         trace.advance(12.0);
         QVERIFY(at(bench, 9.4) && !at(bench, 9.6) && !at(bench, 11.0));
         SetPointTrace first(bench.capture, bench.view); // from where to where: neither is known
-        first.take(speed(21.0, 1500.0, 1000));
+        first.accept(speed(21.0, 1500.0, 1000));
         first.finish(ends(21.5, true));
         first.advance(25.0);
         QVERIFY(!at(bench, 21.4) && !at(bench, 21.6) && !at(bench, 23.0));
@@ -103,13 +103,13 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         trace.finish(ends(2.0, false));
-        trace.take(speed(1.9, 900.0)); // its answer came behind the stop
+        trace.accept(speed(1.9, 900.0)); // its answer came behind the stop
         trace.advance(4.0);
         QCOMPARE(at(bench, 1.8), std::optional(500.0));
         QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
-        trace.take(speed(5.0, 800.0, 1000)); // from where, nobody knows again
+        trace.accept(speed(5.0, 800.0, 1000)); // from where is unknown again
         trace.advance(8.0);
         QVERIFY(!at(bench, 5.5));
         QCOMPARE(at(bench, 6.5), std::optional(800.0));
@@ -124,12 +124,12 @@ private Q_SLOTS:
         SetPointTrace trace(bench.capture, bench.view);
         auto waits = speed(1.0, 500.0, 1000);
         waits.runs = false;
-        trace.take(waits);
+        trace.accept(waits);
         waits.seconds = 2.0;
         waits.value = 1500.0;
-        trace.take(waits);
+        trace.accept(waits);
         trace.finish(ends(3.0, true)); // nothing ramps
-        trace.take(speed(5.0, 0.0, 1000)); // it was started in between: it comes from somewhere
+        trace.accept(speed(5.0, 0.0, 1000)); // it was started in between: it comes from somewhere
         trace.advance(8.0);
         QCOMPARE(at(bench, 1.1), std::optional(500.0));
         QCOMPARE(at(bench, 2.1), std::optional(1500.0));
@@ -142,10 +142,10 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         auto lost = speed(2.0, 900.0);
         lost.sure = false;
-        trace.take(lost);
+        trace.accept(lost);
         trace.advance(4.0);
         QCOMPARE(at(bench, 1.9), std::optional(500.0));
         QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
@@ -156,10 +156,10 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         auto current = speed(2.0, 1.5);
         current.kind = drive::SentSetPoint::Kind::Current;
-        trace.take(current);
+        trace.accept(current);
         trace.advance(4.0);
         QCOMPARE(at(bench, 1.9), std::optional(500.0));
         QVERIFY(!at(bench, 2.1) && !at(bench, 3.5));
@@ -169,9 +169,9 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 0.0));
-        trace.take(speed(2.0, 1000.0, 1000));
-        trace.take(speed(2.5, 0.0, 500)); // half way
+        trace.accept(speed(1.0, 0.0));
+        trace.accept(speed(2.0, 1000.0, 1000));
+        trace.accept(speed(2.5, 0.0, 500)); // half way
         trace.advance(5.0);
         const auto channel = *bench.capture.find(*id(bench));
         QVERIFY(std::abs(*bench.capture.valueAt(channel, 2.4999) - 500.0) < 2.0);
@@ -183,7 +183,7 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(101.0, 500.0, 0, 100.0)); // the board's axis is 100 s ahead
+        trace.accept(speed(101.0, 500.0, 0, 100.0)); // the board's axis is 100 s ahead
         trace.advance(2.0);
         const auto span = bench.capture.timeSpan(*bench.capture.find(*id(bench)));
         QVERIFY(std::abs(span->from - 101.0) < 1e-9);
@@ -196,10 +196,10 @@ private Q_SLOTS:
         bench.view.addChannel(bench.id(1), 0);
         bench.view.addChannel(bench.id(2), 1);
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         trace.advance(2.0);
         const auto channel = *bench.capture.find(*id(bench));
-        QCOMPARE(bench.view.plotOf(channel), -1); // nobody wanted to see it
+        QCOMPARE(bench.view.plotOf(channel), -1); // it was not to be shown
         trace.setShown(true);
         trace.advance(2.1);
         QCOMPARE(bench.view.plotOf(channel), 1);
@@ -224,13 +224,13 @@ private Q_SLOTS:
     {
         Bench bench({facts::signal(1, "rpm")});
         SetPointTrace trace(bench.capture, bench.view);
-        trace.take(speed(1.0, 500.0));
+        trace.accept(speed(1.0, 500.0));
         trace.advance(2.0);
         trace.end();
         trace.advance(9.0);
         const auto channel = *bench.capture.find(*id(bench));
         QVERIFY(bench.capture.timeSpan(channel)->to < 2.0);
-        trace.take(speed(10.0, 700.0)); // the next one has nothing of it
+        trace.accept(speed(10.0, 700.0)); // the next one has nothing of it
         trace.advance(11.0);
         QVERIFY(!bench.capture.valueAt(*bench.capture.find(*id(bench)), 9.0));
     }

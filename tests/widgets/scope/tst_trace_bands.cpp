@@ -34,8 +34,8 @@ struct Picture {
     QRgb expected(int x, int y, QRgb behind) const
     {
         const auto period = stripe * std::int64_t(columns.size());
-        const auto place =
-            ((first + x + y) % period + period) % period; // numbers may be below zero
+        // Numbers may be below zero.
+        const auto place = ((first + x + y) % period + period) % period;
         const auto owner = std::size_t(place / stripe);
         if (covers(owner, x, y))
             return bands()[owner].color;

@@ -1,4 +1,4 @@
-// Colours that a person gives traces, through the menus of the real window; they are remembered by the signal's name.
+// Colours that the user gives traces, through the menus of the real window; they are remembered by the signal's name.
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/scope_colors.h"

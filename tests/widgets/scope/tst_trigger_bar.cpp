@@ -424,7 +424,7 @@ void TestTriggerBar::aSetPointTriggersWhenItIsSent()
         return sent.seconds;
     };
     const auto count = [this] { return control().trigger().history().records().size(); };
-    drive::MotionRecord start; // is none
+    drive::MotionEntry start; // is none
     start.requests = 1;
     start.asked = start.ended = TimePoint(std::chrono::milliseconds(m_rig->tick - 10));
     facts::feed(m_rig->device(), {start});

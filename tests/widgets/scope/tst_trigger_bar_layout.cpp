@@ -68,8 +68,8 @@ void TestTriggerBarLayout::longWordsTakeTwoLines()
     const auto *bar = m_rig->find<QWidget>("triggerBar");
     const auto *level = m_rig->find<QWidget>("triggerLevel");
     const auto *mode = m_rig->find<QWidget>("triggerMode");
-    QVERIFY2(
-        bar->minimumSizeHint().width() < 400, // it never makes the window wider than the screen
+    // It never makes the window wider than the screen.
+    QVERIFY2(bar->minimumSizeHint().width() < 400,
         qPrintable(QString::number(bar->minimumSizeHint().width())));
     m_rig->window.resize(m_rig->window.minimumSizeHint());
     m_rig->draw();

@@ -1,4 +1,5 @@
-// The trigger of samples whose board counts another time than the session does: by its crystal, or because a computer slept.
+// The trigger of samples whose board counts another time than the session does: by its crystal, or because a computer
+// slept.
 #include "widgets/scope/trigger/trigger.h"
 
 #include <QtTest>

@@ -98,8 +98,8 @@ private Q_SLOTS:
         Bench bench;
         bench.typeTwo(77, 78);
         bench.edits.apply();
-        QVERIFY(bench.link.runUntil(
-            [&] { return bench.link.requests.size() > 3; }, 1s)); // in the middle of reading
+        // In the middle of reading.
+        QVERIFY(bench.link.runUntil([&] { return bench.link.requests.size() > 3; }, 1s));
         QVERIFY(bench.edits.underWay());
         const std::size_t before = bench.link.sent.size();
         bench.link.drive->stop(bench.link.now);
@@ -151,8 +151,8 @@ private Q_SLOTS:
         bench.typeTwo(77, 78);
         bench.edits.apply();
         if (beforeTheEnd) {
-            QVERIFY(bench.link.runUntil(
-                [&] { return !bench.snapshots.kept().empty(); }, 1s)); // read, not yet written
+            // Read, not yet written.
+            QVERIFY(bench.link.runUntil([&] { return !bench.snapshots.kept().empty(); }, 1s));
             QTRY_COMPARE(warned.size(), 1);
             QVERIFY(bench.edits.underWay());
         }
@@ -201,7 +201,7 @@ private Q_SLOTS:
         session::SnapshotFolder folder(home.path());
         QSignalSpy saved(&folder, &session::SnapshotFolder::saved);
         QFile own(home.filePath(QStringLiteral("2020-01-01_00-00-00_motor_snapshot.json")));
-        QVERIFY(own.open(QIODevice::WriteOnly)); // a person's
+        QVERIFY(own.open(QIODevice::WriteOnly)); // the user's
         const QDateTime at(QDate(2026, 5, 4), QTime(13, 2, 59));
         snapshots::Snapshot snapshot;
         snapshots::Entry entry;

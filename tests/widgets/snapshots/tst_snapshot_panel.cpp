@@ -1,4 +1,5 @@
-// Snapshots in the window: saved, compared, restored and told register by register, on a simulated board in virtual time.
+// Snapshots in the window: saved, compared, restored and told register by register, on a simulated board in virtual
+// time.
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
 #include "support/edit_bench.h"

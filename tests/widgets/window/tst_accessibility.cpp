@@ -35,8 +35,8 @@ class TestAccessibility : public QObject {
 private Q_SLOTS:
     void init()
     {
-        m_rig =
-            std::make_unique<facts::WindowRig>(widgets::Settings{}); // the first-steps card as well
+        // The first-steps card as well.
+        m_rig = std::make_unique<facts::WindowRig>(widgets::Settings{});
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
         facts::connectBoard(m_rig->workbench.device());
         for (const auto id : {facts::kCurrentA, facts::kSpeed})

@@ -8,7 +8,8 @@
 
 using support::Beat;
 
-/// Named in what the watchdog tells. The system looks at its timer when it looks at the thread, which is a little later.
+/// Named in what the watchdog tells. The system looks at its timer when it looks at the thread, which is a little
+/// later.
 void computeForLong()
 {
     const double start = support::threadSeconds();

@@ -1,6 +1,7 @@
-// One session of a person with each kind of board, through the real window, the real session thread and a simulated
-// board: connect by Auto, arm, set-points with every exchange where the board can, start, two signals on the scope, change a gain, undo it, turn the shaft to an angle where the board can, ramp, stop, write a CSV file. The
-// steps name no kind of board: a new one is a row.
+// One session of a user with each kind of board, through the real window, the real session thread and a simulated
+// board: connect by Auto, arm, set-points with every exchange where the board can, start, two signals on the scope,
+// change a gain, undo it, turn the shaft to an angle where the board can, ramp, stop, write a CSV file. The steps name
+// no kind of board: a new one is a row.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/setpoint_edit.h"
@@ -304,8 +305,8 @@ void TestBoardsSession::rampAndStop()
 
 void TestBoardsSession::writeCsv()
 {
-    const std::string speed =
-        device().catalog()->nameOf(idOf("SPEED_MEAS")); // as this board calls it
+    // As this board calls it.
+    const std::string speed = device().catalog()->nameOf(idOf("SPEED_MEAS"));
     QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton); // nothing more is added
     QTRY_VERIFY(!device().portOpen());
     QTemporaryDir folder;

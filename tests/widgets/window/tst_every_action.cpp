@@ -1,6 +1,6 @@
-// Every entry of the menus and every tool, triggered once in the real window: without a board, with one whose motor rests, with
-// one whose motor turns, and with a file. What is asked is left open while the board goes on, and then given up. Nothing may end
-// the program, stay in the way, or take Stop away.
+// Every entry of the menus and every tool, triggered once in the real window: without a board, with one whose motor
+// rests, with one whose motor turns, and with a file. What is asked is left open while the board goes on, and then
+// given up. Nothing may end the program, stay in the way, or take Stop away.
 #include "support/window_rig.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/scope/scope_view.h"

@@ -1,4 +1,4 @@
-// The first session of a person, through the real window, the real session thread and the simulated board: connect,
+// The first session of a user, through the real window, the real session thread and the simulated board: connect,
 // arm, start, drag two signals, see samples move, change the speed, stop, export, compare the file with the capture.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
@@ -30,8 +30,8 @@
 using drive::MotorState;
 
 class TestFirstSession : public QObject {
-    Q_OBJECT
-    static constexpr int kHeight = 700; ///< of a screen of 720 lines, under a title bar
+    /// Of a screen of 720 lines, under a title bar.
+    Q_OBJECT static constexpr int kHeight = 700;
 
 private Q_SLOTS:
     void initTestCase()
@@ -132,8 +132,8 @@ private Q_SLOTS:
     {
         const auto channel = channelOf("I_A");
         const auto range = m_rig->window.scope()->visibleRange();
-        QTRY_VERIFY(
-            m_rig->window.scope()->visibleRange().to > range.to + 0.2); // the newest stays in view
+        // The newest stays in view.
+        QTRY_VERIFY(m_rig->window.scope()->visibleRange().to > range.to + 0.2);
         const auto &capture = m_rig->workbench.capture();
         const auto span = capture.timeSpan(channel);
         QVERIFY(span.has_value());
@@ -185,8 +185,8 @@ private Q_SLOTS:
 
     void theExportedFileIsWhatWasRecorded()
     {
-        QTest::mouseClick(
-            m_rig->find<QPushButton>("connect"), Qt::LeftButton); // nothing more is added
+        // Nothing more is added.
+        QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
         QTRY_VERIFY(!device().portOpen());
         QTemporaryDir folder;
         m_rig->files.answer = folder.filePath(QStringLiteral("capture.csv"));

@@ -4,7 +4,7 @@
 #include "support/answered_questions.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/marker_file.h"
-#include "widgets/files/record_control.h"
+#include "widgets/files/recording_control.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/exporting.h"
@@ -59,7 +59,7 @@ struct Flows {
     facts::AnsweredPrompt files;
     facts::AnsweredQuestions questions;
     bool connecting = false;
-    widgets::RecordControl record{
+    widgets::RecordingControl record{
         {bench.recording(), bench.device(), bench.events(), files, [] { return 0.0; }}, {}, &host};
     widgets::MarkerFile markers{bench.events(), files, record, &host};
     widgets::Leaving leaving{bench.device(), [this] { return bench.sessionTime(); }, questions};

@@ -37,7 +37,7 @@ private Q_SLOTS:
         connect(&device(), &widgets::Device::interrupted, this,
             [this](const Interruption &what) { m_interruptions.push_back(what); });
         connect(&device(), &widgets::Device::motionLogged, this,
-            [this](const drive::MotionRecord &record) { m_motions.push_back(record); });
+            [this](const drive::MotionEntry &record) { m_motions.push_back(record); });
         QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
         QTRY_VERIFY(device().answering() && device().identified());
         QTRY_COMPARE(state(), MotorState::Idle);
@@ -58,11 +58,11 @@ private Q_SLOTS:
         const auto *stop = find(drive::MotionAct::Stop);
         QVERIFY(stop);
         const Duration after = stop->asked - frozen;
-        QVERIFY2(
-            after < 3200ms, qPrintable(QString::number(toSeconds(after)))); // while it stood still
+        // While it stood still.
+        QVERIFY2(after < 3200ms, qPrintable(QString::number(toSeconds(after))));
         QVERIFY(find(drive::MotionAct::Disarm));
         QVERIFY(find(drive::MotionAct::Disarm)->asked < stop->asked);
-        for (const drive::MotionRecord &record : m_motions)
+        for (const drive::MotionEntry &record : m_motions)
             QVERIFY(record.act != drive::MotionAct::Arm || record.asked <= frozen);
     }
 
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(!device().armed());
         QCOMPARE(state(), MotorState::Idle);
         QVERIFY(!find(drive::MotionAct::Start) || find(drive::MotionAct::Start)->sent.empty());
-        arm(); // and a person who does it again is obeyed
+        arm(); // and a user who does it again is obeyed
     }
 
     void aStopThatWaitedInItComesAtLast()
@@ -108,9 +108,9 @@ private Q_SLOTS:
 private:
     widgets::Device &device() { return m_rig->workbench.device(); }
     MotorState state() { return device().status(1).state; }
-    const drive::MotionRecord *find(drive::MotionAct act) const
+    const drive::MotionEntry *find(drive::MotionAct act) const
     {
-        for (const drive::MotionRecord &record : m_motions)
+        for (const drive::MotionEntry &record : m_motions)
             if (record.act == act)
                 return &record;
         return nullptr;
@@ -133,7 +133,7 @@ private:
 
     std::unique_ptr<facts::WindowRig> m_rig;
     std::vector<Interruption> m_interruptions;
-    std::vector<drive::MotionRecord> m_motions;
+    std::vector<drive::MotionEntry> m_motions;
 };
 
 QTEST_MAIN(TestFrozenWindow)

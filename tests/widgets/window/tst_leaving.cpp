@@ -1,6 +1,6 @@
-// A connection is not left while a motor may turn: closing the window, disconnecting and opening something else need fresh
-// evidence of rest, or a connection that never armed and never saw a motor driven; else the motors are stopped and a person
-// is asked. The clock of the device is the test's.
+// A connection is not left while a motor may turn: closing the window, disconnecting and opening something else need
+// fresh evidence of rest, or a connection that never armed and never saw a motor driven; else the motors are stopped
+// and the user is asked. The clock of the device is the test's.
 #include "support/window_rig.h"
 #include "widgets/window/connect_bar.h"
 

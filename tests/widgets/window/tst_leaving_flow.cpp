@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(m_left, 1);
     }
 
-    /// A tour goes on while a question waits: where its motor rests for a moment, nobody has answered.
+    /// A tour goes on while a question waits: where its motor rests for a moment, that is no answer.
     void anExperimentThatRestsIsNoAnswer()
     {
         widgets::Experiments experiments(

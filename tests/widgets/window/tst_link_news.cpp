@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(banner()->isHidden());
     }
 
-    /// What somebody else said stays while the link has nothing new to say.
+    /// What others said stays while the link has nothing new to say.
     void whatIsKnownTakesNoOthersPlace()
     {
         link(LinkState::Connected, LinkReason::BoardReset);

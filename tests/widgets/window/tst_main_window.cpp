@@ -254,8 +254,8 @@ private Q_SLOTS:
         QCOMPARE(scope->staleMark().why(), QStringLiteral("Not live: link lost"));
         feed({LinkState::Connected, LinkReason::None});
         QVERIFY(!mark->isVisible());
-        device().portChanged(
-            session::PortState::Closed, {}); // by a person: the picture is a recording
+        // By the user: the picture is a recording.
+        device().portChanged(session::PortState::Closed, {});
         QVERIFY(!mark->isVisible());
     }
 
@@ -457,8 +457,8 @@ private Q_SLOTS:
         const auto &asked = watch.registers();
         QVERIFY(std::find(asked.begin(), asked.end(), facts::kSpeed)
             != asked.end()); // the control panel's
-        QVERIFY(
-            std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end()); // cannot be read
+        // Cannot be read.
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end());
         QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags)
             == asked.end()); // its group is closed
     }

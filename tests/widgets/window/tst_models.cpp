@@ -131,7 +131,7 @@ private Q_SLOTS:
         bench.rig.boards.act(judge::Act::Kind::Arm);
         QVERIFY(bench.type("SPEED_KP", QStringLiteral("77")));
         QVERIFY(bench.type("SPEED_KI", QStringLiteral("78")));
-        // Not in this build, which nobody has found out yet: the board will refuse it.
+        // Not in this build, which is not known yet: the board will refuse it.
         const bool asked = bench.registers.setPending(bench.id("FF_2"), std::int64_t{3});
         bench.rig.boards.act(judge::Act::Kind::Input);
         bench.rig.workbench.edits().apply();

@@ -1,9 +1,9 @@
-// A monkey at the real window: sessions of random input (keys, clicks, wheel, drags, typing, questions answered either way,
-// writes, undo, restores, ports unplugged, boards reset, threads frozen, clocks that jump), one and two motors, four
-// protocols, with two judges beside it: of the wire, and of what the screen says. Acts are input events; what leaves must follow from
-// them, and what is shown must be true.
-// ROTORSCOPE_LONG=1 runs 1,000 sessions of 200 acts; a failure names its seed and the acts that it needs, as far as they are
-// found in a minute; ROTORSCOPE_SEED=n runs that one, n-m those from n to m, with ROTORSCOPE_ACTS=3,17 these acts alone.
+// A monkey at the real window: sessions of random input (keys, clicks, wheel, drags, typing, questions answered either
+// way, writes, undo, restores, ports unplugged, boards reset, threads frozen, clocks that jump), one and two motors,
+// four protocols, with two judges beside it: of the wire, and of what the screen says. Acts are input events; what
+// leaves must follow from them, and what is shown must be true. ROTORSCOPE_LONG=1 runs 1,000 sessions of 200 acts; a
+// failure names its seed and the acts that it needs, as far as they are found in a minute; ROTORSCOPE_SEED=n runs that
+// one, n-m those from n to m, with ROTORSCOPE_ACTS=3,17 these acts alone.
 #include "support/fewer_acts.h"
 #include "support/judged_line.h"
 #include "support/link_pair.h"
@@ -108,7 +108,7 @@ public:
     std::string run(const std::vector<int> &acts)
     {
         rest(50);
-        m_world.cut = m_random.chance(0.05); // nobody answers at first
+        m_world.cut = m_random.chance(0.05); // no answers at first
         click("connect");
         if (m_world.cut) {
             rest(9000); // until it is told
@@ -123,7 +123,7 @@ public:
             m_random = Random(m_seed * 1'000'003 + static_cast<std::uint64_t>(i));
             note("act " + std::to_string(i));
             if (i < 5 && m_random.chance(0.7))
-                goOnPurpose(); // a person comes to turn a motor
+                goOnPurpose(); // the user comes to turn a motor
             else
                 act();
             rest(static_cast<int>(m_random.chance(0.04) ? 1000 : m_random.below(50)));
@@ -394,8 +394,8 @@ private:
         look();
         if (m_random.chance(0.5))
             openBeside(path);
-        m_rig.files.answer =
-            m_folder.filePath(QStringLiteral("other.csv")); // it is not written over
+        // It is not written over.
+        m_rig.files.answer = m_folder.filePath(QStringLiteral("other.csv"));
     }
     /// What was recorded, while the board is there: that is asked about, and takes the place of nothing.
     void openBeside(const QString &path)
@@ -535,7 +535,7 @@ private:
         }
     }
 
-    /// What a person comes for: arm, start, a set-point.
+    /// What the user comes for: arm, start, a set-point.
     void goOnPurpose()
     {
         if (!device().portOpen()) {

@@ -1,5 +1,5 @@
-// The trace of set-points as they were sent, in the real window, beside what the simulated board's firmware followed: on the way
-// to a first speed, on the next, where its ramp is stopped, and behind a Stop.
+// The trace of set-points as they were sent, in the real window, beside what the simulated board's firmware followed:
+// on the way to a first speed, on the next, where its ramp is stopped, and behind a Stop.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/setpoint_edit.h"
@@ -107,7 +107,7 @@ void TestSetPointsSent::theTraceIsWhatTheBoardFollows()
     m_rig->find<widgets::SetpointEdit>("rampTime")->setValue(1000.0);
 
     // What boards hold is whole tenths of a Hz.
-    send("2580"); // from where it comes nobody sent
+    send("2580"); // where it starts was not sent
     const double first = m_sent.back().seconds;
     waitUntilDrawn(first + 1.5);
     QVERIFY(trace());

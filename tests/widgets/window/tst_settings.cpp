@@ -78,7 +78,7 @@ private Q_SLOTS:
         widgets::Device device;
         widgets::OwnLimits own(device, path);
         own.load();
-        QVERIFY(!QFile::exists(path)); // nobody has set any
+        QVERIFY(!QFile::exists(path)); // none was set
         device.setUserLimits({1200.0, 1.5});
         QVERIFY(stored(path) == (drive::UserLimits{1200.0, 1.5})); // and no end of the program
         device.setUserLimits({1200.0, 0.0});
@@ -158,7 +158,8 @@ private Q_SLOTS:
     void fieldsOfTheWrongKindKeepTheirDefaults()
     {
         const Settings read = widgets::settingsFromJson(
-            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1, "maxSpeedRpm": -3, "maxCurrentAmps": "2", "samplesOnDiskGB": -5})");
+            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1,
+                "maxSpeedRpm": -3, "maxCurrentAmps": "2", "samplesOnDiskGB": -5})");
         QCOMPARE(read, Settings{});
     }
 

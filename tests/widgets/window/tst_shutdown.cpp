@@ -1,5 +1,5 @@
-// What goes before a connection is left, without a window: what counts as a motor that may turn, and what ends the wait for
-// the evidence. The clock is the test's; nothing waits for the two seconds.
+// What goes before a connection is left, without a window: what counts as a motor that may turn, and what ends the wait
+// for the evidence. The clock is the test's; nothing waits for the two seconds.
 #include "support/window_facts.h"
 #include "widgets/window/shutdown.h"
 

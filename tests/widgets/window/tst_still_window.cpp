@@ -227,8 +227,8 @@ private Q_SLOTS:
         device().disconnect(SIGNAL(openWished(session::Endpoint)));
         device().disconnect(SIGNAL(closeWished()));
         settle();
-        // The line at the bottom is only read, and begins with what is connected; the chips of traces take a part of the
-        // picture, as the traces do.
+        // The line at the bottom is only read, and begins with what is connected; the chips of traces take a part of
+        // the picture, as the traces do.
         remember({QStringLiteral("scope"), QStringLiteral("scopePlot"),
             QStringLiteral("channelStrip"), QStringLiteral("statusStrip")});
         drive::Identified plain = facts::identified(); // tells little of itself
@@ -405,7 +405,8 @@ private Q_SLOTS:
 
     void toolsBesideOneAnotherKeepTheWindowSmall_data() { theWholeWindowFitsALowScreen_data(); }
 
-    /// 1280 x 720 with a title bar, and every tool as a tab beside the others: the window may not ask for more than there is.
+    /// 1280 x 720 with a title bar, and every tool as a tab beside the others: the window may not ask for more than
+    /// there is.
     void toolsBesideOneAnotherKeepTheWindowSmall()
     {
         QFETCH(const bool, german);

@@ -66,8 +66,8 @@ private Q_SLOTS:
         }
     }
 
-    /// At 200 % of 1920x1080 there is no room in the window: a tool stands before it, as high as what is in it, beside the
-    /// control panel if it is narrow enough. The next one takes its place.
+    /// At 200 % of 1920x1080 there is no room in the window: a tool stands before it, as high as what is in it, beside
+    /// the control panel if it is narrow enough. The next one takes its place.
     void onATinyScreenToolsTakeOnePlaceInTurns()
     {
         m_dock->close();
@@ -88,7 +88,7 @@ private Q_SLOTS:
         const auto *control = m_rig->find<QWidget>("controlPanel");
         const QRect panel(control->mapToGlobal(QPoint()), control->size());
         QVERIFY2(!events->geometry().intersects(panel), "the control panel is covered");
-        events->move(events->pos() - QPoint(0, 100)); // where somebody wants it: it stays
+        events->move(events->pos() - QPoint(0, 100)); // where the user wants it: it stays
         opened("gainsDock");
         QVERIFY(!m_dock->isHidden() && !events->isHidden());
     }

@@ -1,5 +1,5 @@
-// The working place survives: saved, opened before and behind a connection, taken up at the next start; and what is wrong with
-// a file changes nothing.
+// The working place survives: saved, opened before and behind a connection, taken up at the next start; and what is
+// wrong with a file changes nothing.
 #include "session/files/whole_file.h"
 #include "support/judged_line.h"
 #include "support/window_rig.h"

@@ -1,6 +1,6 @@
-// The icons of bars, buttons and menus: one family of lines, drawn by us as SVG on a grid of 16 (resources/icons/line). They
-// are coloured when they are painted, with the colour that the palette then has for text: one drawing serves both themes,
-// and what cannot be used is paler.
+// The icons of bars, buttons and menus: one family of lines, drawn by us as SVG on a grid of 16 (resources/icons/line).
+// They are coloured when they are painted, with the colour that the palette then has for text: one drawing serves both
+// themes, and what cannot be used is paler.
 #pragma once
 
 #include <QIcon>

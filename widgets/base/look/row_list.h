@@ -1,4 +1,5 @@
-// RowList: a list of rows in columns, as all of them look and move: no branches, rows of one height, the focus around whole rows.
+// RowList: a list of rows in columns, as all of them look and move: no branches, rows of one height, the focus around
+// whole rows.
 #pragma once
 
 #include <QHeaderView>

@@ -1,5 +1,5 @@
-// Headings, all of them alike: their font, which is also that of what is to be seen first, and the head of a section of a
-// panel: its name, and a line from there to the edge.
+// Headings, all of them alike: their font, which is also that of what is to be seen first, and the head of a section of
+// a panel: its name, and a line from there to the edge.
 #pragma once
 
 #include <QFont>

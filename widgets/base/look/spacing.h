@@ -1,4 +1,5 @@
-// The grid on which everything in the window stands: distances are whole or half steps of it. And layouts that keep them.
+// The grid on which everything in the window stands: distances are whole or half steps of it. And layouts that keep
+// them.
 #pragma once
 
 #include <QMargins>

@@ -64,8 +64,8 @@ SetpointBox::SetpointBox(
     m_echo->setEnabled(false);
     m_echo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // whatever was typed
     m_control->setEnabled(false);
-    m_control->setRoomFor({controlText(drive::kSpeedModeNumber),
-        controlText(drive::kTorqueModeNumber), controlText(drive::kPositionModeNumber)});
+    m_control->setRoomFor({controlText(catalog::kSpeedModeNumber),
+        controlText(catalog::kTorqueModeNumber), controlText(catalog::kPositionModeNumber)});
     m_rampTime->setLimits(
         static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
     m_rampTime->setNegativeAllowed(false);
@@ -194,9 +194,9 @@ void SetpointBox::updateLimits()
 {
     // What the board does not tell is refused below, with the reason: the field need not know it.
     const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
-    m_speed->setLimits(
-        bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm) : drive::kGreatestWireRpm,
-        m_device.limits(m_device.motor()).speedStepRpm, tr("rpm"));
+    const drive::MotorLimits told = m_device.limits(m_device.motor());
+    m_speed->setLimits(std::min(bounds.rpm > 0.0 ? bounds.rpm : drive::kHighestRpm, told.wireRpm),
+        told.speedStepRpm, tr("rpm"));
     for (SetpointEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));
@@ -257,11 +257,11 @@ QString SetpointBox::controlText() const
 QString SetpointBox::controlText(std::int64_t mode)
 {
     switch (mode) {
-    case drive::kSpeedModeNumber:
+    case catalog::kSpeedModeNumber:
         return tr("drive mode: speed", "the board does now");
-    case drive::kTorqueModeNumber:
+    case catalog::kTorqueModeNumber:
         return tr("drive mode: torque", "the board does now");
-    case drive::kPositionModeNumber:
+    case catalog::kPositionModeNumber:
         return tr("drive mode: position", "the board does now");
     default:
         return {};

@@ -1,9 +1,9 @@
-// SetpointBox: the quick set-points of one motor: a speed, a torque current or an angle of the shaft within a time, or both
-// currents at once.
-// Which one is shown is the user's choice and sends nothing; the board changes its control with the first set-point.
+// SetpointBox: the quick set-points of one motor: a speed, a torque current or an angle of the shaft within a time, or
+// both currents at once. Which one is shown is the user's choice and sends nothing; the board changes its control with
+// the first set-point.
 #pragma once
 
-#include "drive/control_mode.h"
+#include "catalog/control_mode.h"
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 
@@ -81,7 +81,7 @@ private:
     MotorButton *m_stopRamp;
     QCheckBox *m_cyclic;
     bool m_takeReference = false;
-    QString m_taken; ///< of the board: any other text is a person's
+    QString m_taken; ///< of the board: any other text is the user's
 };
 
 } // namespace widgets

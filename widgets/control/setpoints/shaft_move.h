@@ -1,5 +1,5 @@
-// ShaftMove: a move of the shaft to an angle within a time, as its fields have it: whether it may be sent, and what is said of
-// it before. Degrees, as people turn shafts; the board's own zero.
+// ShaftMove: a move of the shaft to an angle within a time, as its fields have it: whether it may be sent, and what is
+// said of it before. Degrees, as people turn shafts; the board's own zero.
 #pragma once
 
 #include "drive/wish.h"

@@ -30,7 +30,7 @@ double dbOf(double gain)
 
 struct Ends {
     double least = 1e9, most = -1e9;
-    void take(double value)
+    void accept(double value)
     {
         least = std::min(least, value);
         most = std::max(most, value);
@@ -187,9 +187,9 @@ void BodePlot::scale()
     Ends hz, gain, phase;
     for (const BodeCurve &curve : m_curves)
         for (const BodeCurve::Point &point : curve.points) {
-            hz.take(point.hz);
-            gain.take(point.gain_db);
-            phase.take(point.phase_deg);
+            hz.accept(point.hz);
+            gain.accept(point.gain_db);
+            phase.accept(point.phase_deg);
         }
     if (hz.most < hz.least) {
         hz = {1.0, 100.0};

@@ -1,5 +1,5 @@
-// BodePlot: frequency responses over one another: gain, phase, and how much of what was measured counts. Error bars hold the
-// true value in 95 of 100 cases; points with a coherence below 0.8 are hollow. It draws what it is given.
+// BodePlot: frequency responses over one another: gain, phase, and how much of what was measured counts. Error bars
+// hold the true value in 95 of 100 cases; points with a coherence below 0.8 are hollow. It draws what it is given.
 #pragma once
 
 #include "lab/evaluation/response_evaluation.h"

@@ -1,5 +1,5 @@
-// The loops that stand beside one another: as measured, with gains that are only thought of, as proposed, as proved. One a
-// row, with what is told of it. It computes nothing.
+// The loops that stand beside one another: as measured, with gains that are only thought of, as proposed, as proved.
+// One a row, with what is told of it. It computes nothing.
 #pragma once
 
 #include "lab/maths/statistics.h"
@@ -13,8 +13,8 @@
 namespace widgets {
 
 struct LoopRow {
-    const char *key =
-        ""; ///< not translated: "measured", "what-if", "stiff", ..., "proof", "current"
+    /// Not translated: "measured", "what-if", "stiff", ..., "proof", "current".
+    const char *key = "";
     QString name = {}, help = {};
     int slot = 0; ///< colour of its curve
     bool drawn = false; ///< it has a curve

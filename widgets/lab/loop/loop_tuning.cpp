@@ -143,7 +143,7 @@ Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::millisec
     plan.length = length;
     const auto loop = m_facts.speedLoop(*subject);
     const auto evaluate = [this, board = m_boards](
-                              const Experiments::Record &record) -> ExperimentBar::Show {
+                              const Experiments::Run &record) -> ExperimentBar::Show {
         const auto found = lab::evaluateCurrentResponse(record.capture, record.happenings);
         return [this, board, found]() -> QStringList {
             if (board != m_boards)
@@ -167,7 +167,7 @@ ExperimentBar::Run LoopTuning::responseRun(
     const double nominalAmps = subject.limits.nominalCurrentAmps;
     const auto evaluate = [this, board = m_boards, plan, loop, nominalAmps, toProve,
                               motor = subject.motor](
-                              const Experiments::Record &record) -> ExperimentBar::Show {
+                              const Experiments::Run &record) -> ExperimentBar::Show {
         if (record.outcome.swings)
             return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
         auto response = lab::evaluateResponse(record.capture, record.happenings);

@@ -1,12 +1,12 @@
-// LoopTuning: the speed loop from its measured response to proved gains: what was measured, what is proposed, what other gains
-// would do, what was written and whether it keeps what was promised. It asks nobody and moves nothing: it says which
-// experiments to run, and takes what came of them. Gains are written through RegisterEdits, as one step.
+// LoopTuning: the speed loop from its measured response to proved gains: what was measured, what is proposed, what
+// other gains would do, what was written and whether it keeps what was promised. It asks and moves nothing: it says
+// which experiments to run, and takes what came of them. Gains are written through RegisterEdits, as one step.
 #pragma once
 
 #include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/step_series.h"
-#include "widgets/lab/board_facts.h"
 #include "widgets/lab/experiment_bar.h"
+#include "widgets/lab/shown_motor.h"
 #include "widgets/registers/register_edits.h"
 
 #include <QObject>
@@ -24,8 +24,8 @@ public:
     };
     struct Measured {
         lab::SpeedResponse response;
-        lab::SpeedLoop
-            loop; ///< with which it was measured; its digits are 0 where the board tells no gains
+        /// With which it was measured; its digits are 0 where the board tells no gains.
+        lab::SpeedLoop loop;
         std::vector<lab::GainCandidate> candidates;
         std::string whyNone; ///< there are none
         lab::Forecaster forecaster; ///< empty: for the same reason
@@ -90,7 +90,7 @@ private:
     Device &m_device;
     RegisterEdits &m_edits;
     const Experiments &m_experiments;
-    BoardFacts m_facts;
+    ShownMotor m_facts;
     std::optional<Measured> m_measured;
     std::optional<lab::FrequencyResponse> m_current;
     std::optional<Proof> m_proof;

@@ -1,5 +1,6 @@
 #include "widgets/lab/loop/response_page.h"
 
+#include "motor/fixed_point.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/look/named.h"
@@ -25,7 +26,6 @@ namespace widgets {
 namespace {
 
 constexpr int kLeast_s = 4, kMost_s = 40, kUsual_s = 16;
-constexpr int kMostDigits = 32767;
 /// Colours of the rows.
 constexpr int kMeasuredSlot = 0, kWhatIfSlot = 1, kProofSlot = 2, kCurrentSlot = 4;
 
@@ -91,7 +91,7 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
     connectParts();
-    takeTuning();
+    adoptTuning();
 }
 
 /// A field with its label before it, which stay together.
@@ -129,7 +129,7 @@ QWidget *ResponsePage::makeChoices()
     m_kp = makeSpin("whatIfKp", help);
     m_ki = makeSpin("whatIfKi", help);
     for (QSpinBox *gain : {m_kp, m_ki}) {
-        gain->setRange(0, kMostDigits);
+        gain->setRange(0, motor::kMaxNumerator);
         gain->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         gain->setAccelerated(true);
     }
@@ -178,7 +178,7 @@ void ResponsePage::makeBar()
 void ResponsePage::connectParts()
 {
     LoopTuning &tuning = m_parts.tuning;
-    connect(&tuning, &LoopTuning::changed, this, &ResponsePage::takeTuning);
+    connect(&tuning, &LoopTuning::changed, this, &ResponsePage::adoptTuning);
     connect(&tuning, &LoopTuning::watchedRegistersChanged, this,
         &ResponsePage::watchedRegistersChanged);
     connect(&tuning, &LoopTuning::written, this, [this](bool, const QString &sentence) {
@@ -219,7 +219,7 @@ void ResponsePage::refresh(Milliseconds)
 {
     m_parts.tuning.refresh();
     if (!m_parts.tuning.measured() && m_parts.tuning.present() != gains())
-        takeTuning();
+        adoptTuning();
     m_bar->refresh();
     enableButtons();
 }
@@ -237,7 +237,7 @@ void ResponsePage::showEvent(QShowEvent *event)
 {
     Form::showEvent(event);
     m_rows.setDark(isDark(palette()));
-    takeTuning();
+    adoptTuning();
 }
 
 std::chrono::milliseconds ResponsePage::length() const
@@ -256,7 +256,7 @@ void ResponsePage::setGains(const LoopTuning::Gains &gains)
 }
 
 /// Something was measured, written or forgotten.
-void ResponsePage::takeTuning()
+void ResponsePage::adoptTuning()
 {
     if (!isVisible())
         return;

@@ -1,5 +1,6 @@
-// ResponsePage: how motor and loops follow each frequency, and gains from that: the measured loop, what other gains would make of
-// it, three that are proposed, and the proof of those that were written. What is measured and written is LoopTuning's.
+// ResponsePage: how motor and loops follow each frequency, and gains from that: the measured loop, what other gains
+// would make of it, three that are proposed, and the proof of those that were written. What is measured and written is
+// LoopTuning's.
 #pragma once
 
 #include "widgets/base/form.h"
@@ -43,7 +44,7 @@ private:
     void makeTable();
     void makeBar();
     void connectParts();
-    void takeTuning();
+    void adoptTuning();
     void propose();
     void chosen();
     void whatIf();

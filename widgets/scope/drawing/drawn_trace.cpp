@@ -14,8 +14,8 @@ constexpr int kBandShare = 16; ///< of the picture that is a band at least, as o
 constexpr int kTurnShare = 4;
 constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 
-/// Between the two ends of an angle, if the picture is within one turn: what goes beyond it counts turns, and jumps where
-/// it jumps.
+/// Between the two ends of an angle, if the picture is within one turn: what goes beyond it counts turns, and jumps
+/// where it jumps.
 std::optional<float> middleOfTurn(const Trace &trace, std::span<const capture::MinMax> extremes)
 {
     const double turn = scope::turnOf(trace.info.unit);

@@ -1,5 +1,5 @@
-// DrawnTrace: what a picture shows of a trace, column by column, kept so that the next picture gathers only what is new.
-// Includes the slow header: only for the scope's own files.
+// DrawnTrace: what a picture shows of a trace, column by column, kept so that the next picture gathers only what is
+// new. Includes the slow header: only for the scope's own files.
 #pragma once
 
 #include "widgets/scope/drawing/trace_image.h"
@@ -24,8 +24,8 @@ struct Rows {
     }
 };
 
-/// Which time a picture shows, column by column on a grid of whole pixels. When a column begins depends on its number alone:
-/// a picture that moved by whole columns has the same ones as before.
+/// Which time a picture shows, column by column on a grid of whole pixels. When a column begins depends on its number
+/// alone: a picture that moved by whole columns has the same ones as before.
 struct PictureView {
     double origin = 0.0; ///< seconds; column number 0 begins here
     double pixel = 0.0; ///< seconds; how long a column is
@@ -99,7 +99,8 @@ struct DrawnTrace {
     /// @param view  the whole picture
     DrawnTrace(const PictureView &view, const Trace &shown, const capture::Channel &its);
 
-    /// The first column in which it may look other than before, by the picture of now; its width or beyond if there is none.
+    /// The first column in which it may look other than before, by the picture of now; its width or beyond if there is
+    /// none.
     int changedFrom(const DrawnTrace &before, const PictureView &view) const;
     /// Gathers columns that are not known yet, and makes strokes of all.
     /// @param known  taken from a picture that was `by` columns to the left; nullptr: nothing

@@ -1,5 +1,5 @@
-// What the picture has besides its traces, as plain data: the range of an axis, ghosts behind the traces, and over them the
-// trigger and what a measurement measured.
+// What the picture has besides its traces, as plain data: the range of an axis, ghosts behind the traces, and over them
+// the trigger and what a measurement measured.
 #pragma once
 
 #include "capture/capture.h"

@@ -158,11 +158,11 @@ void PlotStack::setHeldRanges(const QMap<QString, ValueRange> &ranges)
             axis.automatic = true;
             for (const Trace &trace : plot->traces)
                 if (trace.valueAxis == axis.axis)
-                    takeHeldRange(trace, axis);
+                    adoptHeldRange(trace, axis);
         }
 }
 
-void PlotStack::takeHeldRange(const Trace &trace, ValueAxis &axis)
+void PlotStack::adoptHeldRange(const Trace &trace, ValueAxis &axis)
 {
     const auto held = m_held.find(QString::fromStdString(trace.info.name));
     if (held == m_held.end())

@@ -1,6 +1,6 @@
-// Earlier records behind the traces, kept as one picture: of each pixel, which trace of which record is uppermost there.
-// One record more is painted over it, one less or a paler one is another colour of the same picture; all are painted
-// anew only where another time, size or scale is looked at. Knows no samples.
+// Earlier records behind the traces, kept as one picture: of each pixel, which trace of which record is uppermost
+// there. One record more is painted over it, one less or a paler one is another colour of the same picture; all are
+// painted anew only where another time, size or scale is looked at. Knows no samples.
 #pragma once
 
 #include "capture/channel.h"

@@ -1,6 +1,7 @@
 // What the scope draws on. The plot library draws into a picture of its own, which it clears before and lays on the
 // window's behind a ground: three passes over every pixel, which take longer than the traces do. This one paints the
-// window itself, of which the traces' images cover the plots, grid and ground included. Includes the slow header: only for the scope's own files.
+// window itself, of which the traces' images cover the plots, grid and ground included. Includes the slow header: only
+// for the scope's own files.
 #pragma once
 
 #include <qcustomplot.h>

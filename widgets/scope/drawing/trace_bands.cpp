@@ -13,10 +13,10 @@ namespace {
 
 using Mask = std::uint16_t; ///< a bit a band
 constexpr std::size_t kMostBands = 16;
-constexpr std::size_t kFewBands =
-    8; ///< more meet thousands of sets where they are ragged, too many to be kept
-constexpr int kRagged =
-    4; ///< a group is ragged if more than one in so many of its rows are covered in part
+/// More meet thousands of sets where they are ragged, too many to be kept.
+constexpr std::size_t kFewBands = 8;
+/// A group is ragged if more than one in so many of its rows are covered in part.
+constexpr int kRagged = 4;
 constexpr std::size_t kGroup = 16; ///< columns that are decided together: a cache line of pixels
 
 Mask bitOf(std::size_t band) { return static_cast<Mask>(1U << band); }
@@ -26,8 +26,8 @@ std::size_t firstOf(Mask mask) { return static_cast<std::size_t>(std::countr_zer
 /// two periods long, so that a period can be taken from any place in the first.
 struct Look {
     std::vector<QRgb> pixels;
-    std::vector<std::uint32_t>
-        owned; ///< all bits set where the stripe is that of one of them, else none
+    /// All bits set where the stripe is that of one of them, else none.
+    std::vector<std::uint32_t> owned;
 };
 
 class Looks {
@@ -153,11 +153,7 @@ public:
             if (here.done)
                 continue;
             if (here.part != 0) {
-                if (x + kGroup <= m_width)
-                    paintPart(row + x, x, y, x + phase, here,
-                        std::integral_constant<std::size_t, kGroup>());
-                else
-                    paintPart(row + x, x, y, x + phase, here, m_width - x);
+                paintPart(row + x, x, y, x + phase, here);
                 continue;
             }
             // As far as the neighbours look the same, at once.
@@ -209,8 +205,9 @@ private:
             ragged += stretch.part != 0 ? edges[i + 1] - edges[i] : 0;
             m_stretches.push_back(stretch);
         }
-        // Columns that differ from their neighbours nearly everywhere are cheaper one by one.
-        if (ragged * kRagged > m_height) {
+        // Columns that differ from their neighbours nearly everywhere are cheaper one by one; and
+        // what is no whole group comes once a picture.
+        if (ragged * kRagged > m_height || to - x < kGroup) {
             m_stretches.resize(m_at.back());
             m_stretches.push_back({m_height, 0, 0, nullptr, true});
             paintColumns(x, to);
@@ -293,9 +290,7 @@ private:
     }
 
     /// Some bands begin or end here. Plain loops without a branch: the compiler makes wide ones of them.
-    template <class Count>
-    void paintPart(
-        QRgb *pixels, std::size_t x, int y, std::size_t place, const Stretch &here, Count count)
+    void paintPart(QRgb *pixels, std::size_t x, int y, std::size_t place, const Stretch &here)
     {
         const std::size_t first = here.whole != 0 ? firstOf(here.whole) : kMostBands;
         Row row{};
@@ -304,51 +299,49 @@ private:
         else if (m_ground)
             row.fill(*m_ground);
         else
-            std::memcpy(row.data(), pixels, count * sizeof(QRgb));
+            std::memcpy(row.data(), pixels, sizeof(row));
         // From the last to the first: each hides those behind it.
         for (Mask left = here.part; left != 0;) {
             const auto b = static_cast<std::size_t>(std::bit_width(left)) - 1;
             left = static_cast<Mask>(left & ~bitOf(b));
-            cover(b, x, y, count);
+            cover(b, x, y);
             if (b < first)
-                blend(row, m_covers[b].data(), m_bands[b].color, count);
+                blend(row, m_covers[b], m_bands[b].color);
         }
         if (here.look != nullptr) {
             const QRgb *looks = here.look->pixels.data() + place;
             const std::uint32_t *owned = here.look->owned.data() + place;
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < kGroup; ++i)
                 row[i] = (owned[i] & looks[i]) | (~owned[i] & row[i]);
         }
         for (Mask left = here.part; left != 0; left = static_cast<Mask>(left & (left - 1))) {
             const std::size_t b = firstOf(left);
             const std::uint32_t *owned = m_alone[b]->owned.data() + place;
             Row mine{};
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < kGroup; ++i)
                 mine[i] = m_covers[b][i] & owned[i];
-            blend(row, mine.data(), m_bands[b].color, count);
+            blend(row, mine, m_bands[b].color);
         }
-        std::memcpy(pixels, row.data(), count * sizeof(QRgb));
+        std::memcpy(pixels, row.data(), sizeof(row));
     }
 
     using Row = std::array<QRgb, kGroup>;
 
     /// All bits set where band `b` covers row `y`.
-    template <class Count>
-    void cover(std::size_t b, std::size_t x, int y, Count count)
+    void cover(std::size_t b, std::size_t x, int y)
     {
         const std::int16_t *top = &m_bands[b].columns->top[x];
         const std::int16_t *bottom = &m_bands[b].columns->bottom[x];
         const auto here = static_cast<std::int16_t>(y);
         std::array<std::int16_t, kGroup> covered{};
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < kGroup; ++i)
             covered[i] = static_cast<std::int16_t>(-((top[i] <= here) & (here <= bottom[i])));
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < kGroup; ++i)
             m_covers[b][i] = static_cast<std::uint32_t>(std::int32_t{covered[i]});
     }
-    template <class Count>
-    static void blend(Row &row, const std::uint32_t *where, QRgb color, Count count)
+    static void blend(Row &row, const Row &where, QRgb color)
     {
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < kGroup; ++i)
             row[i] = (where[i] & color) | (~where[i] & row[i]);
     }
 
@@ -359,7 +352,7 @@ private:
     Looks m_looks;
     std::size_t m_left = 0; ///< where in a period the left column is
     std::vector<const Look *> m_alone; ///< of each band
-    std::array<std::array<std::uint32_t, kGroup>, kMostBands> m_covers{};
+    std::array<Row, kMostBands> m_covers{};
     std::optional<QRgb> m_ground;
     std::vector<QRgb> m_tile;
     std::vector<Stretch> m_stretches; ///< of the first group from top to bottom, then of the next

@@ -18,7 +18,8 @@ struct Band {
 /// stripe it lies, or of the first of them if that one is not there. Beyond 16 bands the last ones hide the others.
 /// @param image  of 32 bits a pixel, as wide as the columns
 /// @param stripeWidth  pixels, at least 1
-/// @param first  number of the left column, from which stripes are counted: pictures of one axis have them where they meet
+/// @param first  number of the left column, from which stripes are counted: pictures of one axis have them where they
+/// meet
 /// @param ground  what pixels get that no band covers; empty: they stay as they are
 void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, std::int64_t first,
     std::optional<QRgb> ground);

@@ -168,16 +168,7 @@ PixelColumns PixelColumns::part(int from, int to) const
     return columns;
 }
 
-bool PixelColumns::empty() const
-{
-    return std::all_of(top.begin(), top.end(), [](std::int16_t row) { return row == kNoTop; });
-}
-
-namespace {
-
-/// Calls `fill(row, y, from, to)` for the rows that columns reach.
-template <class Fill>
-void forRows(QImage &image, const PixelColumns &columns, Fill fill)
+void fillColumns(QImage &image, const PixelColumns &columns, QRgb color)
 {
     // Tiles keep the columns' rows in the first-level cache and skip the rows a tile does not reach.
     constexpr std::size_t kTile = 256;
@@ -196,18 +187,9 @@ void forRows(QImage &image, const PixelColumns &columns, Fill fill)
         last = std::min(last, image.height() - 1);
         for (int y = first; y <= last; ++y) {
             auto *row = reinterpret_cast<QRgb *>(bits + y * stride);
-            fill(row, static_cast<std::int16_t>(y), from, to);
+            fillRow(row, columns, static_cast<std::int16_t>(y), from, to, color);
         }
     }
-}
-
-} // namespace
-
-void fillColumns(QImage &image, const PixelColumns &columns, QRgb color)
-{
-    forRows(image, columns, [&](QRgb *row, std::int16_t y, std::size_t from, std::size_t to) {
-        fillRow(row, columns, y, from, to, color);
-    });
 }
 
 } // namespace widgets

@@ -24,11 +24,10 @@ struct PixelColumns {
     void joinTurning(PixelColumns &other, int half);
     void thicken(int rows); ///< at least `rows` high each
     PixelColumns takeThin(int rows); ///< moves the columns of at most `rows` into the result
-    PixelColumns dashed(
-        int on, int off) const; ///< `on` of each `on` + `off` columns, the others empty
+    /// `on` of each `on` + `off` columns, the others empty
+    PixelColumns dashed(int on, int off) const;
     int tallerThan(int rows) const; ///< how many columns are
     PixelColumns part(int from, int to) const; ///< columns [from, to) of it
-    bool empty() const; ///< nothing in any column
 };
 
 /// Fills the columns with `color`; rows outside the image are left out.

@@ -61,18 +61,6 @@ void ShapeInk::fill(const QPainterPath &path, QRgb color)
         m_painter.fillPath(path, QColor::fromRgba(qUnpremultiply(color)));
 }
 
-void DashedInk::bands(std::span<const Band> bands, int stripeWidth, std::int64_t first)
-{
-    std::vector<PixelColumns> dashes;
-    dashes.reserve(bands.size());
-    std::vector<Band> dashed;
-    for (const Band &band : bands) {
-        dashes.push_back(band.columns->dashed(m_on, m_off));
-        dashed.push_back({band.color, &dashes.back()});
-    }
-    m_ink.bands(dashed, stripeWidth, first);
-}
-
 void DashedInk::box(int left, int top, int width, int height, QRgb color)
 {
     const int period = m_on + m_off;

@@ -77,7 +77,7 @@ public:
     {
         m_ink.columns(columns.dashed(m_on, m_off), color);
     }
-    void bands(std::span<const Band> bands, int stripeWidth, std::int64_t first) override;
+    void bands(std::span<const Band>, int, std::int64_t) override { } ///< nothing dashed has any
     void box(int left, int top, int width, int height, QRgb color) override;
 
 private:

@@ -68,8 +68,8 @@ void recolor(QImage &image, QRect box, QRgb from, QRgb to)
 }
 } // namespace
 
-/// The pixels of the screen that a plot has. Where the scale is no whole number its edges lie within pixels: it has those that
-/// are nearer, as whatever is painted beside it does, lest one row or column be nobody's.
+/// The pixels of the screen that a plot has. Where the scale is no whole number its edges lie within pixels: it has
+/// those that are nearer, as all that is painted beside it does, so that no row or column is left out.
 struct WaveformPlottable::Place {
     double ratio = 1.0; ///< device pixels a pixel of the window
     QSize size; ///< device pixels
@@ -135,7 +135,8 @@ WaveformPlottable::~WaveformPlottable() = default;
 void WaveformPlottable::renew()
 {
     m_drawn.clear();
-    // To the columns of the picture, which it is at most half of one away from: all that goes by the axis moves as the traces do.
+    // To the columns of the picture, which it is at most half of one away from: all that goes by the axis moves as the
+    // traces do.
     const PictureView view = viewOf(m_image.size(), 1);
     if (view.width > 0 && view.from() != keyAxis()->range().lower)
         keyAxis()->setRange(view.from(), view.to());
@@ -165,8 +166,8 @@ void WaveformPlottable::draw(QCPPainter *painter)
         paintImage(place);
         m_drawn = now;
     }
-    // Pixel on pixel: an image of another ratio than 1 is scaled. The library's clip begins a row above the plot, and ends one
-    // before its end.
+    // Pixel on pixel: an image of another ratio than 1 is scaled. The library's clip begins a row above the plot, and
+    // ends one before its end.
     painter->save();
     painter->setClipping(false);
     painter->translate(rect.topLeft());
@@ -223,9 +224,9 @@ void WaveformPlottable::paintImage(const Place &place)
 }
 
 /// Makes a picture of the one before it, as far as that is still true.
-/// @return  columns that have to be painted: what was not in it, what may have changed, and if it moved both ends, which
-///          something reaches into from outside; all where the pictures differ in more than that, or where ghosts are behind
-///          them, which are painted as a whole
+/// @return  columns that have to be painted: what was not in it, what may have changed, and if it moved both ends,
+///          which something reaches into from outside; all where the pictures differ in more than that, or where ghosts
+///          are behind them, which are painted as a whole
 WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
 {
     Picture &before = *m_picture;
@@ -264,7 +265,7 @@ WaveformPlottable::Columns WaveformPlottable::goOn(Picture &now)
     return same ? unknown : all;
 }
 
-/// What shows the columns of the picture, in at most two pieces: the image goes round, lest it be copied.
+/// What shows the columns of the picture, in at most two pieces: the image is a ring, which saves a copy.
 void WaveformPlottable::forParts(
     ColumnRange columns, const std::function<void(int at, QImage &part)> &use)
 {
@@ -290,8 +291,8 @@ std::vector<DrawnTrace> WaveformPlottable::tracesOf(const PictureView &view) con
     return traces;
 }
 
-/// On the columns of the picture before, unless other times or sizes are wanted: then, and where there are ghosts, which lie
-/// between them, the axis begins with a column.
+/// On the columns of the picture before, unless other times or sizes are wanted: then, and where there are ghosts,
+/// which lie between them, the axis begins with a column.
 PictureView WaveformPlottable::viewOf(QSize size, int thickness) const
 {
     constexpr double kSame = 1e-3; // of a pixel; ends of the axis are sums of seconds

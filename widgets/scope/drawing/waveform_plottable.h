@@ -20,11 +20,11 @@ public:
     WaveformPlottable(const WaveformPlottable &) = delete;
     WaveformPlottable &operator=(const WaveformPlottable &) = delete;
 
-    /// The next picture shows what is there then; until it is told, an exposed window is painted as it was. Moves the time
-    /// axis by half a pixel of the screen at most.
+    /// The next picture shows what is there then; until it is told, an exposed window is painted as it was. Moves the
+    /// time axis by half a pixel of the screen at most.
     void renew();
 
-    // What the library can ask a plottable for, and nobody here does: the stack fits the ranges.
+    // What the library can ask a plottable for, but is not asked here: the stack fits the ranges.
     double selectTest(const QPointF &, bool, QVariant *) const override { return -1; }
     QCPRange getKeyRange(bool &found, QCP::SignDomain) const override
     {

@@ -1,5 +1,5 @@
-// The lane above the traces that shows what happened, on their clock: a sign and its words for each event, a count where
-// they lie too close. Keys go from event to event. It holds nothing; the event log does.
+// The lane above the traces that shows what happened, on their clock: a sign and its words for each event, a count
+// where they lie too close. Keys go from event to event. It holds nothing; the event log does.
 #pragma once
 
 #include "widgets/scope/events/event_log.h"

@@ -14,8 +14,8 @@ namespace widgets {
 
 namespace {
 constexpr std::size_t kForgottenAtOnce = 500;
-constexpr double kTimeStep =
-    1e-4; ///< seconds; all lines alike, so that they can be compared at a glance
+/// Seconds; all lines alike, so that they can be compared at a glance.
+constexpr double kTimeStep = 1e-4;
 } // namespace
 
 QString eventKindText(EventKind kind)

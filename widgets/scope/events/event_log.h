@@ -1,6 +1,6 @@
-// What happened, on the clock of the traces: commands, register writes, states, faults, lost samples, recoveries, and the
-// markers that the user set. A table in the order of time; only markers can be edited and removed. Bounded: of what a
-// program noted the oldest is forgotten, a marker never.
+// What happened, on the clock of the traces: commands, register writes, states, faults, lost samples, recoveries, and
+// the markers that the user set. A table in the order of time; only markers can be edited and removed. Bounded: of what
+// a program noted the oldest is forgotten, a marker never.
 #pragma once
 
 #include "capture/tick_time.h"
@@ -46,8 +46,8 @@ public:
 
     /// Returns the id; 0 if it was not taken (no time, or too many markers).
     quint32 add(EventKind kind, double seconds, const QString &text);
-    /// Replaces all by these, in one step. Of more than kMost the newest are kept, markers before all others; of markers the
-    /// first kMostMarkers. Their ids are given here, their order is that of time.
+    /// Replaces all by these, in one step. Of more than kMost the newest are kept, markers before all others; of
+    /// markers the first kMostMarkers. Their ids are given here, their order is that of time.
     void setEvents(std::vector<ScopeEvent> events);
     void setText(quint32 id, const QString &text);
     void clear() { setEvents({}); } ///< markers, too: another recording is shown

@@ -48,8 +48,8 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     , m_onlyMarkers(named(new QCheckBox(tr("Markers on&ly"), this), "onlyMarkers"))
 {
     setObjectName(QStringLiteral("eventPanel"));
-    m_list->setVerticalScrollBarPolicy(
-        Qt::ScrollBarAlwaysOn); // its columns stay when the list is full
+    // Its columns stay when the list is full.
+    m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->header()->resizeSection(EventLog::TimeColumn, kTimeWidth);

@@ -35,17 +35,17 @@ void FaultRecords::advance(double now)
 {
     for (FaultRecord &record : m_records)
         if (record.samples == nullptr && now >= record.seconds + kAfter + kLate)
-            take(record);
+            accept(record);
 }
 
 void FaultRecords::finish()
 {
     for (FaultRecord &record : m_records)
         if (record.samples == nullptr)
-            take(record);
+            accept(record);
 }
 
-void FaultRecords::take(FaultRecord &record)
+void FaultRecords::accept(FaultRecord &record)
 {
     record.samples = std::make_shared<capture::Capture>(capture::excerptOf(m_capture,
         capture::toNanos(record.seconds - kBefore), capture::toNanos(record.seconds + kAfter)));

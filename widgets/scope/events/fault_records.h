@@ -18,8 +18,8 @@ struct FaultRecord {
     quint32 id = 0; ///< rises
     int motor = 1;
     QString faults; ///< their names, fit to be shown
-    double seconds =
-        0.0; ///< when the board told it, on the session's axis; it came up to a question before
+    /// When the board told it, on the session's axis; it came up to a question before.
+    double seconds = 0.0;
     QDateTime when; ///< the same, on the wall
     std::shared_ptr<capture::Capture> samples; ///< nullptr until what follows the fault is there
 };
@@ -48,7 +48,7 @@ Q_SIGNALS:
     void changed();
 
 private:
-    void take(FaultRecord &record);
+    void accept(FaultRecord &record);
 
     const capture::Capture &m_capture;
     std::deque<FaultRecord> m_records;

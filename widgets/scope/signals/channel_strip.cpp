@@ -44,9 +44,9 @@ QString routeText(Route route)
     case Route::Fast:
         return Channels::tr("HF", "high frequency: recorded at the control rate");
     case Route::Slow:
-        return Channels::tr("MF", "medium frequency: recorded once for many fast samples");
+        return Channels::tr("MF", "medium frequency: 1 of 16 samples");
     case Route::Polled:
-        return Channels::tr("polled", "read one by one");
+        return Channels::tr("polled", "asked for again and again");
     }
     return {};
 }
@@ -67,12 +67,11 @@ QString detourText(Detour detour)
         return {};
     case Detour::NotStreamable:
         return Channels::tr(
-            "The board cannot record this register: it is read one by one and drawn at that rate.");
+            "The board cannot record this register: it is polled and drawn at that rate.");
     case Detour::TooManySignals:
-        return Channels::tr(
-            "The board records no more signals at once: this one is read one by one.");
+        return Channels::tr("The board records no more signals at once: this one is polled.");
     case Detour::LinkFull:
-        return Channels::tr("The link is too slow to record it: it is read one by one.");
+        return Channels::tr("The link is too slow to record it: it is polled.");
     }
     return {};
 }
@@ -166,8 +165,8 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     new WheelGuard(m_rate);
     m_rate->setToolTip(tr("Samples a second of each HF signal"));
-    m_budget->setSizePolicy(
-        QSizePolicy::Ignored, QSizePolicy::Preferred); // never makes the window wider
+    // Never makes the window wider.
+    m_budget->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     m_fold->setAutoRaise(true);
     m_fold->setFocusPolicy(Qt::TabFocus);
@@ -196,7 +195,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
         [this](const std::vector<drive::Reading> &readings) {
             for (const drive::Reading &reading : readings)
                 if (m_polledTags.contains(reading.id))
-                    m_rates.take(reading);
+                    m_rates.accept(reading);
         });
     fillRates();
     rebuild();
@@ -466,7 +465,7 @@ void ChannelStrip::updateBudget()
         tr("This link carries %n HF signal(s) at every control period.", nullptr,
             static_cast<int>(plan.fitAtFullRate))};
     if (plan.rateLowered)
-        lines.append(tr("At the rate wished for it would be %1 kB/s: recorded at one period in %2.")
+        lines.append(tr("At the chosen rate it would be %1 kB/s: recorded at one period in %2.")
                          .arg(numberText(plan.fullRateBytes / 1000.0, 1),
                              QString::number(plan.stream.fastEvery)));
     m_budget->setToolTip(lines.join(QLatin1Char('\n')));

@@ -1,6 +1,6 @@
-// ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link; after them the computed
-// ones, which cost nothing. Signals dropped on it are added. The chips can be folded away, and are while there is little
-// room for the plots.
+// ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link; after them the
+// computed ones, which cost nothing. Signals dropped on it are added. The chips can be folded away, and are while there
+// is little room for the plots.
 #pragma once
 
 #include "widgets/scope/signals/polled_rates.h"
@@ -38,8 +38,8 @@ public:
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
 
     void setComputed(const QList<Computed> &computed);
-    /// From now on the chips fold while there is little room, unless the user unfolds them; `crowded` asks. Those that the user
-    /// folded stay so.
+    /// From now on the chips fold while there is little room, unless the user unfolds them; `crowded` asks. Those that
+    /// the user folded stay so.
     void foldWhen(std::function<bool()> crowded);
     void room(); ///< it may have changed
 

@@ -4,7 +4,7 @@
 
 namespace widgets {
 
-void PolledRates::take(const drive::Reading &reading)
+void PolledRates::accept(const drive::Reading &reading)
 {
     if (reading.status != drive::ReadStatus::Ok)
         return;

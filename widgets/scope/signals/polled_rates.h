@@ -13,12 +13,12 @@ class PolledRates {
 public:
     struct Reached {
         double hz = 0.0;
-        double spread_s =
-            0.0; ///< longest; a value was true within so long before its time; 0: not told
+        /// Longest; a value was true within so long before its time; 0: not told.
+        double spread_s = 0.0;
         bool operator==(const Reached &) const = default;
     };
 
-    void take(const drive::Reading &reading);
+    void accept(const drive::Reading &reading);
     /// Ends a stretch of time: what was read during it is what `reached` tells until the next one.
     void turn();
     void forget();

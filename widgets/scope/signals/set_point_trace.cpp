@@ -13,8 +13,8 @@ constexpr double kStep_s = 1e-3; ///< of a ramp
 constexpr double kHeld_s = 5e-3; ///< a value that stays: longer ones would get a dot each
 constexpr double kLeast_s = 1e-6; ///< shorter pieces are none
 constexpr std::uint64_t kMostValues = 2'000'000;
-constexpr catalog::RegisterId kFirst =
-    capture::kFirstOwnRegister + 0x10000; ///< behind what is computed by formulas
+/// Behind what is computed by formulas.
+constexpr catalog::RegisterId kFirst = capture::kFirstOwnRegister + 0x10000;
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 
 struct Sort {
@@ -49,7 +49,7 @@ SetPointTrace::SetPointTrace(capture::Capture &capture, ScopeView &scope, QObjec
     connect(&scope, &ScopeView::removeRequested, this, &SetPointTrace::takenOff);
 }
 
-void SetPointTrace::take(const drive::SentSetPoint &sent)
+void SetPointTrace::accept(const drive::SentSetPoint &sent)
 {
     m_ahead_s = sent.ahead_s;
     // An answer may come behind the stop that overtook it.

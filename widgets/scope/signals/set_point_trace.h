@@ -1,9 +1,9 @@
-// SetPointTrace: the set-points as they were sent, computed: each begins at the instant at which its bytes left, on the axis of
-// the samples, and goes its way in the time that was asked for. A reference that is read from the board comes up to 100 ms
-// late. What the board makes of it is the board's.
+// SetPointTrace: the set-points as they were sent, computed: each begins at the instant at which its bytes left, on the
+// axis of the samples, and goes its way in the time that was asked for. A reference that is read from the board comes
+// up to 100 ms late. What the board makes of it is the board's.
 //
-// Where what was sent does not tell the value there is a gap: on a ramp whose beginning nobody sent, behind a stop, behind what
-// may not have arrived. A motor that stands ramps nothing: what waits for its start is a step.
+// Where what was sent does not tell the value there is a gap: on a ramp whose start was not sent, behind a stop, behind
+// what may not have arrived. A motor that stands ramps nothing: what waits for its start is a step.
 //
 // It stays a moment behind, because when a set-point left is known only when its answer has come.
 #pragma once
@@ -32,7 +32,7 @@ public:
     bool shown() const { return m_shown; }
 
 public Q_SLOTS:
-    void take(const drive::SentSetPoint &sent);
+    void accept(const drive::SentSetPoint &sent);
     void finish(const drive::SetPointsEnd &end);
     void advance(double now); ///< of the session's clock
     void end(); ///< the connection's

@@ -114,8 +114,8 @@ std::optional<catalog::RegisterId> SignalPlan::mainSpeed(int motor) const
     return m_catalog->withMotor(*info, motor);
 }
 
-/// The speed of the main sensor is no name of a register: the next board may have another sensor, and its firmware sends
-/// zeros for those that it does not have.
+/// The speed of the main sensor is no name of a register: the next board may have another sensor, and its firmware
+/// sends zeros for those that it does not have.
 std::string SignalPlan::nameOf(catalog::RegisterId id) const
 {
     const int motor = std::max(1, m_catalog->motorOf(id));
@@ -338,11 +338,11 @@ void SignalPlan::tellWhatDoesNotFit(const ChannelPlan &before)
             });
     };
     if (crowdedOut(m_plan) > crowdedOut(before))
-        Q_EMIT noticed(tr("%n signal(s) do not fit into the recording and are read one by one.",
-            nullptr, static_cast<int>(crowdedOut(m_plan))));
+        Q_EMIT noticed(tr("%n signal(s) do not fit into the recording and are polled.", nullptr,
+            static_cast<int>(crowdedOut(m_plan))));
 }
 
-/// The link is in doubt: when it is well again, nobody tells anew who the board is.
+/// The link is in doubt: when it is well again, the board is not identified anew.
 bool SignalPlan::doubted() const
 {
     const drive::LinkState link = m_device.link().state;
@@ -364,7 +364,7 @@ void SignalPlan::sendStream()
     m_streamWish = m_device.submit(m_plan.stream);
 }
 
-void SignalPlan::take(const std::vector<drive::Reading> &readings)
+void SignalPlan::accept(const std::vector<drive::Reading> &readings)
 {
     const auto catalog = m_device.catalog();
     if (!catalog || (m_plan.polled.empty() && !m_replaying))

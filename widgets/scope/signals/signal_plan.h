@@ -1,5 +1,5 @@
-// SignalPlan: the signals that are wanted of a board, and what follows from that: the stream that the board is asked for,
-// the registers that are polled instead, and what of both comes into the capture. It knows no picture.
+// SignalPlan: the signals that are wanted of a board, and what follows from that: the stream that the board is asked
+// for, the registers that are polled instead, and what of both comes into the capture. It knows no picture.
 #pragma once
 
 #include "capture/capture.h"
@@ -36,7 +36,7 @@ public:
 
     void boardChanged();
     void begin(const capture::StreamLayout &layout);
-    void take(const std::vector<drive::Reading> &readings);
+    void accept(const std::vector<drive::Reading> &readings);
 
 public Q_SLOTS:
     /// @param plot  of the picture; only kept. One that is wanted already stays where it is.
@@ -86,8 +86,8 @@ private:
     std::optional<drive::Identity> m_met; ///< the board that the samples are of
     std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last
     drive::WishId m_streamWish = 0; ///< the one that has not ended
-    bool m_streamStale =
-        false; ///< the plan changed while it was under way, or the board did not answer
+    /// The plan changed while it was under way, or the board did not answer.
+    bool m_streamStale = false;
     int m_brokenOff = 0; ///< times in a row that it did not come to the board
     std::optional<Milliseconds> m_againAt; ///< when it is asked for again; empty: not known yet
     bool m_fromFile = false;

@@ -133,8 +133,8 @@ void SignalSelection::follow()
     Q_EMIT changed();
 }
 
-/// What was only read now and then, for the tables of the window, would bury what the user wanted to see; what was on the
-/// scope before is wanted.
+/// What was only read now and then, for the tables of the window, would bury what the user wanted to see; what was on
+/// the scope before is wanted.
 void SignalSelection::fill()
 {
     const std::vector<capture::ChannelInfo> all = m_capture.channels();
@@ -193,7 +193,7 @@ void SignalSelection::fillFileSignals(QMenu &menu)
         if (!info.unit.empty())
             text += QStringLiteral(" [%1]").arg(unitText(info.unit));
         if (info.kind == Kind::Polled)
-            text = tr("%1, read one by one", "a signal").arg(text);
+            text = tr("%1, polled", "a signal").arg(text);
         QAction *action = menu.addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
         action->setCheckable(true);
         action->setChecked(m_scope.plotOf(info.id) >= 0);

@@ -1,5 +1,5 @@
-// SignalSelection: the signals on the scope: those of the plan while a board or a replay is told, those of a file that a
-// person chose else. It keeps the picture in step with the plan.
+// SignalSelection: the signals on the scope: those of the plan while a board or a replay is told, those of a file that
+// a user chose else. It keeps the picture in step with the plan.
 #pragma once
 
 #include "widgets/scope/signals/polled_rates.h"

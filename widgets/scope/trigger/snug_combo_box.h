@@ -1,5 +1,5 @@
-// A box of choices as wide as the word that is chosen, for bars where the widest choice would cost a line. Its list is as
-// wide as its words.
+// A box of choices as wide as the word that is chosen, for bars where the widest choice would cost a line. Its list is
+// as wide as its words.
 #pragma once
 
 #include <QComboBox>

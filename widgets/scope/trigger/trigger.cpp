@@ -164,7 +164,8 @@ void Trigger::advance()
     follow();
 }
 
-/// Marks the records whose samples were let go: those of the source, for a register that was read once is kept for ever.
+/// Marks the records whose samples were let go: those of the source, for a register that was read once is kept for
+/// ever.
 void Trigger::release()
 {
     const capture::Channel *source = sourceChannel();

@@ -1,5 +1,5 @@
-// The trigger's bar above the scope: mode, type, source, way and level at hand, everything else in a menu of its own, the
-// state in words and the age of what is shown. Fields appear only where they matter. It decides nothing.
+// The trigger's bar above the scope: mode, type, source, way and level at hand, everything else in a menu of its own,
+// the state in words and the age of what is shown. Fields appear only where they matter. It decides nothing.
 #pragma once
 
 #include "widgets/scope/trigger/trigger_setup.h"
@@ -60,8 +60,8 @@ private:
     QToolButton *m_force;
     QToolButton *m_more;
     SteadyLabel *m_state;
-    QWidget *m_details =
-        nullptr; ///< made with the first mode that has some, and with it what is below
+    /// Made with the first mode that has some, and with it what is below.
+    QWidget *m_details = nullptr;
     QFormLayout *m_form = nullptr;
     ValueEdit *m_upper = nullptr;
     ValueEdit *m_hysteresis = nullptr;

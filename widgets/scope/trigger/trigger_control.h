@@ -1,5 +1,5 @@
-// Joins the trigger with the scope's picture: shows its records, and lets the picture set it. In mode Roll it leaves the
-// picture alone.
+// Joins the trigger with the scope's picture: shows its records, and lets the picture set it. In mode Roll it leaves
+// the picture alone.
 //
 // While a triggered picture runs, the picture is the setting: zooming changes the record's length, moving the trigger
 // along the time axis the share before it. Stopped, the user may look around in the recording.
@@ -57,8 +57,8 @@ private:
     std::optional<scope::Record> m_shown;
     double m_rollSpan = 5.0; ///< seconds; what roll shows when it is chosen again
     int m_persistence = 0;
-    scope::RecordId m_persistFrom =
-        0; ///< earlier records do not stay behind this one and later ones
+    /// Earlier records do not stay behind this one and later ones.
+    scope::RecordId m_persistFrom = 0;
     bool m_showing = false; ///< the picture moves because of a record, not of the user
 };
 

@@ -62,7 +62,7 @@ void TestArchiveFullDisk::whereverItFillsWhatIsThereIsRead()
     QVERIFY(twins.small.bytes() <= kMemory + CaptureTwins::kSlack);
     QVERIFY(twins.small.released() > 0);
     twins.verifyTheSame(50);
-    // Half a piece is no use to anybody.
+    // Half a piece is of no use.
     auto none = support::once([&folder] { return QDir(folder.path()).isEmpty(); });
     QTRY_VERIFY(none());
     auto bounded = support::once([&] { return archive->bytesOnDisk() <= then + 2 * kPiece; });
@@ -71,7 +71,7 @@ void TestArchiveFullDisk::whereverItFillsWhatIsThereIsRead()
 
 void TestArchiveFullDisk::aFolderThatTakesNoFilesIsToldOnce()
 {
-    // A directory of the system in which nobody can make a file, not even root.
+    // A directory of the system in which no file can be made, not even by root.
     const auto archive = std::make_shared<DiskArchive>(
         DiskArchive::Config{QStringLiteral("/proc/self"), 64'000'000, 0, kPiece});
     const QSignalSpy failures(archive.get(), &DiskArchive::failed);

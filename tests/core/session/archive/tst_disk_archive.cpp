@@ -212,7 +212,7 @@ void TestDiskArchive::aFolderThatCannotBeMadeIsToldOnce()
     QVERIFY(bench.small().bytes() <= kInMemory + CaptureTwins::kSlack);
     QVERIFY(bench.small().bytes() > kInMemory * 3 / 4);
     bench.twins.verifyTheSame(50);
-    // A person has put it right, and says so.
+    // The user has put it right, and says so.
     QVERIFY(file.remove());
     bench.archive->setBudget(kBudget);
     bench.small().tryArchiveAgain();
@@ -286,8 +286,8 @@ void TestDiskArchive::aDiskThatFailsWhileItIsReadIsNoDeath()
     QVERIFY(twins.small.archivedBytes() > kInMemory);
     const auto ids = twins.small.streaming();
     const auto span = *twins.small.timeSpan();
-    QVERIFY(
-        !CaptureTwins::csvOf(twins.small, ids, {span.from, span.to}).empty()); // reads all there is
+    // Reads all there is.
+    QVERIFY(!CaptureTwins::csvOf(twins.small, ids, {span.from, span.to}).empty());
     QCOMPARE(archive->budget(), std::uint64_t(0));
     QTRY_COMPARE(failures.size(), 1);
     QVERIFY(failures.front().front().value<ArchiveFailure>().reason

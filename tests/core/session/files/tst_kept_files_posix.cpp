@@ -1,7 +1,6 @@
-// Files that people keep, whatever happens: a save or an export that is killed leaves the whole old file or the whole new
-// one, and no locale of the system changes a byte of any file, or what is read from one.
-// Both are done by this very program, started again with a word that says what to do. 100 kills; with ROTORSCOPE_LONG=1
-// 1,000 of them.
+// Files that people keep, whatever happens: a save or an export that is killed leaves the whole old file or the whole
+// new one, and no locale of the system changes a byte of any file, or what is read from one. Both are done by this very
+// program, started again with a word that says what to do. 100 kills; with ROTORSCOPE_LONG=1 1,000 of them.
 #include "capture/csv_import.h"
 #include "session/files/export_formats.h"
 #include "session/files/motion_log_file.h"
@@ -111,7 +110,7 @@ QByteArray everyFile(const QString &folder)
     all += revUp;
     if (const auto again = readRevUpJson(revUp, 0.00123))
         all += revUpJson(*again, 0.00123);
-    drive::MotionRecord record;
+    drive::MotionEntry record;
     record.act = drive::MotionAct::Stop;
     all += motionLogText({{record, QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC)}},
         QStringLiteral("kim"));
@@ -129,9 +128,9 @@ QByteArray everyFile(const QString &folder)
     return all;
 }
 
-drive::MotionRecord motionAsked(std::int64_t ms, drive::MotionAct act)
+drive::MotionEntry motionAsked(std::int64_t ms, drive::MotionAct act)
 {
-    drive::MotionRecord record;
+    drive::MotionEntry record;
     record.act = act;
     record.asked = record.ended = TimePoint(std::chrono::milliseconds(ms));
     return record;

@@ -1,5 +1,5 @@
-// Static boards of the older serial protocol, made from rig files: every vector byte for byte on virtual time, and files
-// with flaws.
+// Static boards of the older serial protocol, made from rig files: every vector byte for byte on virtual time, and
+// files with flaws.
 #include "session/files/fcp_rig_file.h"
 #include "simulation/fcp/fcp_board.h"
 #include "support/fcp_vectors.h"

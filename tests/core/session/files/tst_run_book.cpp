@@ -1,4 +1,5 @@
-// A run book: what is kept is read back, nothing that is there is overwritten, and a file that makes no sense costs no other.
+// A run book: what is kept is read back, nothing that is there is overwritten, and a file that makes no sense costs no
+// other.
 #include "session/files/run_book.h"
 #include "session/files/run_stretches.h"
 #include "session/files/snapshot_json.h"
@@ -25,11 +26,11 @@ session::EndedRun anEndedRun()
     session::EndedRun run;
     run.begin = {1'700'000'000, "test", "sim"};
     run.plan = {"step plan", {{"from rpm", "1000"}, {"to rpm", "1500"}}};
-    const record::Happening end{
+    const recorded::Happening end{
         "experiment ended", {{"outcome", "ended early"}, {"reason", "a test"}}};
-    record::Nanos at = 1'000;
-    for (const record::Happening &happening :
-        {run.plan, record::Happening{"motor state", {{"state", "IDLE"}}}, end}) {
+    recorded::Nanos at = 1'000;
+    for (const recorded::Happening &happening :
+        {run.plan, recorded::Happening{"motor state", {{"state", "IDLE"}}}, end}) {
         auto told = std::make_shared<session::Told>();
         told->at = at++;
         told->entries.emplace_back(happening);
@@ -103,7 +104,7 @@ private Q_SLOTS:
 
     void aRecordingIsPartedWhereItsGainsChange()
     {
-        using record::Nanos;
+        using recorded::Nanos;
         constexpr Nanos kMilli = 1'000'000;
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("long.pcapng"));
@@ -113,11 +114,11 @@ private Q_SLOTS:
         QVERIFY(file.open());
         const auto run = anEndedRun();
         QVERIFY(file.add(0,
-            record::RegisterSnapshot{
+            recorded::RegisterSnapshot{
                 "all registers", session::snapshotJson(*run.registers).toStdString()}));
-        QVERIFY(file.add(0, record::PolledRegister{7, "BUS_VOLTAGE", "V"}));
+        QVERIFY(file.add(0, recorded::PolledRegister{7, "BUS_VOLTAGE", "V"}));
         const auto written = [](const char *told) {
-            return record::Happening{
+            return recorded::Happening{
                 "ended", {{"wish", "1"}, {"outcome", "ok"}, {"reason", ""}, {"SPEED_KP", told}}};
         };
         for (Nanos ms = 100; ms <= 5000; ms += 100) {
@@ -128,7 +129,7 @@ private Q_SLOTS:
             if (ms == 3000) // no change
                 QVERIFY(file.add(ms * kMilli, written("refused, was 300, is 300, why")));
             const double volts = double(ms) / 1000.0;
-            QVERIFY(file.add(ms * kMilli, record::PolledValues{{{7, ms * kMilli, volts}}}));
+            QVERIFY(file.add(ms * kMilli, recorded::PolledValues{{{7, ms * kMilli, volts}}}));
         }
         QVERIFY(file.end());
 
@@ -165,7 +166,7 @@ private Q_SLOTS:
     /// Each run has one to tell, though its gains are the same; and has it whole, though it lends some.
     void aRecordingIsPartedWhereAnotherExperimentBegins()
     {
-        using record::Nanos;
+        using recorded::Nanos;
         constexpr Nanos kMilli = 1'000'000;
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("long.pcapng"));
@@ -173,20 +174,21 @@ private Q_SLOTS:
         session::RecordingFile file(
             session::makeDiskSink(path, why), {1'700'000'000, "test", "sim"});
         QVERIFY(file.open());
-        QVERIFY(file.add(0, record::PolledRegister{7, "BUS_VOLTAGE", "V"}));
-        const record::Happening plan{
+        QVERIFY(file.add(0, recorded::PolledRegister{7, "BUS_VOLTAGE", "V"}));
+        const recorded::Happening plan{
             "step plan", {{"motor", "1"}, {"from rpm", "1000"}, {"to rpm", "1500"}}};
-        const record::Happening end{"experiment ended", {{"outcome", "complete"}, {"reason", ""}}};
+        const recorded::Happening end{
+            "experiment ended", {{"outcome", "complete"}, {"reason", ""}}};
         const auto written = [](const char *told) {
-            return record::Happening{
+            return recorded::Happening{
                 "ended", {{"wish", "1"}, {"outcome", "ok"}, {"reason", ""}, {"SPEED_KP", told}}};
         };
-        const std::map<Nanos, record::Happening> what{{1000, plan}, {2000, end}, {3000, plan},
+        const std::map<Nanos, recorded::Happening> what{{1000, plan}, {2000, end}, {3000, plan},
             {4000, end}, {5000, written("ok, was 700, is 350")}, {5500, plan},
             {5700, written("ok, was 350, is 90")}, {6300, written("ok, was 90, is 350")},
             {6500, end}};
         for (Nanos ms = 100; ms <= 7000; ms += 100) {
-            QVERIFY(file.add(ms * kMilli, record::PolledValues{{{7, ms * kMilli, 24.0}}}));
+            QVERIFY(file.add(ms * kMilli, recorded::PolledValues{{{7, ms * kMilli, 24.0}}}));
             if (const auto at = what.find(ms); at != what.end())
                 QVERIFY(file.add(ms * kMilli, at->second));
         }

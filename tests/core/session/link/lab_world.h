@@ -1,5 +1,5 @@
-// A session with a simulated board on a judged line, on virtual time, for experiments: the world goes on as the session's own
-// timer would have it.
+// A session with a simulated board on a judged line, on virtual time, for experiments: the world goes on as the
+// session's own timer would have it.
 #pragma once
 
 #include "lab/experiment.h"

@@ -1,4 +1,4 @@
-// The interface of a session that stands still, comes late or lets go without a word, and time that nobody saw go by; all
+// The interface of a session that stands still, comes late or lets go without a word, and gaps in time; all
 // on virtual time, but for the thread that is really kept from running.
 #include "core/session/fakes.h"
 
@@ -192,7 +192,7 @@ void TestDeadMan::afterHalfASecondItIsDisarmed()
     bench.freeze(1ms);
     QVERIFY(!bench.drive().armed());
     QCOMPARE(bench.armed, (std::vector<bool>{true, false}));
-    QVERIFY(bench.interruptions.empty()); // nobody would see it
+    QVERIFY(bench.interruptions.empty()); // the user is away
     bench.live(200ms);
     QCOMPARE(bench.interruptions.size(), 1U);
     QVERIFY(bench.interruptions[0].cause == Cause::Interface);
@@ -235,7 +235,7 @@ void TestDeadMan::anIdleMotorIsNotStopped()
     second.tell(MotorState::Running, 2);
     second.freeze(10s);
     QCOMPARE(second.board.stops, 1);
-    Attended late(MotorState::Idle); // it only starts while nobody is there
+    Attended late(MotorState::Idle); // it only starts while the user is away
     late.freeze(5s);
     QCOMPARE(late.board.stops, 0);
 }
@@ -249,7 +249,7 @@ void TestDeadMan::whatWasLeftRunningIsNotStopped()
     bench.live(1s);
     QCOMPARE(bench.board.stops, 0);
     QVERIFY(bench.interruptions.empty()); // nothing was changed
-    bench.session.setArmed(true); // a person takes it over again
+    bench.session.setArmed(true); // the user takes it over again
     bench.freeze(3s);
     QCOMPARE(bench.board.stops, 1);
 }
@@ -286,7 +286,7 @@ void TestDeadMan::theFirstStampAfterwardsArmsNothing()
     bench.live(10s);
     QVERIFY(!bench.drive().armed());
     QCOMPARE(bench.armed, (std::vector<bool>{true, false}));
-    bench.session.setArmed(true); // only a person does
+    bench.session.setArmed(true); // only the user does
     QVERIFY(bench.drive().armed());
 }
 
@@ -333,7 +333,7 @@ void TestDeadMan::eachConnectionBeginsAnew()
     bench.session.open(Bench::serial());
     bench.tell(MotorState::Running);
     bench.freeze(1min);
-    QCOMPARE(bench.board.stops, 0); // nobody has armed this one
+    QCOMPARE(bench.board.stops, 0); // this one was never armed
 }
 
 void TestDeadMan::aSleepDisarmsAndDoubts()
@@ -540,7 +540,7 @@ void TestDeadMan::aHoldThatEndedIsNotRevived()
     }
     QCOMPARE(bench.motorStops(), 1);
     bench.session.releaseFromAnyThread();
-    bench.session.holdFromAnyThread(1); // a new one, before anybody has looked
+    bench.session.holdFromAnyThread(1); // a new one, before the session looks
     bench.live(200ms);
     QCOMPARE(bench.motorStops(), 1);
     bench.live(200ms);
@@ -562,7 +562,7 @@ void TestDeadMan::askedToEndItStopsWhatItDrives()
 {
     Attended bench;
     bench.live(1s);
-    bench.freeze(100ms); // whoever shows the window need not be alive
+    bench.freeze(100ms); // the interface need not be alive
     bench.session.stopOwn();
     QCOMPARE(bench.board.stops, 1);
     Attended disarmedByFreeze;
@@ -619,7 +619,7 @@ void TestDeadMan::aStarvedSessionDisarmsWhenItRunsAgain()
         rig.thread.session()->attendFromAnyThread();
     QVERIFY(!rig.armed());
     QVERIFY(rig.doubts() >= 1);
-    QCOMPARE(rig.stops.load(), 0); // somebody was there
+    QCOMPARE(rig.stops.load(), 0); // the user was there
 }
 
 QTEST_GUILESS_MAIN(TestDeadMan)

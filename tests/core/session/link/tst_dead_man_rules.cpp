@@ -1,5 +1,5 @@
-// DeadMan and Stamps by themselves: what is judged when, and when the next look is due. No session, no thread; times are
-// numbers. What a session makes of it is in tst_dead_man.
+// DeadMan and Stamps by themselves: what is judged when, and when the next look is due. No session, no thread; times
+// are numbers. What a session makes of it is in tst_dead_man.
 #include "session/link/dead_man.h"
 #include "session/link/time_gap.h"
 
@@ -33,7 +33,7 @@ struct DeadManBench {
         man.begin(t);
         if (armed)
             man.armed();
-        man.takeStatus(stateOf(MotorState::Running));
+        man.acceptStatus(stateOf(MotorState::Running));
     }
     DeadMan::Verdict at(Duration time, Duration gap = {})
     {
@@ -113,7 +113,7 @@ void TestDeadManRules::absenceBeginsBehindItsLimit()
     QVERIFY(verdict.disarm && !verdict.stopAll && verdict.stopMotor == 0);
     QVERIFY(bench.man.absent());
     QVERIFY(!bench.at(600ms).disarm); // it is not armed any more
-    QVERIFY(bench.man.takeNews().empty()); // nobody would see it
+    QVERIFY(bench.man.takeNews().empty()); // the user is away
     bench.attend(700ms);
     static_cast<void>(bench.at(1200ms));
     QVERIFY((bench.man.takeNews() == News{{Cause::Interface, 700ms, true, false}}));
@@ -182,13 +182,13 @@ void TestDeadManRules::whatNobodyHereAnswersForIsNotStopped()
     QFETCH(const bool, armedOnce);
     QFETCH(const bool, stops);
     DeadManBench bench(Attendance::Stamped, armedOnce);
-    bench.man.takeStatus(stateOf(static_cast<MotorState>(first), 1));
-    bench.man.takeStatus(stateOf(static_cast<MotorState>(second), 2));
+    bench.man.acceptStatus(stateOf(static_cast<MotorState>(first), 1));
+    bench.man.acceptStatus(stateOf(static_cast<MotorState>(second), 2));
     QCOMPARE(bench.at(3s).stopAll, stops);
     bench.attend(4s);
     static_cast<void>(bench.at(4s));
     QCOMPARE(bench.man.takeNews().empty(), !armedOnce); // nothing was changed
-    DeadManBench left; // a person has disarmed it, and lets it turn
+    DeadManBench left; // the user has disarmed it, and lets it turn
     left.man.disarmed();
     left.isArmed = false;
     QVERIFY(!left.man.responsible() && !left.at(3s).stopAll);
@@ -250,7 +250,7 @@ void TestDeadManRules::aConnectionBeginsAnew()
     bench.stamps.hold(1, t);
     static_cast<void>(bench.at(301ms)); // a hold that ended
     static_cast<void>(bench.at(700ms)); // and an absence
-    bench.man.takeStatus(stateOf(MotorState::Idle)); // and a motor at rest
+    bench.man.acceptStatus(stateOf(MotorState::Idle)); // and a motor at rest
     bench.man.begin(t + 10s);
     QVERIFY(!bench.man.responsible() && !bench.man.absent());
     bench.stamps.release();
@@ -265,14 +265,14 @@ void TestDeadManRules::aConnectionBeginsAnew()
 void TestDeadManRules::restEndsTheResponsibility()
 {
     DeadManBench bench;
-    bench.man.takeStatus(stateOf(MotorState::Idle));
+    bench.man.acceptStatus(stateOf(MotorState::Idle));
     static_cast<void>(bench.at(1ms));
     QVERIFY(bench.man.responsible()); // armed
     bench.isArmed = false;
-    bench.man.takeStatus(stateOf(MotorState::Running));
+    bench.man.acceptStatus(stateOf(MotorState::Running));
     static_cast<void>(bench.at(2ms));
     QVERIFY(bench.man.responsible()); // turns
-    bench.man.takeStatus(stateOf(MotorState::Idle));
+    bench.man.acceptStatus(stateOf(MotorState::Idle));
     static_cast<void>(bench.at(3ms));
     QVERIFY(!bench.man.responsible());
 }
@@ -307,7 +307,7 @@ void TestDeadManRules::anEndedHoldNeedsItsIdleMotor()
         const Duration ended = 310ms;
         bench.attend(ended);
         QCOMPARE(bench.at(ended).stopMotor, 2);
-        bench.man.takeStatus(stateOf(state, 2));
+        bench.man.acceptStatus(stateOf(state, 2));
         bench.attend(ended + 799ms);
         QVERIFY(!bench.at(ended + 799ms).stopAll);
         const bool idle = state != MotorState::Running && state != MotorState::Unknown;
@@ -320,7 +320,7 @@ void TestDeadManRules::anEndedHoldNeedsItsIdleMotor()
     silent.attend(1110ms);
     QVERIFY(silent.at(1110ms).stopAll);
     DeadManBench gone; // what another rule stops stays stopped
-    gone.man.takeStatus(stateOf(MotorState::Idle, 2));
+    gone.man.acceptStatus(stateOf(MotorState::Idle, 2));
     gone.attend(0ms);
     gone.stamps.hold(2, t + 1300ms);
     static_cast<void>(gone.at(1601ms));
@@ -354,7 +354,7 @@ void TestDeadManRules::theNextLook()
 
     DeadManBench left; // disarmed by the absence, at rest since: only its word is open
     static_cast<void>(left.at(501ms));
-    left.man.takeStatus(stateOf(MotorState::Idle));
+    left.man.acceptStatus(stateOf(MotorState::Idle));
     static_cast<void>(left.at(502ms));
     QVERIFY(!left.man.responsible() && left.man.nextLook(false, t + 502ms) == Wait(100ms));
 }
@@ -380,7 +380,7 @@ void TestDeadManRules::aTimeGap()
 {
     TimeGap gap;
     QVERIFY(gap.notice(t, t + 5h, {}) == 0ms); // the first: nothing to compare with
-    QVERIFY(gap.notice(t + 10s, t + 5h + 10s, {}) == 0ms); // nobody had to wake
+    QVERIFY(gap.notice(t + 10s, t + 5h + 10s, {}) == 0ms); // no wake-up was due
     QVERIFY(gap.notice(t + 20s, t + 5h + 20s, t + 19s) == 0ms); // late, but not longer than that
     QVERIFY(gap.notice(t + 30s, t + 5h + 30s, t + 29s - 1ns) == 1s + 1ns);
     QVERIFY(gap.notice(t + 40s, t + 5h + 41s, {}) == 0ms);

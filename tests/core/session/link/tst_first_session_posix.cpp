@@ -48,7 +48,7 @@ struct User {
             &session, &Session::batch, &session, [this](const session::BatchPtr &batch) {
                 ++batches;
                 for (const drive::Event &event : batch->events)
-                    take(event);
+                    accept(event);
                 session.acknowledge();
             });
         QObject::connect(&session, &Session::portChanged, &session,
@@ -56,7 +56,7 @@ struct User {
                 ports.emplace_back(state, why.problem);
             });
     }
-    void take(const drive::Event &event)
+    void accept(const drive::Event &event)
     {
         if (const auto *identified = std::get_if<drive::Identified>(&event))
             board = *identified;

@@ -1,6 +1,6 @@
-// Programs that die or freeze while they drive a motor: STOP is on the wire soon, the motor stops, and nobody keeps the
-// port. A board behind a pseudo-terminal hears every byte and says when it came. The long form, with ROTORSCOPE_LONG, is a
-// thousand random instants in several lanes and prints a table; with ROTORSCOPE_PART, so many per cent of them.
+// Programs that die or freeze while they drive a motor: STOP is on the wire soon, the motor stops, and the port is
+// free. A board behind a pseudo-terminal hears every byte and says when it came. The long form, with ROTORSCOPE_LONG,
+// is a thousand random instants in several lanes and prints a table; with ROTORSCOPE_PART, so many per cent of them.
 #include "aspep/packet.h"
 #include "support/link_pair.h"
 #include "support/places.h"
@@ -59,8 +59,8 @@ Bytes packetOf(const Bytes &payload)
     return packet;
 }
 
-/// What a wire does and a pseudo-terminal does not: the pauses of the sender stay between its bytes. Read late, a header and
-/// its payload come at once, and a board that meets them so loses the payload, as a real one does.
+/// What a wire does and a pseudo-terminal does not: the pauses of the sender stay between its bytes. Read late, a
+/// header and its payload come at once, and a board that meets them so loses the payload, as a real one does.
 class Wire {
 public:
     explicit Wire(std::uint32_t baud)
@@ -119,8 +119,8 @@ private:
     std::deque<std::pair<TimePoint, Bytes>> m_due;
 };
 
-/// A simulated board behind a pseudo-terminal. It is heard what comes, and when, by a thread that does nothing else: the
-/// board's own may be busy with its motor.
+/// A simulated board behind a pseudo-terminal. It is heard what comes, and when, by a thread that does nothing else:
+/// the board's own may be busy with its motor.
 class HeardBoard {
 public:
     HeardBoard()
@@ -149,7 +149,7 @@ public:
         std::unique_lock lock(m_lock);
         m_changed.wait_until(lock, until, [] { return false; });
     }
-    /// Nobody else holds the port: the lock can be had.
+    /// The port is free: the lock can be had.
     bool free() const
     {
         const int port = ::open(qPrintable(port_()), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -188,7 +188,7 @@ public:
         }
         return lines;
     }
-    /// The board alone, behind all: what its motor does. Nobody may be on the line any more.
+    /// The board alone, behind all: what its motor does. No program may be on the line any more.
     bool motorRuns()
     {
         end();
@@ -376,7 +376,7 @@ public:
                 QStringLiteral("-screen"), QStringLiteral("0"), QStringLiteral("640x480x24")},
             QStringList{}, number[1]);
         ::close(number[1]);
-        // To the end of the line: a server whose number nobody reads to the end gives up.
+        // To the end of the line: a server whose number is not read to the end gives up.
         QByteArray line;
         for (char next = 0; ::read(number[0], &next, 1) == 1 && next != '\n';)
             line.append(next);
@@ -436,8 +436,8 @@ struct Death {
     Kind kind = Kind::Kill;
     double latency_ms = -1.0;
     QString wrong; ///< empty: as it has to be
-    int again =
-        0; ///< so often nothing had been started that could be stopped, for want of a screen or of time
+    /// So often nothing had been started that could be stopped, for want of a screen or of time.
+    int again = 0;
 };
 
 const QString kNoStart = QStringLiteral("nothing was started");
@@ -489,8 +489,8 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
     const double latency = std::chrono::duration<double, std::milli>(*stop - killed).count();
     death.latency_ms = latency;
     if (freezes(kind))
-        board.waitUntil(
-            *stop + 2200ms); // the frozen program keeps its port; behind that the guardian does not
+        // The frozen program keeps its port; behind that the guardian does not.
+        board.waitUntil(*stop + 2200ms);
     program.signal(SIGKILL);
     (void)program.wait();
     if (!board.freeUntil(SteadyClock::now() + 10s))

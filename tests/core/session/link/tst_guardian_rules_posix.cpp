@@ -1,6 +1,6 @@
-// What a guardian does on its line, for each way in which a program may end or go on: how often the script leaves, in what
-// rhythm, and who still has the port. The programs are forked here and have nothing but a guardian; all live at once. The
-// whole programs, at random instants, are in tst_guardian_posix.
+// What a guardian does on its line, for each way in which a program may end or go on: how often the script leaves, in
+// what rhythm, and who still has the port. The programs are forked here and have nothing but a guardian; all live at
+// once. The whole programs, at random instants, are in tst_guardian_posix.
 #include "session/link/guardian.h"
 #include "session/link/stop_page_posix.h"
 #include "support/pseudo_terminal.h"
@@ -242,7 +242,7 @@ public:
             pieces.emplace_back(now, in);
         pollfd line{m_terminal.master(), POLLIN, 0};
         if (::poll(&line, 1, 0) > 0 && (line.revents & POLLHUP) != 0 && !letGo)
-            letGo = now; // nobody has the port any more
+            letGo = now; // the port is closed everywhere
         std::array<char, 256> text{};
         for (ssize_t count = 0; (count = ::read(m_errors[0], text.data(), text.size())) > 0;)
             said.append(text.data(), static_cast<qsizetype>(count));
@@ -593,7 +593,7 @@ void TestGuardianRules::aKilledProgramIsActedForAtOnceAndInARhythm()
     QVERIFY(killed.pieces.size() >= 30); // in parts, with their pauses
     QVERIFY(gaps[9] > 8ms && gaps[9] < 40ms);
     QVERIFY(killed.said.contains("the program ended while it drove a motor"));
-    // Whoever it had started holds nothing of the guardian's.
+    // Programs that it had started hold nothing of the guardian's.
     QVERIFY(life("has started another program").first() < 1500ms);
 }
 
@@ -660,7 +660,8 @@ void TestGuardianRules::theGuardianHoldsNothingOfItsProgram()
     QCOMPARE(m_ofGuardian["fds"], QStringLiteral("5"));
 }
 
-/// Without a port it waits for a word, with one it looks now and then, and while a motor is driven it waits for the stamp.
+/// Without a port it waits for a word, with one it looks now and then, and while a motor is driven it waits for the
+/// stamp.
 void TestGuardianRules::aGuardianSleeps()
 {
     QVERIFY(m_wakes > 10 && m_wakes < 100);

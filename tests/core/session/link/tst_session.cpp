@@ -199,7 +199,7 @@ void TestSession::aStopThatComesDuringATurnIsBeforeWhatLeavesInIt()
     bench.drive().outputs = {{bytes({1}), {}}};
     int stopsBeforeWriting = -1;
     bench.port.onWrite = [&] { stopsBeforeWriting = bench.board.stops; };
-    // What the port does takes time, in which somebody presses Esc.
+    // What the port does takes time, in which the user presses Esc.
     bench.port.onAdvance = [&] {
         if (bench.port.written.empty() && bench.board.stops == 0)
             bench.session.stopFromAnyThread();
@@ -600,7 +600,7 @@ void TestSession::whatIsKnownOfALineOutlivesItsPort()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    bench.drive().known = {drive::Protocol::Fcp, 2, aspep::Beacon{}};
+    bench.drive().known = {drive::Protocol::Fcp, 2, {{5, 0, 0, 0}}};
     bench.turn();
     unplug(bench);
     plugIn(bench);

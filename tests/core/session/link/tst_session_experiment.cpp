@@ -1,5 +1,5 @@
-// A series of steps carried out by a session, on virtual time and judged on the wire: what a person does meanwhile counts,
-// its Stop leaves in the turn in which a cap breaks, and what was recorded before is recorded again.
+// A series of steps carried out by a session, on virtual time and judged on the wire: what the user does meanwhile
+// counts, its Stop leaves in the turn in which a cap breaks, and what was recorded before is recorded again.
 #include "core/session/link/lab_world.h"
 
 #include <QtTest>
@@ -28,8 +28,8 @@ bool pushes(World &world)
     world.session.run({lab::spinPlanFor(subject, {}), subject});
     return world.runUntil(
         [&] {
-            const auto acts = world.all<drive::MotionRecord>();
-            return std::count_if(acts.begin(), acts.end(), [](const drive::MotionRecord &one) {
+            const auto acts = world.all<drive::MotionEntry>();
+            return std::count_if(acts.begin(), acts.end(), [](const drive::MotionEntry &one) {
                 return one.act == drive::MotionAct::TorqueRamp;
             }) >= 2;
         },
@@ -128,11 +128,11 @@ private Q_SLOTS:
         VERIFY_END(world, End::Interrupted);
         QVERIFY(
             QString::fromStdString(world.outcomes[0].reason).contains(QStringLiteral("1500 rpm")));
-        const auto before = world.all<drive::MotionRecord>().size();
+        const auto before = world.all<drive::MotionEntry>().size();
         world.run(2s);
         QVERIFY(world.status->state == MotorState::Running);
-        for (std::size_t i = before; i < world.all<drive::MotionRecord>().size(); ++i)
-            QVERIFY(world.all<drive::MotionRecord>()[i].act != drive::MotionAct::SpeedRamp);
+        for (std::size_t i = before; i < world.all<drive::MotionEntry>().size(); ++i)
+            QVERIFY(world.all<drive::MotionEntry>()[i].act != drive::MotionAct::SpeedRamp);
         world.session.stop();
         QVERIFY(world.idles());
     }
@@ -186,7 +186,7 @@ private Q_SLOTS:
         world.run(3s);
         QVERIFY(!world.line.isDriven());
         QCOMPARE(world.session.closed(), deed == QLatin1String("closing"));
-        for (const drive::MotionRecord &one : world.all<drive::MotionRecord>())
+        for (const drive::MotionEntry &one : world.all<drive::MotionEntry>())
             QVERIFY(one.asked < at || one.act == drive::MotionAct::Stop || one.requests == 0);
     }
 
@@ -194,7 +194,7 @@ private Q_SLOTS:
     void aGapEndsATorqueWithAStop()
     {
         World world;
-        world.line.verdictTaken = true; // nobody hears the board for so long, and nobody says so
+        world.line.verdictTaken = true; // the board is unheard for long, and it is not told
         QVERIFY(world.connect());
         QVERIFY(pushes(world));
         QSignalSpy told(&world.session, &Session::interrupted);
@@ -238,7 +238,7 @@ private Q_SLOTS:
                     && stops.back().word != drive::StopWord::NotConfirmed;
             },
             2s));
-        const auto records = world.all<drive::MotionRecord>();
+        const auto records = world.all<drive::MotionEntry>();
         const auto stop = std::find_if(records.begin(), records.end(),
             [](const auto &record) { return record.act == drive::MotionAct::Stop; });
         QVERIFY(stop != records.end());
@@ -293,7 +293,7 @@ private Q_SLOTS:
         QVERIFY(world.ends(5s));
         VERIFY_END(world, End::Lost);
         QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
-        QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // nobody can
+        QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // not true
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
         world.line.plugged = true; // it is opened again by itself
         QVERIFY(world.idles(10s));

@@ -1,6 +1,6 @@
-// Experiments of a session whose cable is pulled at any moment, and whose user stops, disarms or takes over: it ends once,
-// what it drove is stopped as soon as the board is reached again, nothing starts again, and what it borrowed is as it was or
-// is named. ROTORSCOPE_LONG=1 tries a thousand of them; support/seeds.h says which others.
+// Experiments of a session whose cable is pulled at any moment, and whose user stops, disarms or takes over: it ends
+// once, what it drove is stopped as soon as the board is reached again, nothing starts again, and what it borrowed is
+// as it was or is named. ROTORSCOPE_LONG=1 tries a thousand of them; support/seeds.h says which others.
 #include "core/lab/drawn_plans.h"
 #include "core/session/link/lab_world.h"
 #include "drive/values.h"
@@ -20,7 +20,7 @@ struct Scenario {
     support::Random random;
     LabWorld world;
     const bool runs = random.chance(0.5); ///< the motor, before
-    const bool pulls = random.chance(0.7); ///< somebody the cable
+    const bool pulls = random.chance(0.7); ///< the cable is pulled
     const Deed deed = static_cast<Deed>(random.below(pulls ? 2 : 5));
     const Duration at = std::chrono::milliseconds(random.below(8000));
     const Duration out = std::chrono::milliseconds(random.below(6000));

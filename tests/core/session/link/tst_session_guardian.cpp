@@ -114,7 +114,7 @@ void TestSessionGuardian::nobodyIsGuardedWhoMovedNothing()
     Guarded guarded;
     guarded.bench.session.submit({.id = 1, .what = drive::Read{{1}}});
     guarded.bench.session.submit({.id = 2, .what = drive::Stream{}});
-    guarded.tell(drive::MotorState::Running); // whoever started it
+    guarded.tell(drive::MotorState::Running); // by any start
     QVERIFY(guarded.notes->changes.empty());
     guarded.bench.session.setArmed(false);
     guarded.bench.session.submit({.id = 3, .what = drive::Command{}});
@@ -214,7 +214,7 @@ void TestSessionGuardian::whenItActedNothingIsSentAnyMore()
     QCOMPARE(bench.ports.back(), std::pair(PortState::Open, PortProblem::None));
     QCOMPARE(bench.board.made, 2);
     QVERIFY(!bench.drive().armed());
-    QVERIFY(guarded.notes->driven); // nobody has seen it at rest
+    QVERIFY(guarded.notes->driven); // it was not seen at rest
 }
 
 void TestSessionGuardian::aGuardianThatDiedWhileItSentIsNotWaitedForForEver()

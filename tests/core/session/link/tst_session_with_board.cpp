@@ -1,4 +1,4 @@
-// The session with the real drive and the simulated board, on virtual time and judged on the wire: what a person does
+// The session with the real drive and the simulated board, on virtual time and judged on the wire: what the user does
 // first.
 #include "session/link/session.h"
 #include "support/judged_line.h"

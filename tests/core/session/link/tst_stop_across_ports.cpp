@@ -103,7 +103,7 @@ struct PortWorld {
         QObject::connect(
             &session, &Session::batch, &session, [this](const session::BatchPtr &batch) {
                 for (const drive::Event &event : batch->events)
-                    take(event);
+                    accept(event);
                 session.acknowledge();
             });
         QObject::connect(&session, &Session::stopsWanted, &session,
@@ -121,7 +121,7 @@ struct PortWorld {
         return session::tapped(
             parts, std::make_shared<session::RecordingTap>(std::size_t{1} << 20));
     }
-    void take(const drive::Event &event)
+    void accept(const drive::Event &event)
     {
         if (const auto *motor = std::get_if<drive::MotorStatus>(&event))
             status[motor->motor] = *motor;
@@ -300,7 +300,8 @@ void TestStopAcrossPorts::aServoThatWasLeftCyclingIsStopped_data()
                 << channels << after;
 }
 
-/// By a drive that does not know its mapping: blind STOPs must leave the line to what finds out the length of its frames.
+/// By a drive that does not know its mapping: blind STOPs must leave the line to what finds out the length of its
+/// frames.
 void TestStopAcrossPorts::aServoThatWasLeftCyclingIsStopped()
 {
     QFETCH(int, channels);

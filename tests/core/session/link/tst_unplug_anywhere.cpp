@@ -1,6 +1,6 @@
-// The port vanishes at any byte of a session, while it reads and while it writes, and is there again: each wish ends once,
-// nothing is armed, the motor is not started a second time, and the board is found again.
-// Every 37th byte; with ROTORSCOPE_LONG=1 each of them.
+// The port vanishes at any byte of a session, while it reads and while it writes, and is there again: each wish ends
+// once, nothing is armed, the motor is not started a second time, and the board is found again. Every 37th byte; with
+// ROTORSCOPE_LONG=1 each of them.
 #include "session/link/session.h"
 #include "simulation/simulated_board.h"
 
@@ -42,7 +42,7 @@ public:
     {
         ++m_cable.opened;
         m_cable.board->advance(now);
-        (void)m_cable.board->takeOutput(); // what came while nobody listened
+        (void)m_cable.board->takeOutput(); // what came while it was unplugged
         return {};
     }
     void close() override { m_open = false; }
@@ -50,8 +50,8 @@ public:
     {
         const auto passed = m_cable.writing ? pass(bytes.size()) : bytes.size();
         const ByteView part = bytes.first(passed);
-        constexpr std::uint8_t kStart =
-            0x19; // START_MOTOR of motor 1; a payload is a write of its own
+        // START_MOTOR of motor 1; a payload is a write of its own.
+        constexpr std::uint8_t kStart = 0x19;
         m_cable.starts += bytes.size() == 2 && bytes[0] == kStart && bytes[1] == 0 ? 1 : 0;
         if (!part.empty())
             m_cable.board->receive(part, now);

@@ -1,5 +1,5 @@
-// How often the thread of a link is woken beside a board that streams, and how often that board is asked: by the session with
-// the real drive, on virtual time, for a port that is told of as a serial one.
+// How often the thread of a link is woken beside a board that streams, and how often that board is asked: by the
+// session with the real drive, on virtual time, for a port that is told of as a serial one.
 #include "session/link/session.h"
 #include "support/judged_line.h"
 
@@ -19,7 +19,8 @@ private Q_SLOTS:
 
 namespace {
 
-/// A serial port with a notifier that can be switched off (as in SerialTransport); what comes meanwhile waits in the system.
+/// A serial port with a notifier that can be switched off (as in SerialTransport); what comes meanwhile waits in the
+/// system.
 class Port : public session::Transport {
 public:
     explicit Port(std::unique_ptr<session::Transport> line)
@@ -50,7 +51,7 @@ public:
     }
     bool real() const override { return true; }
 
-    /// The line goes on, whoever sleeps.
+    /// The line goes on while threads sleep.
     void bring(TimePoint now) { m_line->advance(now); }
     bool wakes() const { return !m_listensAt && !m_waiting.isEmpty(); }
     void read()

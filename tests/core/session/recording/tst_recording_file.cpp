@@ -1,7 +1,7 @@
 // A recording on a disk that fails at any block: what was counted stays, the file says how it ended, and nothing more
 // is asked of the disk.
-#include "record/block.h"
-#include "record/restore.h"
+#include "recorded/block.h"
+#include "recorded/restore.h"
 #include "session/recording/recording_file.h"
 #include "session/recording/recording_notes.h"
 #include "session/recording/recording_reader.h"
@@ -119,16 +119,16 @@ void TestRecordingFile::whatIsCountedIsInTheFile()
     QCOMPARE(qint64(file.counts().bytes), QFileInfo(path).size());
     QCOMPARE(support::readRecording(path).samples(), file.counts().samples);
     QCOMPARE(file.counts().safeBytes, 0U);
-    QVERIFY(file.add(1, record::Note{0, 1, "x"}));
+    QVERIFY(file.add(1, recorded::Note{0, 1, "x"}));
     QVERIFY(file.end());
     QCOMPARE(file.counts().safeBytes, file.counts().bytes);
     const auto facts = support::readRecording(path);
     QCOMPARE(qint64(file.counts().bytes), QFileInfo(path).size());
     QVERIFY(facts.damage.empty());
-    QCOMPARE(facts.ending->reason, record::End::Reason::Stopped);
+    QCOMPARE(facts.ending->reason, recorded::End::Reason::Stopped);
     QCOMPARE(facts.ending->samples, 40'000U);
-    QCOMPARE(facts.all<record::Begin>().at(0).source, std::string("here"));
-    QVERIFY(!file.add(2, record::Note{0, 1, "late"}));
+    QCOMPARE(facts.all<recorded::Begin>().at(0).source, std::string("here"));
+    QVERIFY(!file.add(2, recorded::Note{0, 1, "late"}));
 }
 
 void TestRecordingFile::itsPictureIsThereBeforeItsSamplesAreRead()
@@ -185,7 +185,7 @@ void TestRecordingFile::whatIsNotKnownHidesNoPicture_data()
     QTest::addColumn<Bytes>("stranger");
     QTest::addColumn<int>("times");
     QTest::addColumn<bool>("found");
-    const auto ours = [](Bytes data) { return record::packetBlock({}, std::move(data)); };
+    const auto ours = [](Bytes data) { return recorded::packetBlock({}, std::move(data)); };
     const Bytes later = ours({'R', 'S', 1, 77, 1, 2, 3});
     QTest::newRow("a later kind") << later << 1 << true;
     QTest::newRow("many") << later << 100 << true;
@@ -195,7 +195,7 @@ void TestRecordingFile::whatIsNotKnownHidesNoPicture_data()
     QTest::newRow("another program's") << other(5, 64, 64) << 3 << true;
     QTest::newRow("its least") << other(5, 12, 12) << 1 << true;
     QTest::newRow("whose lengths differ") << other(5, 64, 32) << 1 << false;
-    QTest::newRow("another section") << other(record::kSectionBlock, 64, 64) << 1 << false;
+    QTest::newRow("another section") << other(recorded::kSectionBlock, 64, 64) << 1 << false;
     QTest::newRow("as many bytes as take too long") << other(5, 1 << 20, 1 << 20) << 17 << false;
     QTest::newRow("as many as take too long") << other(5, 12, 12) << 5000 << false;
     QTest::newRow("an overview without sense") << ours({'R', 'S', 1, 11, 1, 2, 3}) << 1 << false;
@@ -260,7 +260,7 @@ void TestRecordingFile::whereverTheDiskFailsTheRecordingEndsWithAMark()
         const auto facts = read(disk.file);
         QCOMPARE(facts.samples(), counted);
         QVERIFY(facts.ending.has_value());
-        QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+        QCOMPARE(facts.ending->reason, recorded::End::Reason::DiskFull);
         QCOMPARE(facts.ending->text, std::string("no room"));
         // Two attempts more than succeeded, and never again.
         QCOMPARE(disk.calls, k + 2);
@@ -279,7 +279,7 @@ void TestRecordingFile::aDiskWithoutRoomForAMarkGetsItInItsPlace()
     const auto facts = read(disk.file);
     QVERIFY(facts.damage.empty());
     QCOMPARE(facts.samples(), counted);
-    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+    QCOMPARE(facts.ending->reason, recorded::End::Reason::DiskFull);
     QCOMPARE(quint64(disk.file.size()), file.counts().bytes);
 }
 
@@ -293,7 +293,7 @@ void TestRecordingFile::hardlyAnyRoomLeftEndsItCleanly()
     const auto facts = read(disk.file);
     QVERIFY(facts.damage.empty());
     QCOMPARE(facts.samples(), 40'000U);
-    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+    QCOMPARE(facts.ending->reason, recorded::End::Reason::DiskFull);
 }
 
 void TestRecordingFile::aFailedSyncEndsIt()
@@ -313,13 +313,13 @@ void TestRecordingFile::anEntryThatFitsNoBlockIsLeftOutAndCounted()
     FakeDisk disk;
     RecordingFile file(std::make_unique<FakeSink>(disk), {});
     QVERIFY(file.open());
-    QVERIFY(file.add(0, record::Note{0, 0, std::string(100'000, 'x')}));
+    QVERIFY(file.add(0, recorded::Note{0, 0, std::string(100'000, 'x')}));
     QCOMPARE(file.leftOut(), 1U);
     QVERIFY(file.end());
-    QVERIFY(read(disk.file).all<record::Note>().empty());
+    QVERIFY(read(disk.file).all<recorded::Note>().empty());
 }
 
-/// Times of a file that nobody wrote: differences of them would not fit any number.
+/// Times of a file made up by hand: differences of them would not fit any number.
 void TestRecordingFile::whatHappenedYearsAwayIsPassedOver()
 {
     const QTemporaryDir folder;
@@ -327,15 +327,16 @@ void TestRecordingFile::whatHappenedYearsAwayIsPassedOver()
     QString text;
     RecordingFile file(makeDiskSink(path, text), {0, "test", "board"});
     file.open();
-    for (const record::Nanos at : {std::numeric_limits<record::Nanos>::min(), -record::kFarthest,
-             record::Nanos{5}, record::kFarthest, std::numeric_limits<record::Nanos>::max()})
-        file.add(at, record::Happening{"stop", {}});
+    for (const recorded::Nanos at :
+        {std::numeric_limits<recorded::Nanos>::min(), -recorded::kFarthest, recorded::Nanos{5},
+            recorded::kFarthest, std::numeric_limits<recorded::Nanos>::max()})
+        file.add(at, recorded::Happening{"stop", {}});
     file.end();
     capture::Capture capture;
     const auto report = readRecording(path, capture);
     QVERIFY(report);
     QCOMPARE(report->happenings.size(), std::size_t(1));
-    QCOMPARE(report->happenings[0].first, record::Nanos{5});
+    QCOMPARE(report->happenings[0].first, recorded::Nanos{5});
 }
 
 QTEST_APPLESS_MAIN(TestRecordingFile)

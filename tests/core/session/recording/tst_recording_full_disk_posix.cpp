@@ -1,5 +1,5 @@
-// A real file on a disk that is full after so many bytes: a limit on the file's size gives the same short write as a full
-// disk, without one.
+// A real file on a disk that is full after so many bytes: a limit on the file's size gives the same short write as a
+// full disk, without one.
 #include "session/recording/recording_file.h"
 #include "support/programs/size_limit_posix.h"
 #include "support/recording_facts.h"
@@ -54,11 +54,11 @@ void TestRecordingFullDisk::whereverItFillsAllThatWasWrittenReadsBack()
         const auto facts = support::readRecording(path);
         QCOMPARE(facts.samples(), counts.samples);
         QVERIFY(facts.ending.has_value());
-        QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+        QCOMPARE(facts.ending->reason, recorded::End::Reason::DiskFull);
         QCOMPARE(QString::fromStdString(facts.ending->text), qt_error_string(EFBIG));
         inPlace += QFileInfo(path).size() == qint64(counts.bytes);
-        for (const record::Damage &damage : facts.damage)
-            QCOMPARE(damage.kind, record::Damage::Kind::Missing); // the block that was refused
+        for (const recorded::Damage &damage : facts.damage)
+            QCOMPARE(damage.kind, recorded::Damage::Kind::Missing); // the block that was refused
     }
     QVERIFY(inPlace > 0); // at some lengths there was no room for the mark either
 }

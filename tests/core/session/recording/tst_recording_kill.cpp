@@ -86,8 +86,8 @@ void TestRecordingKill::everyBlockReportedAsWrittenReadsBack()
 
         const auto facts = support::readRecording(path);
         QVERIFY(!facts.ending);
-        for (const record::Damage &damage : facts.damage) {
-            QCOMPARE(damage.kind, record::Damage::Kind::CutShort);
+        for (const recorded::Damage &damage : facts.damage) {
+            QCOMPARE(damage.kind, recorded::Damage::Kind::CutShort);
             ++cut;
         }
         QVERIFY2(facts.samples() >= written,

@@ -1,5 +1,5 @@
-// A recording of a session that runs: everything the drive tells is in the file, and whatever the disk does, the session
-// goes on.
+// A recording of a session that runs: everything the drive tells is in the file, and whatever the disk does, the
+// session goes on.
 #include "core/session/fakes.h"
 #include "session/recording/recording.h"
 #include "support/recording_facts.h"
@@ -156,20 +156,20 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
     bench.session.submit({7, drive::SpeedRamp{1, 1500, 500ms}});
     bench.tell(drive::Ended{7, drive::Outcome::Ok, {}, {}});
     bench.session.stop();
-    bench.recording.add(5, record::Note{1, 2, "look here"});
+    bench.recording.add(5, recorded::Note{1, 2, "look here"});
     bench.stop();
     QCOMPARE(bench.results.size(), 1);
     QCOMPARE(bench.results[0].outcome, RecordingOutcome::Stopped);
 
     const auto facts = support::readRecording(bench.path);
     QVERIFY(facts.damage.empty());
-    QCOMPARE(facts.ending->reason, record::End::Reason::Stopped);
+    QCOMPARE(facts.ending->reason, recorded::End::Reason::Stopped);
     QCOMPARE(facts.samples(), 2000U);
     QCOMPARE(facts.capture.size(*facts.capture.find(2)), 1000U);
     const std::vector<std::string> names{"link", "motor state", "speed ramp", "ended", "stop"};
     QCOMPARE(facts.happenings(), names);
-    QCOMPARE(facts.all<record::Note>().size(), std::size_t(1));
-    QVERIFY(facts.all<record::LinkBytes>().empty());
+    QCOMPARE(facts.all<recorded::Note>().size(), std::size_t(1));
+    QVERIFY(facts.all<recorded::LinkBytes>().empty());
     QCOMPARE(bench.results[0].last.counts.samples, 2000U);
     QCOMPARE(qint64(bench.results[0].last.counts.bytes), QFileInfo(bench.path).size());
     QCOMPARE(bench.tap->waiting(), std::size_t(0));
@@ -177,7 +177,7 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
 
 void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
 {
-    const record::Note note{1, 2, "look here"};
+    const recorded::Note note{1, 2, "look here"};
     LiveBench bench;
     QVERIFY(!bench.recording.add(1, note));
     for (int round = 0; round < 2; ++round) {
@@ -188,7 +188,7 @@ void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
         QVERIFY(bench.recording.running()); // still, and yet its file takes no more
         QVERIFY(!bench.recording.add(3, note));
         QTRY_VERIFY(!bench.recording.running());
-        QCOMPARE(support::readRecording(bench.path).all<record::Note>().size(), std::size_t(1));
+        QCOMPARE(support::readRecording(bench.path).all<recorded::Note>().size(), std::size_t(1));
     }
 }
 
@@ -200,21 +200,21 @@ void TestRecordingLive::theMotionLogIsInTheFile()
     for (const MotorAction action : {MotorAction::Start, MotorAction::StopMotor,
              MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
         bench.session.submit({1, drive::Command{action, 2}});
-    bench.tell(drive::MotionRecord{drive::MotionAct::SpeedRamp, 2, drive::Source::CommandLine,
+    bench.tell(drive::MotionEntry{drive::MotionAct::SpeedRamp, 2, drive::Source::CommandLine,
         TimePoint(3500ms), TimePoint(3512ms), "500 rpm in 1000 ms", drive::Outcome::Refused,
         "motor is not running", std::nullopt, 1, {Bytes{0x31, 0xAB}}});
-    drive::MotionRecord stop;
+    drive::MotionEntry stop;
     stop.act = drive::MotionAct::Stop;
     stop.stop = drive::StopWord::NotConfirmed;
     bench.tell(stop);
     bench.stop();
-    const auto happenings = support::readRecording(bench.path).all<record::Happening>();
+    const auto happenings = support::readRecording(bench.path).all<recorded::Happening>();
     QCOMPARE(happenings.size(), std::size_t(6));
     const char *actions[] = {"start", "stop motor", "stop ramp", "acknowledge faults"};
     for (std::size_t i = 0; i < 4; ++i)
         QCOMPARE(
             happenings[i].fields[1], std::pair(std::string("action"), std::string(actions[i])));
-    const record::Happening ramp{"motion",
+    const recorded::Happening ramp{"motion",
         {{"act", "SPEED_RAMP"}, {"source", "command line"}, {"asked s", "3.5"}, {"took ms", "12"},
             {"outcome", "refused"}, {"requests", "1"}, {"motor", "2"},
             {"detail", "500 rpm in 1000 ms"}, {"reason", "motor is not running"},
@@ -251,12 +251,12 @@ void TestRecordingLive::theBytesOfTheLineAreThereIfAskedFor()
     bench.session.step(bench.now);
     bench.stop();
     const auto facts = support::readRecording(bench.path);
-    const auto link = facts.all<record::LinkBytes>();
+    const auto link = facts.all<recorded::LinkBytes>();
     QCOMPARE(link.size(), std::size_t(2));
-    QCOMPARE(link[0].direction, record::LinkBytes::Direction::Received);
+    QCOMPARE(link[0].direction, recorded::LinkBytes::Direction::Received);
     QCOMPARE(
         QByteArray(reinterpret_cast<const char *>(link[0].bytes.data()), 6), QByteArray("abcdef"));
-    QCOMPARE(link[1].direction, record::LinkBytes::Direction::Sent);
+    QCOMPARE(link[1].direction, recorded::LinkBytes::Direction::Sent);
     QCOMPARE(bench.board.received.size(), std::size_t(6)); // and the drive heard them all the same
 }
 
@@ -283,9 +283,9 @@ void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()
     QVERIFY(facts.damage.empty());
     QCOMPARE(facts.samples() + last.lost.samples, 1001U * 200U);
     // More than one stretch where the writer was late with its first piece: there was room again behind it.
-    const auto lost = facts.all<record::Lost>();
+    const auto lost = facts.all<recorded::Lost>();
     QCOMPARE(std::accumulate(lost.begin(), lost.end(), std::uint64_t(0),
-                 [](std::uint64_t sum, const record::Lost &one) { return sum + one.samples; }),
+                 [](std::uint64_t sum, const recorded::Lost &one) { return sum + one.samples; }),
         last.lost.samples);
     const auto blocks = facts.all<capture::SampleBlock>();
     QCOMPARE(blocks.back().firstTick, capture::Tick(100'000));
@@ -324,7 +324,7 @@ void TestRecordingLive::whatASlowDiskMissedIsDescribedAgain()
         [](const capture::ChannelInfo &channel) { return channel.name == "C"; });
     QVERIFY(named != channels.end());
     QCOMPARE(facts.capture.size(named->id), capture::Index(100));
-    QCOMPARE(facts.all<record::Lost>().empty(), false);
+    QCOMPARE(facts.all<recorded::Lost>().empty(), false);
 }
 
 void TestRecordingLive::whatIsToldWhileARecordingEndsIsTakenAll()
@@ -373,7 +373,7 @@ void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
     QVERIFY(!bench.session.closed());
     QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
     const auto facts = support::readRecording(bench.path);
-    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+    QCOMPARE(facts.ending->reason, recorded::End::Reason::DiskFull);
     QCOMPARE(facts.samples(), bench.results[0].last.counts.samples);
 }
 
@@ -414,7 +414,7 @@ void TestRecordingLive::aSecondRecordingIsAWholeOne()
     bench.tell(drive::StreamStarted{twoCurrents()});
     bench.tell(hundredTicks(0));
     bench.stop();
-    bench.tell(hundredTicks(100)); // recorded by nobody
+    bench.tell(hundredTicks(100)); // not recorded
     bench.path = bench.folder.filePath(QStringLiteral("second.pcapng"));
     bench.start();
     bench.tell(hundredTicks(200));

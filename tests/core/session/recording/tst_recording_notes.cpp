@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using record::Note;
+using recorded::Note;
 using session::NotesResult;
 using support::contentOf;
 using support::kSecond;
@@ -16,10 +16,10 @@ using support::writeRecording;
 
 namespace {
 
-std::map<record::Nanos, std::string> notesOf(const QString &path)
+std::map<recorded::Nanos, std::string> notesOf(const QString &path)
 {
     capture::Capture capture;
-    std::map<record::Nanos, std::string> notes;
+    std::map<recorded::Nanos, std::string> notes;
     if (const auto report = session::readRecording(path, capture))
         for (const Note &note : report->notes)
             notes[note.from] = note.text;
@@ -59,8 +59,8 @@ private Q_SLOTS:
         QVERIFY(facts.damage.empty());
         QCOMPARE(facts.samples(), 5000U);
         QVERIFY(facts.ending);
-        QCOMPARE(facts.ending->reason, record::End::Reason::Stopped);
-        const std::map<record::Nanos, std::string> notes{
+        QCOMPARE(facts.ending->reason, recorded::End::Reason::Stopped);
+        const std::map<recorded::Nanos, std::string> notes{
             {7, "third"}, {kSecond, "new words"}, {2 * kSecond, "second"}};
         QCOMPARE(notesOf(m_path), notes);
     }
@@ -78,7 +78,7 @@ private Q_SLOTS:
 
     void aNoteThatWasDeletedIsTakenBack()
     {
-        QCOMPARE(whyNotSaved(m_path, m_path, {record::noNote(kSecond)}), QString());
+        QCOMPARE(whyNotSaved(m_path, m_path, {recorded::noNote(kSecond)}), QString());
         QVERIFY(!notesOf(m_path).contains(kSecond));
         QCOMPARE(notesOf(m_path).size(), 1U);
         QCOMPARE(whyNotSaved(m_path, m_path, {{kSecond, kSecond, "again"}}), QString());
@@ -124,7 +124,7 @@ private Q_SLOTS:
         known.now = known.now.addMSecs(1);
         result = session::saveNotes(path, other, {{3, 3, "third"}}, {}, known);
         QCOMPARE(result.why, QString());
-        // What this program wrote itself nobody else is writing.
+        // What this program wrote itself is not being written by another.
         known = result.target;
         QCOMPARE(session::saveNotes(path, path, {{4, 4, "fourth"}}, {}, known).why, QString());
         QCOMPARE(notesOf(path).size(), 4U);
@@ -153,7 +153,7 @@ private Q_SLOTS:
         const QString path = m_folder->filePath(QStringLiteral("live.pcapng"));
         QString text;
         auto recorder = std::make_unique<session::RecordingFile>(
-            session::makeDiskSink(path, text), record::Begin{0, "test", "board"});
+            session::makeDiskSink(path, text), recorded::Begin{0, "test", "board"});
         QVERIFY(recorder->open());
         QVERIFY(recorder->add(kSecond, Note{kSecond, kSecond, "first"}) && recorder->flushAll());
         const QByteArray before = contentOf(path);

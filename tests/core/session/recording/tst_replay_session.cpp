@@ -1,5 +1,5 @@
 // A recording through a session, as if a board were behind it: from the file to the batches, in virtual time.
-#include "record/restore.h"
+#include "recorded/restore.h"
 #include "session/recording/recording_file.h"
 #include "session/recording/replay.h"
 #include "session/transports/recording_transport.h"
@@ -21,7 +21,7 @@ void writeRecording(const QString &path)
     QString text;
     RecordingFile file(makeDiskSink(path, text), {0, "test", "board"});
     file.open();
-    file.add(0, record::Happening{"board", {{"firmware", "FW"}, {"version", "6.4.0"}}});
+    file.add(0, recorded::Happening{"board", {{"firmware", "FW"}, {"version", "6.4.0"}}});
     file.add(0,
         capture::StreamLayout{1, 16000.0, 0.0, 1,
             {{9, "I_A", "A", 0.5, 0.0}, {17, "I_B", "A", 0.5, 0.0}}, {{25, "S", "rpm", 6.0, 0.0}}});
@@ -33,7 +33,7 @@ void writeRecording(const QString &path)
         file.add((tick + 160) * 62'500, std::move(block));
         file.flush((tick + 160) * 62'500);
     }
-    file.add(2'000'000'000, record::Note{2'000'000'000, 2'000'000'000, "look here"});
+    file.add(2'000'000'000, recorded::Note{2'000'000'000, 2'000'000'000, "look here"});
     file.end();
 }
 
@@ -63,7 +63,7 @@ struct Bench {
                 if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
                     capture.append(*block);
                     if (taking)
-                        replay->take(capture::samplesOf(*block));
+                        replay->accept(capture::samplesOf(*block));
                 }
                 events.push_back(event);
             }
@@ -134,7 +134,7 @@ private Q_SLOTS:
         const auto &refused = bench.capture.refused();
         QCOMPARE(refused.backwards + refused.malformed + refused.otherStream, 0U);
         const auto note = std::find_if(bench.entries.begin(), bench.entries.end(),
-            [](const auto &entry) { return std::holds_alternative<record::Note>(entry.entry); });
+            [](const auto &entry) { return std::holds_alternative<recorded::Note>(entry.entry); });
         QVERIFY(note != bench.entries.end());
     }
 
@@ -148,7 +148,7 @@ private Q_SLOTS:
         const std::uint64_t waiting = bench.size();
         QVERIFY2(waiting > 0 && waiting < 40'000, qPrintable(QString::number(waiting)));
         QVERIFY(!bench.state->ended);
-        bench.replay->take(10'000'000);
+        bench.replay->accept(10'000'000);
         bench.runFor(1s);
         QCOMPARE(bench.size(), std::uint64_t(kTicks));
     }
@@ -182,11 +182,11 @@ private Q_SLOTS:
         endpoint.path = m_path;
         QVERIFY(isReplay(endpoint));
         const Parts parts = realParts();
-        QVERIFY(dynamic_cast<record::ReplayDrive *>(parts.drive(endpoint).get()));
+        QVERIFY(dynamic_cast<recorded::ReplayDrive *>(parts.drive(endpoint).get()));
         QVERIFY(qobject_cast<RecordingTransport *>(parts.transport(endpoint).get()));
         endpoint.kind = Endpoint::Kind::Serial;
         QVERIFY(!isReplay(endpoint));
-        QVERIFY(!dynamic_cast<record::ReplayDrive *>(parts.drive(endpoint).get()));
+        QVERIFY(!dynamic_cast<recorded::ReplayDrive *>(parts.drive(endpoint).get()));
     }
 
 private:

@@ -168,7 +168,7 @@ void TestSerialTransport::whatNobodyWaitsForIsToldTogether()
     device.write(Bytes{4});
     turn();
     QCOMPARE(port.heard.size(), 3);
-    port.transport.gather(0ms, now); // now somebody does
+    port.transport.gather(0ms, now); // now it is read
     QTRY_COMPARE(port.heard.size(), 4);
     QCOMPARE(port.failures, 0);
 }
@@ -194,7 +194,7 @@ void TestSerialTransport::aSecondOpenIsRefusedAlsoByAnotherName()
     QCOMPARE(Port(alias).open(), PortProblem::None);
 }
 
-/// The system lets root pass where others are held; the lock does not. Whoever is not root is only refused once more here.
+/// The system lets root pass where others are held; the lock does not. Without root this is only one more refusal.
 void TestSerialTransport::rootIsRefusedToo()
 {
     constexpr uid_t kNobody = 65534;
@@ -233,7 +233,7 @@ void TestSerialTransport::whatALineDidNotTakeCanBeDropped()
     support::PseudoTerminal terminal;
     Port port(terminal.path());
     QCOMPARE(port.transport.open({}).problem, PortProblem::None);
-    // Nobody reads: the line takes a part, and the rest waits.
+    // The other end does not read: the line takes a part, and the rest waits.
     const Bytes start(std::size_t{256} * 1024, 0xAA);
     port.transport.write(start, {});
     QVERIFY(!port.transport.sent({}));

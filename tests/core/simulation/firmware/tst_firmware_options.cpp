@@ -1,4 +1,5 @@
-// What a build may have besides: flux weakening, feed-forward, the other observer, torque mode; and other control rates.
+// What a build may have besides: flux weakening, feed-forward, the other observer, torque mode; and other control
+// rates.
 #include "support/axis_bench.h"
 
 #include <QTest>
@@ -203,7 +204,7 @@ void TestFirmwareOptions::writtenThresholdsAndGainsActAtOnce()
     AxisBench bench;
     QVERIFY(bench.runs());
     bench.ms(1000);
-    bench.firmware.tuning().speedKp = bench.firmware.tuning().speedKi = 0; // nobody drives it
+    bench.firmware.tuning().speedKp = bench.firmware.tuning().speedKi = 0; // not driven
     bench.ms(600);
     QVERIFY(bench.speed_rpm() < 600.0);
     AxisBench other;

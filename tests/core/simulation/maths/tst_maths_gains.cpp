@@ -123,8 +123,8 @@ void TestMathsGains::theSpeedLoopHasTheGainsOfTheSymmetricalOptimum()
 void TestMathsGains::thePllHasTheFrequencyAskedFor()
 {
     const Pi::Gains gains = pllGains(960.0, 0.85, 27300.0, 16000.0);
-    const double perRadian =
-        27300.0 * 2.0 * std::numbers::pi / 65536.0; // digits out a digit of angle
+    // Digits out a digit of angle.
+    const double perRadian = 27300.0 * 2.0 * std::numbers::pi / 65536.0;
     const double ki = std::ldexp(gains.ki, -gains.kiShift) * perRadian;
     QVERIFY(within(std::sqrt(ki) * 16000.0, 960.0, 0.02));
     const double kp = std::ldexp(gains.kp, -gains.kpShift) * perRadian;

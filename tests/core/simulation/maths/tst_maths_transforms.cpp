@@ -226,8 +226,8 @@ void TestMathsTransforms::modulationPutsTheVoltageOnThePhases()
 
 void TestMathsTransforms::modulationReachesTheHexagonAndCutsBeyond()
 {
-    const Compare tip =
-        modulate({0, -32767}, 5312); // between two corners: the whole bus between B and C
+    // Between two corners: the whole bus between B and C.
+    const Compare tip = modulate({0, -32767}, 5312);
     QVERIFY(tip.b >= 5311 && tip.c <= 1);
     const Compare past = modulate({-32768, -32768}, 65535);
     QCOMPARE(past.a, std::uint16_t{0});

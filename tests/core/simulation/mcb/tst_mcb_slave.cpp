@@ -416,7 +416,7 @@ void TestMcbSlave::anUnfinishedFrameIsDropped()
     QVERIFY(stream.nextWake() == TimePoint::max());
     stream.receive(request, now);
     QVERIFY(stream.takeOutput() == encodeFrame({}));
-    // Also when nobody called in time.
+    // Also when it was not called in time.
     stream.receive(ByteView(request).first(11), now);
     now += std::chrono::seconds(1);
     stream.receive(encodeFrame({}), now);

@@ -71,8 +71,8 @@ void TestDatalogRecorder::theStopSendsWhatThereIsWithoutMfValues()
     QCOMPARE(bench.ask(bench.datalog(2048, 9, {kIa}, 254, {kIb}, 1)), Bytes{0});
     bench.sendRequest(bench.datalog(0, 0, {}, 255, {}, 0));
     const auto packets = bench.packets(100ms);
-    QCOMPARE(
-        packets.size(), std::size_t{2}); // the flushed packet, the response; silence after that
+    // The flushed packet, the response; silence after that.
+    QCOMPARE(packets.size(), std::size_t{2});
     QVERIFY(packets[0].payload.size() < 100);
     QCOMPARE(packets[0].payload.size() % 2, std::size_t{0});
     QVERIFY(std::get<aspep::Data>(packets[1].header).response);
@@ -240,8 +240,8 @@ void TestDatalogRecorder::anHsoBuildKeepsTheSignalBeforeAnUnknownOne()
             ByteReader reader(packet.payload);
             reader.u32();
             const auto first = reader.s16(), second = reader.s16();
-            QCOMPARE(
-                second, hso ? first : std::int16_t{0}); // the angle is still in the second slot
+            // The angle is still in the second slot.
+            QCOMPARE(second, hso ? first : std::int16_t{0});
             turned = turned || first != 0;
         }
         QVERIFY(turned);

@@ -173,8 +173,8 @@ private:
         }
     }
 
-    /// Answers carry no number and payloads no check word. Known is when an answer began, how long it is, which size the
-    /// board's structures have, and what stands right behind it; what passes all that is believed.
+    /// Answers carry no number and payloads no check word. Known is when an answer began, how long it is, which size
+    /// the board's structures have, and what stands right behind it; what passes all that is believed.
     bool cannotBeSeen(const Reading &reading) const
     {
         const bool anotherText = std::holds_alternative<std::string>(reading.value);
@@ -231,7 +231,7 @@ private:
         return !std::equal(column(one), column(one + 1), column(other));
     }
 
-    /// Nobody waits more than five seconds to learn whether there is a link.
+    /// Whether there is a link is known after five seconds at most.
     void judgeTime()
     {
         if (m_since && m_pair.now - *m_since > 5s)
@@ -339,7 +339,8 @@ void TestLiars::noLieMisleadsTheDrive()
     QVERIFY2(wrong.empty(), wrong.c_str());
 }
 
-/// By the packet behind them, and by the size that the structure had before; or nobody can, and the firmware is unknown.
+/// By the packet behind them, and by the size that the structure had before; or not at all, and the firmware is
+/// unknown.
 void TestLiars::answersThatBelongElsewhereAreFoundOut()
 {
     for (const auto &[lie, seed] : {std::pair(Lie::ResetsInAnswer, 98),

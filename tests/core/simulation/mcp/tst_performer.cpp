@@ -179,8 +179,8 @@ void TestPerformer::afterAnErrorOneBurstIsSwallowed()
     QCOMPARE(bench.packets(3ms).size(), std::size_t{0});
     bench.board->receive(badCrc, bench.now);
     QCOMPARE(only(bench.packets(3ms)), aspep::Header{aspep::Nack{4}});
-    bench.sendRequest(
-        getRequest({0x0049})); // its header is swallowed, its payload is taken for a header
+    // Its header is swallowed, its payload is taken for a header.
+    bench.sendRequest(getRequest({0x0049}));
     QCOMPARE(only(bench.packets(5ms)), aspep::Header{aspep::Nack{4}});
 }
 

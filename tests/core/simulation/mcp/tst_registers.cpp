@@ -194,7 +194,7 @@ Status expectedWrite(const Listed &reg, bool exists, const Build &build, std::ui
         return reg.name == "CONTROL_MODE" && six(build) && !build.openLoopDebug
             ? Status::UnknownRegister
             : Status::Ok;
-    if (reg.name == "FOC_VDREF") // listed as readable because nobody should write it
+    if (reg.name == "FOC_VDREF") // listed as readable: not meant to be written
         return Status::Ok;
     const bool unknown = reg.name == "SCALE_CONFIG" || reg.says("SET is UNKNOWN_REG")
         || reg.says("SET is answered UNKNOWN_REG");
@@ -335,7 +335,7 @@ void TestRegisters::everyRegisterAnswersAsListed()
         QVERIFY2(answer == Bytes{static_cast<std::uint8_t>(write)},
             wrong(reg, "SET", write, answer).c_str());
 
-        // With the other scope it is nobody's, but for those that answer in both.
+        // With the other scope it is unknown, but for those that answer in both.
         const bool both = reg.says("DAC") || (build.hso() && board);
         if (sdk < 0x060200 || both)
             continue;

@@ -43,7 +43,7 @@ QByteArray hex(ByteView bytes)
         .toHex();
 }
 
-/// One thing the Controller or a person did, and what came back before the next.
+/// One thing the Controller or the user did, and what came back before the next.
 struct Segment {
     const TranscriptRow *action = nullptr;
     std::vector<const TranscriptRow *> rows;

@@ -58,8 +58,8 @@ void TestServer::anUnknownTypeOrMotorEndsAList()
     QCOMPARE(bench.ask(getWriter().u16(0x0049).u16(0x004A).u16(0x0049).take()), (Bytes{0, 1}));
     QCOMPARE(bench.ask(set().u16(0x0091).u16(100).u16(0x0092).u16(200).u16(0x00D1).u16(300).take()),
         (Bytes{0, 1}));
-    QCOMPARE(
-        bench.ask(getWriter().u16(0x0091).take()), (Bytes{100, 0, 0})); // written before it failed
+    // Written before it failed.
+    QCOMPARE(bench.ask(getWriter().u16(0x0091).take()), (Bytes{100, 0, 0}));
 }
 
 void TestServer::aMotorsRegisterIsUnknownWithoutItsMotor()

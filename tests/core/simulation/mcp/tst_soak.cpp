@@ -74,7 +74,7 @@ public:
             && m_session.outcome(wish) == Outcome::Ok;
     }
 
-    void forget() // what a test keeps, and nobody else does
+    void forget() // what a test alone keeps
     {
         m_session.events.clear();
         m_session.ended.clear();

@@ -1,4 +1,4 @@
-// The presets: what issue and users expect of each, and that figures nobody could build are found.
+// The presets: what issue and users expect of each, and that impossible figures are found.
 #include "simulation/plant/plant.h"
 #include "simulation/plant/presets.h"
 

@@ -1,0 +1,232 @@
+#include "drive/motion_entry.h"
+
+#include "base/text.h"
+#include "catalog/catalog.h"
+#include "drive/event.h"
+#include "drive/values.h"
+
+#include <charconv>
+
+namespace drive {
+
+namespace {
+
+std::string hex(const std::vector<Bytes> &requests, std::size_t all)
+{
+    std::string text;
+    for (const Bytes &request : requests)
+        text += (text.empty() ? "" : " | ") + hexOf(request, " ");
+    if (all > requests.size())
+        text += " | and " + std::to_string(all - requests.size()) + " more";
+    return text;
+}
+
+/// A cell that a spreadsheet takes as text: quoted where it must be, never a formula.
+std::string cell(std::string_view text)
+{
+    std::string safe;
+    if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
+        safe.push_back('\'');
+    for (const char c : text)
+        safe.push_back(static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
+    if (safe.find_first_of(",\"") == std::string::npos)
+        return safe;
+    std::string quoted = "\"";
+    for (const char c : safe) {
+        if (c == '"')
+            quoted.push_back('"');
+        quoted.push_back(c);
+    }
+    return quoted + '"';
+}
+
+std::string milliseconds(Duration time)
+{
+    char text[32];
+    const double value = std::chrono::duration<double, std::milli>(time).count();
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr};
+}
+
+constexpr std::size_t kMostNamed = 8; ///< registers in the detail of a write
+
+std::string inTime(std::chrono::milliseconds duration)
+{
+    return " in " + std::to_string(duration.count()) + " ms";
+}
+
+std::string limitText(double limit, const char *unit)
+{
+    return limit > 0.0 ? shortNumber(limit) + unit : std::string("none");
+}
+
+std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &write)
+{
+    if (const auto *bytes = std::get_if<Bytes>(&write.value))
+        return "0x" + hexOf(*bytes);
+    const auto value = asNumber(write.value);
+    if (!value)
+        return "?";
+    const catalog::Scale scale = catalog.readScale(write.id);
+    return shortNumber(*value * scale.factor) + (scale.unit.empty() ? "" : " " + scale.unit);
+}
+
+struct Begin {
+    const catalog::Catalog &catalog;
+    MotionEntry record;
+
+    bool begin(MotionAct act, int motor, std::string detail = {})
+    {
+        record.act = act;
+        record.motor = motor;
+        record.detail = std::move(detail);
+        return true;
+    }
+
+    bool operator()(const Command &command)
+    {
+        switch (command.action) {
+        case MotorAction::Start:
+            return begin(MotionAct::Start, command.motor);
+        case MotorAction::StopMotor:
+            return begin(MotionAct::StopMotor, command.motor);
+        case MotorAction::StopRamp:
+            return begin(MotionAct::StopRamp, command.motor);
+        case MotorAction::AcknowledgeFaults:
+            break;
+        }
+        return begin(MotionAct::AcknowledgeFaults, command.motor);
+    }
+    bool operator()(const SpeedRamp &ramp)
+    {
+        return begin(MotionAct::SpeedRamp, ramp.motor,
+            std::to_string(ramp.rpm) + " rpm" + inTime(ramp.duration));
+    }
+    bool operator()(const TorqueRamp &ramp)
+    {
+        return begin(MotionAct::TorqueRamp, ramp.motor,
+            shortNumber(ramp.amps) + " A" + inTime(ramp.duration));
+    }
+    bool operator()(const CurrentReference &reference)
+    {
+        return begin(MotionAct::CurrentReference, reference.motor,
+            "Iq " + shortNumber(reference.iqAmps) + " A, Id " + shortNumber(reference.idAmps)
+                + " A");
+    }
+    bool operator()(const PositionRamp &ramp)
+    {
+        return begin(MotionAct::PositionRamp, ramp.motor,
+            shortNumber(ramp.radians) + " rad" + inTime(ramp.duration));
+    }
+    bool operator()(const UserLimits &limits)
+    {
+        return begin(MotionAct::Limits, 0,
+            limitText(limits.maxSpeedRpm, " rpm") + ", " + limitText(limits.maxCurrentAmps, " A"));
+    }
+    bool operator()(const ExpertMode &expert) { return begin(MotionAct::Expert, expert.motor); }
+    bool operator()(const CurrentScale &scale)
+    {
+        return begin(MotionAct::CurrentScale, scale.motor, limitText(scale.fullScaleAmps, " A"));
+    }
+    bool operator()(const Write &write)
+    {
+        record.act = MotionAct::Write;
+        std::size_t named = 0;
+        for (const RegisterWrite &one : write.writes) {
+            const auto *info = catalog.find(one.id);
+            if (info == nullptr || (!info->dangerous && info->setPoint == catalog::SetPoint::None))
+                continue;
+            if (++named > kMostNamed)
+                continue;
+            if (named == 1 && info->perMotor)
+                record.motor = catalog.motorOf(one.id);
+            record.detail +=
+                (named > 1 ? "; " : "") + catalog.nameOf(one.id) + " = " + valueText(catalog, one);
+        }
+        if (named > kMostNamed)
+            record.detail += "; and " + std::to_string(named - kMostNamed) + " more";
+        return named > 0;
+    }
+    bool operator()(const Read &) { return false; }
+    bool operator()(const Stream &) { return false; }
+    bool operator()(const CyclicSetPoints &) { return false; }
+    bool operator()(const Watch &) { return false; }
+};
+
+} // namespace
+
+std::optional<MotionEntry> motionOf(
+    const Wish &wish, const catalog::Catalog &catalog, TimePoint now)
+{
+    Begin begin{catalog, {}};
+    begin.record.asked = begin.record.ended = now;
+    begin.record.source = wish.source;
+    if (!std::visit(begin, wish.what))
+        return std::nullopt;
+    return std::move(begin.record);
+}
+
+void noteSent(MotionEntry &record, ByteView request)
+{
+    ++record.requests;
+    if (record.sent.size() < MotionEntry::kMostSent)
+        record.sent.emplace_back(request.begin(), request.end());
+}
+
+std::string_view wordOf(MotionAct act)
+{
+    using enum MotionAct;
+    static constexpr Word<MotionAct> kWords[] = {{"ARM", Arm}, {"DISARM", Disarm},
+        {"LIMITS", Limits}, {"EXPERT_MODE", Expert}, {"CURRENT_SCALE", CurrentScale},
+        {"START", Start}, {"STOP", Stop}, {"STOP_MOTOR", StopMotor}, {"STOP_RAMP", StopRamp},
+        {"FAULT_ACK", AcknowledgeFaults}, {"SPEED_RAMP", SpeedRamp}, {"TORQUE_RAMP", TorqueRamp},
+        {"CURRENT_REFERENCE", CurrentReference}, {"POSITION_RAMP", PositionRamp}, {"WRITE", Write}};
+    return wordFor(kWords, act);
+}
+
+std::string_view wordOf(Source source)
+{
+    static constexpr Word<Source> kWords[] = {{"person", Source::Person},
+        {"command line", Source::CommandLine}, {"script", Source::Script}};
+    return wordFor(kWords, source);
+}
+
+std::string_view wordOf(Outcome outcome)
+{
+    static constexpr Word<Outcome> kWords[] = {{"ok", Outcome::Ok}, {"refused", Outcome::Refused},
+        {"not sent", Outcome::NotSent}, {"unknown", Outcome::Unknown}};
+    return wordFor(kWords, outcome);
+}
+
+std::string_view wordOf(StopWord word)
+{
+    using enum StopWord;
+    static constexpr Word<StopWord> kWords[] = {{"requested", Requested}, {"accepted", Accepted},
+        {"drive idle", DriveIdle}, {"standstill measured", Standstill},
+        {"speed not measurable", MayCoast}, {"NOT confirmed", NotConfirmed}};
+    return wordFor(kWords, word);
+}
+
+std::string motionLogHeading()
+{
+    return "number,time,who,source,motor,command,detail,outcome,reason,took [ms],bytes";
+}
+
+std::string motionLogLine(
+    const MotionEntry &record, std::size_t number, std::string_view time, std::string_view who)
+{
+    std::string line = std::to_string(number);
+    const auto add = [&line](std::string_view text) { line += ',' + cell(text); };
+    add(time);
+    add(who);
+    add(wordOf(record.source));
+    add(record.motor > 0 ? std::to_string(record.motor) : std::string());
+    add(wordOf(record.act));
+    add(record.detail);
+    add(record.stop ? wordOf(*record.stop) : wordOf(record.outcome));
+    add(record.reason);
+    add(milliseconds(record.ended - record.asked));
+    add(hex(record.sent, record.requests));
+    return line;
+}
+
+} // namespace drive

@@ -1,0 +1,20 @@
+// What is wrong with a CSV file, and why an export wrote none: once, for the window and the command line. English; the
+// window translates its pieces, in the context "FileProblem".
+#pragma once
+
+#include "capture/csv_import.h"
+#include "session/files/export_formats.h"
+
+namespace session {
+
+/// A piece of these texts, in the language of who reads it.
+using FileProblemWords = QString (*)(const char *english);
+inline QString englishWords(const char *english) { return QString::fromUtf8(english); }
+
+/// Where, and what: `line 3, column 2: "x" is no number`.
+QString csvProblemText(const capture::CsvError &error, FileProblemWords wordsOf = englishWords);
+/// A sentence that says what to do; empty if there is no problem.
+QString exportProblemText(
+    ExportProblem problem, const ExportFormat &format, FileProblemWords wordsOf = englishWords);
+
+} // namespace session
