@@ -6915,6 +6915,104 @@
     </message>
 </context>
 <context>
+    <name>widgets::RecordPanel</name>
+    <message>
+        <source>Records of the trigger</source>
+        <translation>Aufnahmen des Triggers</translation>
+    </message>
+    <message>
+        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
+        <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>&amp;Persistence</source>
+        <translation>Nach&amp;leuchten</translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
+        <translation>Behält die Kurven des Bildes gestrichelt und blasser hinter denen, die kommen (%1)</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation>Als &amp;Referenz A behalten</translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation>Als Re&amp;ferenz B behalten</translation>
+    </message>
+    <message>
+        <source>Dr&amp;op B</source>
+        <translation>B verwerfe&amp;n</translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
+        <translation>So viele frühere Aufnahmen bleiben blasser hinter der neuesten, solange der Trigger derselbe ist</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>L&amp;eeren</translation>
+    </message>
+    <message>
+        <source>Clear the persistence</source>
+        <translation>Nachleuchten leeren</translation>
+    </message>
+    <message>
+        <source>Takes the earlier records out of the picture; those to come stay again</source>
+        <translation>Nimmt die früheren Aufnahmen aus dem Bild; die nächsten bleiben wieder stehen</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Drop &amp;A</source>
+        <translation>A &amp;verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordTable</name>
+    <message>
+        <source>samples are gone</source>
+        <translation>Messwerte sind fort</translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>erzwungen</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Pinned, trigger time</source>
+        <translation>Behalten, Triggerzeit</translation>
+    </message>
+</context>
+<context>
     <name>widgets::RecordingControl</name>
     <message>
         <source>With the bytes of the &amp;line</source>
@@ -7029,104 +7127,6 @@
         <source>End</source>
         <comment>the recording</comment>
         <translation>Ende</translation>
-    </message>
-</context>
-<context>
-    <name>widgets::RecordPanel</name>
-    <message>
-        <source>Records of the trigger</source>
-        <translation>Aufnahmen des Triggers</translation>
-    </message>
-    <message>
-        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
-        <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
-        <source>&amp;Persistence</source>
-        <translation>Nach&amp;leuchten</translation>
-    </message>
-    <message>
-        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
-        <translation>Behält die Kurven des Bildes gestrichelt und blasser hinter denen, die kommen (%1)</translation>
-    </message>
-    <message>
-        <source>Keep as &amp;reference A</source>
-        <translation>Als &amp;Referenz A behalten</translation>
-    </message>
-    <message>
-        <source>Keep as reference &amp;B</source>
-        <translation>Als Re&amp;ferenz B behalten</translation>
-    </message>
-    <message>
-        <source>Dr&amp;op B</source>
-        <translation>B verwerfe&amp;n</translation>
-    </message>
-    <message>
-        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
-        <translation>So viele frühere Aufnahmen bleiben blasser hinter der neuesten, solange der Trigger derselbe ist</translation>
-    </message>
-    <message>
-        <source>C&amp;lear</source>
-        <translation>L&amp;eeren</translation>
-    </message>
-    <message>
-        <source>Clear the persistence</source>
-        <translation>Nachleuchten leeren</translation>
-    </message>
-    <message>
-        <source>Takes the earlier records out of the picture; those to come stay again</source>
-        <translation>Nimmt die früheren Aufnahmen aus dem Bild; die nächsten bleiben wieder stehen</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>Drop &amp;A</source>
-        <translation>A &amp;verwerfen</translation>
-    </message>
-</context>
-<context>
-    <name>widgets::RecordTable</name>
-    <message>
-        <source>samples are gone</source>
-        <translation>Messwerte sind fort</translation>
-    </message>
-    <message>
-        <source>trigger</source>
-        <translation>Trigger</translation>
-    </message>
-    <message>
-        <source>event</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>forced</source>
-        <translation>erzwungen</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
-        <source>Age</source>
-        <translation>Alter</translation>
-    </message>
-    <message>
-        <source>Cause</source>
-        <translation>Ursache</translation>
-    </message>
-    <message>
-        <source>Label</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Pinned, trigger time</source>
-        <translation>Behalten, Triggerzeit</translation>
     </message>
 </context>
 <context>

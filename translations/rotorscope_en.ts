@@ -6914,6 +6914,104 @@
     </message>
 </context>
 <context>
+    <name>widgets::RecordPanel</name>
+    <message>
+        <source>Records of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Persistence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dr&amp;op B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the persistence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the earlier records out of the picture; those to come stay again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop &amp;A</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordTable</name>
+    <message>
+        <source>samples are gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinned, trigger time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::RecordingControl</name>
     <message>
         <source>With the bytes of the &amp;line</source>
@@ -7027,104 +7125,6 @@
     <message>
         <source>End</source>
         <comment>the recording</comment>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>widgets::RecordPanel</name>
-    <message>
-        <source>Records of the trigger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Persistence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep as &amp;reference A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep as reference &amp;B</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dr&amp;op B</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>C&amp;lear</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clear the persistence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Takes the earlier records out of the picture; those to come stay again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drop &amp;A</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>widgets::RecordTable</name>
-    <message>
-        <source>samples are gone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>trigger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>event</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>forced</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Age</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Label</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pinned, trigger time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
