@@ -72,6 +72,7 @@ struct MotorLimits {
     double nominalCurrentAmps = 0.0;
     double polePairs = 0.0;
     double torquePerAmp = 0.0; ///< N m for each A of Iq
+    double saliency_h = 0.0; ///< Lq less Ld, where it is more and both are told
     double speedStepRpm = 1.0; ///< what a set-point of speed resolves, or what people ask for
     /// The greatest speed that the protocol holds.
     double wireRpm = std::numeric_limits<double>::infinity();

@@ -58,6 +58,8 @@ public:
         /// then.
         std::optional<double> rpm, amps;
         bool answered = true; ///< what was asked for last
+        /// How far the bus has gone from what it was to its bound, by a reading since that answer.
+        std::optional<double> busRise = {};
     };
 
     Course() = default;

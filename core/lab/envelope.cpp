@@ -142,6 +142,7 @@ std::optional<std::string> Envelope::reading(
     const double value = *number * catalog.readScale(reading.id).factor;
     if (reading.id == m_watched.bus) {
         m_busRead = now;
+        m_bus_v = value;
         if (m_caps.mostBus_v > 0.0 && value > m_caps.mostBus_v)
             return broken("a bus voltage", value, m_caps.mostBus_v, "V");
         if (m_caps.leastBus_v > 0.0 && value < m_caps.leastBus_v)

@@ -52,6 +52,11 @@ public:
 
     std::optional<double> rpm() const { return m_rpm; } ///< the newest
     std::optional<double> amps() const { return m_amps; } ///< over the newest packet
+    /// The newest reading of the bus, if it came later than this.
+    std::optional<double> busSince(TimePoint when) const
+    {
+        return m_bus_v && m_busRead > when ? m_bus_v : std::nullopt;
+    }
 
 private:
     std::optional<std::string> samples(const capture::SampleBlock &block);
@@ -71,7 +76,7 @@ private:
     capture::StreamId m_stream = 0;
     std::optional<Column> m_speed, m_current, m_currentD, m_angle;
     double m_sampleHz = 0.0;
-    std::optional<double> m_rpm, m_amps;
+    std::optional<double> m_rpm, m_amps, m_bus_v;
     TimePoint m_heard{}, m_busRead{}, m_temperatureRead{};
 };
 

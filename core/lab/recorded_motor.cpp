@@ -31,6 +31,7 @@ void eachField(Motor &motor, Field &&field)
     field("pole pairs", motor.polePairs);
     field("nominal A", motor.nominalAmps);
     field("torque Nm per A", motor.torquePerAmp);
+    field("Lq less Ld H", motor.saliency_h);
     field("speed step rpm", motor.speedStepRpm);
 }
 
@@ -43,6 +44,7 @@ void putMotor(recorded::Happening &into, const Subject &subject)
     motor.polePairs = subject.limits.polePairs;
     motor.nominalAmps = subject.limits.nominalCurrentAmps;
     motor.torquePerAmp = subject.limits.torquePerAmp;
+    motor.saliency_h = subject.limits.saliency_h;
     motor.speedStepRpm = subject.limits.speedStepRpm;
     eachField(motor, PutFields(into));
     for (const Signal &signal : kSignals)

@@ -16,6 +16,7 @@ struct RecordedMotor {
     double polePairs = 0.0;
     double nominalAmps = 0.0; ///< peak
     double torquePerAmp = 0.0; ///< Nm
+    double saliency_h = 0.0; ///< Lq less Ld
     double speedStepRpm = 0.0;
 };
 

@@ -185,6 +185,7 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
         return again(now); // this computer or the line stood still, and nothing has left
     m_tries = 0;
     m_answered = ended.outcome == drive::Outcome::Ok;
+    m_answeredAt = now;
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
     if (m_asked_rpm && mayHaveHappened)
         m_target_rpm = *m_asked_rpm;
@@ -417,19 +418,33 @@ drive::Watch Runner::watch() const
     return watch;
 }
 
+/// What the bus may have been: boards cut 23.99 V down to 23.
+double Runner::mostBefore_v() const
+{
+    const drive::RegisterId bus = m_experiment.subject.registers.bus;
+    return *m_before_v + m_experiment.subject.catalog->readScale(bus).factor;
+}
+
 /// From the first command to the last.
 Caps Runner::caps() const
 {
     Caps caps = capsOf(m_experiment, m_ran ? m_before_rpm : 0.0);
     if (m_before_v) {
-        const drive::RegisterId bus = m_experiment.subject.registers.bus;
-        const double digit_v = m_experiment.subject.catalog->readScale(bus).factor;
         caps.leastBus_v = *m_before_v * kBusSag;
-        caps.mostBus_v = (*m_before_v + digit_v) * kBusRise; // boards cut 23.99 V down to 23
+        caps.mostBus_v = mostBefore_v() * kBusRise;
     }
     if (shown(m_experiment.subject.registers.temperature).value_or(kHottest_c) < kHottest_c)
         caps.mostTemperature_c = kHottest_c;
     return caps;
+}
+
+/// By what was read since the last answer: what was asked for before has no part in it any more.
+std::optional<double> Runner::busRise() const
+{
+    const auto now_v = m_envelope.busSince(m_answeredAt);
+    if (!m_before_v || !now_v)
+        return std::nullopt;
+    return (*now_v / mostBefore_v() - 1.0) / (kBusRise - 1.0);
 }
 
 /// How a board aligns its rotor and brings it up is its own matter.
@@ -523,7 +538,7 @@ void Runner::work(TimePoint now)
 {
     const auto amps =
         m_swings ? std::optional(m_ampSum / std::max(1, m_ampCount)) : m_envelope.amps();
-    if (auto what = m_course->next({now, m_envelope.rpm(), amps, m_answered})) {
+    if (auto what = m_course->next({now, m_envelope.rpm(), amps, m_answered, busRise()})) {
         m_until = now + kAnswerWithin;
         const auto *to = std::get_if<drive::SpeedRamp>(&*what);
         const double rpm = m_envelope.rpm().value_or(0.0);

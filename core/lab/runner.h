@@ -107,6 +107,8 @@ private:
     Caps caps() const;
     Caps startCaps() const;
     Caps courseCaps() const;
+    std::optional<double> busRise() const;
+    double mostBefore_v() const;
     milliseconds wayTo(double rpm) const;
     double tolerated() const;
     drive::Stream stream() const;
@@ -130,6 +132,7 @@ private:
     drive::WishId m_lastWish = kFirstWish;
     drive::WishId m_waiting = 0; ///< what the phase waits for; 0: it has ended
     bool m_answered = false; ///< with ok
+    TimePoint m_answeredAt{}; ///< the last, however it ended
     bool m_commanded = false; ///< something left that may move the motor
     std::map<drive::RegisterId, catalog::Value> m_values; ///< the newest
     std::optional<drive::MotorStatus> m_status;

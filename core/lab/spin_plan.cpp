@@ -29,9 +29,11 @@ constexpr double kWay_s = 0.25, kSlowWay_s = 0.4;
 constexpr milliseconds kLength = 8s, kSlowLength = 16s;
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
-/// To either side, of what accelerates, or of what is left while it coasts. Far jumps tell Lq best, but Hall sensors
-/// lag behind them, and with them an observer's angle moves.
-constexpr double kJump = 0.5, kEncoderJump = 0.9;
+constexpr double kLifts = 0.1; ///< the bus: of the way to its bound
+constexpr Duration kFalls = 100ms; ///< once nothing comes back to it any more
+/// To either side, of what accelerates, or of what is left while it coasts. Far jumps tell Lq best. An observer's angle
+/// moves with them, which costs Ld less than they gain; Hall sensors lag behind them.
+constexpr double kJump = 0.9, kHallJump = 0.5;
 /// What held the first speed may have been measured badly: if too much of it is left, the motor goes on to accelerate.
 constexpr Duration kLook = 20ms;
 constexpr int kLooks = SpinPlan::kListen / kLook;
@@ -47,10 +49,12 @@ public:
         , m_sign(plan.highRpm < 0 ? -1.0 : 1.0)
         , m_nominal(subject.limits.nominalCurrentAmps)
         , m_draw(plan.seed)
-        , m_jump(byEncoder(subject.nameOf(subject.registers.angle)) ? kEncoderJump : kJump)
+        , m_jump(byHall(subject.nameOf(subject.registers.angle)) ? kHallJump : kJump)
         , m_way_s(plan.fluxAmps > 0.0 || byHall(subject.nameOf(subject.registers.angle))
                   ? kWay_s
                   : kSlowWay_s)
+        , m_leastAlong(-plan.fluxAmps)
+        , m_mostAlong(plan.fluxAmps)
     {
         if (plan.caps.maxCurrentAmps > 0.0)
             m_nominal = std::min(m_nominal, plan.caps.maxCurrentAmps);
@@ -79,7 +83,7 @@ public:
         m_calm = false;
         const bool runsAway = !m_pushing && moment.now - m_turned >= kNoticed && strays;
         if (!there && !runsAway && moment.now - m_turned < kPatience)
-            return m_plan.fluxAmps > 0.0 && moment.now - m_shaken >= kShake
+            return m_plan.fluxAmps > 0.0 && (brakes(moment) || moment.now - m_shaken >= kShake)
                 ? std::optional(shake(moment.now))
                 : std::nullopt;
         const double change = there ? std::min(kMostGrowth, took_s / m_way_s) : kMostGrowth;
@@ -120,12 +124,30 @@ private:
         return shake(now);
     }
 
+    /// A current along the magnets brakes to one side where an encoder stands aside, and what comes back lifts the bus:
+    /// from then on it flows to the other side. What is only as high as before is not being lifted.
+    bool brakes(const Moment &moment)
+    {
+        if (!moment.busRise)
+            return false;
+        const bool settled = moment.now - m_flipped >= kFalls;
+        const double before = m_busRise;
+        m_busRise = settled ? *moment.busRise : std::max(before, *moment.busRise);
+        if (!settled || m_along == 0.0 || *moment.busRise <= std::max(kLifts, before))
+            return false;
+        m_flipped = moment.now;
+        m_leastAlong = m_along < 0.0 ? 0.0 : -m_plan.fluxAmps;
+        m_mostAlong = m_along < 0.0 ? m_plan.fluxAmps : 0.0;
+        return true;
+    }
+
     /// Nothing along the magnets, which is a torque where an encoder stands aside, and no jump.
     std::optional<Ask> calm(TimePoint now)
     {
         if (std::exchange(m_calm, true))
             return std::nullopt;
         m_shaken = now;
+        m_along = 0.0;
         const double amps = m_pushing ? std::min(m_hold + m_push, kMostPush * m_nominal)
                                       : m_hold * (1.0 - kMostDrop);
         return drive::CurrentReference{m_motor, m_sign * amps, 0.0};
@@ -137,10 +159,10 @@ private:
         m_shaken = now;
         m_above = !m_above;
         const double jump = m_jump * std::abs(m_mean - m_hold * (m_pushing ? 1.0 : 0.0));
-        const double along = m_draw.between(-m_plan.fluxAmps, m_plan.fluxAmps);
-        const double most = std::sqrt(std::max(0.0, m_nominal * m_nominal - along * along));
+        m_along = m_draw.between(m_leastAlong, m_mostAlong);
+        const double most = std::sqrt(std::max(0.0, m_nominal * m_nominal - m_along * m_along));
         return drive::CurrentReference{
-            m_motor, m_sign * std::min(most, m_mean + (m_above ? jump : -jump)), along};
+            m_motor, m_sign * std::min(most, m_mean + (m_above ? jump : -jump)), m_along};
     }
 
     SpinPlan m_plan;
@@ -157,7 +179,10 @@ private:
     double m_drop = kFirstDrop; ///< share of it that is taken away
     std::optional<TimePoint> m_began;
     double m_mean = 0.0; ///< A, of this way
-    TimePoint m_turned{}, m_shaken{}, m_due{};
+    double m_leastAlong, m_mostAlong; ///< A along the magnets, to either side or to one
+    double m_along = 0.0;
+    double m_busRise = 0.0; ///< when it was seen last
+    TimePoint m_turned{}, m_shaken{}, m_flipped{}, m_due{};
     bool m_above = false;
     bool m_calm = false; ///< until it is nearer to the speeds that it goes between
     bool m_pushing = true;

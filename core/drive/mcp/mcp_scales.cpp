@@ -11,7 +11,8 @@ namespace drive {
 namespace {
 
 // Beyond these a number is a misread structure, not a motor.
-constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0;
+constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0,
+                 kMaxInductance_h = 10.0;
 
 constexpr std::uint32_t kVersion64 = 0x060400;
 
@@ -52,9 +53,7 @@ catalog::Scales scalesOf(const McpMotorDescription &motor, std::uint32_t version
 
 MotorLimits limitsOf(const McpMotorDescription &motor)
 {
-    MotorLimits limits;
-    limits.speedStepRpm = motor::kSpeedStep_rpm;
-    limits.wireRpm = motor::kMostSpeed_rpm;
+    MotorLimits limits{.speedStepRpm = motor::kSpeedStep_rpm, .wireRpm = motor::kMostSpeed_rpm};
     if (motor.application) {
         limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
         limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);
@@ -65,6 +64,8 @@ MotorLimits limitsOf(const McpMotorDescription &motor)
         const double flux = motor::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
         limits.torquePerAmp =
             plausible(motor::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
+        const mcp::MotorConfig &told = *motor.motor; // some builds do not tell Ld
+        limits.saliency_h = plausible(told.ld > 0 ? told.lq - told.ld : 0, kMaxInductance_h);
     }
     return limits;
 }
@@ -73,9 +74,7 @@ StreamLimits streamLimitsOf(const std::vector<McpMotorDescription> &motors, unsi
     std::size_t maxPacket, std::uint32_t baud)
 {
     constexpr double kBitsPerByte = 10.0; // 8N1
-    StreamLimits limits;
-    limits.linkBytesPerSecond = baud / kBitsPerByte;
-    limits.maxPacket = maxPacket;
+    StreamLimits limits{.maxPacket = maxPacket, .linkBytesPerSecond = baud / kBitsPerByte};
     for (const McpMotorDescription &motor : motors)
         if (motor.firmware && !motor.firmware->sixStep && motor.firmware->focRate > 0)
             limits.tickHz += plausible(

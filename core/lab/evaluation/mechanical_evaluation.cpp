@@ -26,6 +26,9 @@ constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than 
 /// 36 that differ in speed, poles, inertia and brake. Nothing is told where it is more than a few percent.
 constexpr double kByLag = 0.5, kMostUnsure = 0.1;
 
+/// Wb, as the board tells it.
+double fluxOf(const Recorded<SpinPlan> &spin) { return spin.torquePerAmp / (1.5 * spin.polePairs); }
+
 /// To either side of an instant. Steps of the angle by Hall sensors are in no window shorter than an electrical turn;
 /// whole halves of a row's distance, so that windows meet.
 double edgeOf(const Recorded<SpinPlan> &spin)
@@ -163,11 +166,34 @@ std::array<Estimate *, 4> numbersOf(Mechanics &of)
     return {&of.inertia_kgm2, &of.viscous_nms, &of.dry_nm, &of.fan_nms2};
 }
 
+/// By a share of each.
+void growAll(Mechanics &found, double share)
+{
+    for (Estimate *one : numbersOf(found))
+        grow(*one, share * one->value);
+}
+
+/// What a salient rotor adds where the board stands aside of it, as a share of the torques: part of a current flows
+/// along the magnets then, and makes a torque with the rest of it. How far an observer stands aside is not known.
+double hiddenTorque(
+    const Recorded<SpinPlan> &spin, std::span<const MechanicalInstant> instants, const Aside &aside)
+{
+    constexpr double kObserver = 0.09; // 5 degrees; ipm48's is 4 aside with a brake of a quarter
+    const double sine = byEncoder(spin.angle) ? std::abs(aside.sine)
+        : byHall(spin.angle)                  ? 0.0
+                                              : kObserver;
+    double squares = 0.0;
+    for (const MechanicalInstant &one : instants)
+        squares += one.torque_nm * one.torque_nm;
+    const double current =
+        std::sqrt(squares / static_cast<double>(instants.size())) / spin.torquePerAmp;
+    return sine * spin.saliency_h * current / fluxOf(spin);
+}
+
 /// The torques were counted with it already.
 void allowFor(Mechanics &found, const Aside &aside)
 {
-    for (Estimate *one : numbersOf(found))
-        grow(*one, aside.unsure * one->value);
+    growAll(found, aside.unsure);
     constexpr double kNoticed_deg = 8.0; // 1 % of the torque
     const double angle_deg = std::abs(std::asin(aside.sine)) * 180.0 / std::numbers::pi;
     if (angle_deg > kNoticed_deg)
@@ -184,16 +210,14 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
     if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure) {
         // Which of them is right is unknown, and voltages have a scale of their own.
         constexpr double kBoth = 2.0;
-        for (Estimate *one : numbersOf(found))
-            grow(*one, kBoth * (ratio - 1.0) * one->value);
-        return;
+        return growAll(found, kBoth * (ratio - 1.0));
     }
     for (Estimate *one : numbersOf(found)) {
         one->value *= ratio;
         one->low = *one->low * ratio;
         one->high = *one->high * ratio;
-        grow(*one, (kFluxDiffers + unsure) * one->value);
     }
+    growAll(found, kFluxDiffers + unsure);
     constexpr double kPercent = 100.0;
     found.notes.push_back("the voltages tell magnets of " + decimalText(measured_wb.value * 1e3, 3)
         + " mWb, the board of " + decimalText(told_wb * 1e3, 3) + " mWb ("
@@ -253,7 +277,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     const double edge_s = edgeOf(*plan);
     std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan), edge_s);
     const double stood_s = timeOf(all) - timeOf(segments);
-    const double told_wb = plan->torquePerAmp / (1.5 * plan->polePairs);
+    const double told_wb = fluxOf(*plan);
     const auto flux = fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
     Aside aside;
     // An observer follows voltages itself; Hall sensors are where they were built in, and lag more than they are off.
@@ -287,6 +311,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     if (unsure > lag)
         found.notes.push_back(seldomSeenNote(turn_rad));
     const Fit &chosen = found.fan ? *fan : *plain;
+    growAll(found, hiddenTorque(*plan, stretches.instants, aside));
     allowFor(found, aside);
     if (flux)
         compareFlux(found, flux->q, told_wb * aside.cosine);

@@ -51,6 +51,7 @@ private Q_SLOTS:
     void expertModeIsForWhatIsUnknownOnly();
     void theLowerLimitWins();
     void loweringALimitEndsWhatWaits();
+    void aMotorIsSalientByWhatItsBoardTells();
     void limitsOfNoUseAreRefused();
     void ownLimitsOutliveTheConnection();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
@@ -234,6 +235,25 @@ void TestMotionLimits::loweringALimitEndsWhatWaits()
     }
     QVERIFY(session.outcome(read) == Outcome::Ok);
     QVERIFY(session.outcome(stop) == Outcome::Ok);
+}
+
+void TestMotionLimits::aMotorIsSalientByWhatItsBoardTells()
+{
+    const auto saliencyOf = [](float lq, float ld) {
+        mcp::MotorConfig told;
+        told.lq = lq;
+        told.ld = ld;
+        McpMotorDescription description;
+        description.motor = told;
+        return limitsOf(description).saliency_h;
+    };
+    QVERIFY(std::abs(saliencyOf(0.6e-3F, 0.25e-3F) - 0.35e-3) < 1e-9);
+    const auto nan = static_cast<float>(kNan), infinity = static_cast<float>(kInfinity);
+    QCOMPARE(saliencyOf(0.6e-3F, 0.0F), 0.0); // Ld is not told
+    QCOMPARE(saliencyOf(0.25e-3F, 0.6e-3F), 0.0);
+    QCOMPARE(saliencyOf(nan, 0.25e-3F), 0.0);
+    QCOMPARE(saliencyOf(0.6e-3F, nan), 0.0);
+    QCOMPARE(saliencyOf(infinity, 0.25e-3F), 0.0);
 }
 
 void TestMotionLimits::limitsOfNoUseAreRefused()

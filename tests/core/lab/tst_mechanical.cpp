@@ -158,6 +158,23 @@ private Q_SLOTS:
             qPrintable(QString::number(measured.slowest_rpm)));
     }
 
+    /// Its observer stands aside under a current, part of which makes a torque by Lq less Ld.
+    void whatASalientRotorAddsIsInItsInterval()
+    {
+        simulation::BoardOptions options;
+        options.plant = *simulation::findPreset("ipm48");
+        const simulation::MotorParameters &motor = options.plant->motor;
+        constexpr double kBrake = 0.25;
+        options.plant->load.constant_nm =
+            kBrake * 1.5 * motor.polePairs * motor.flux_wb * motor.nominal_a;
+        const MeasuredMechanics measured = measure(options, 1);
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        VERIFY_WITHIN(measured.found->inertia_kgm2, motor.inertia_kgm2, 2.0);
+        VERIFY_HOLDS(measured.found->inertia_kgm2, motor.inertia_kgm2);
+        VERIFY_HOLDS(measured.found->viscous_nms, motor.viscous_nms);
+        VERIFY_HOLDS(measured.found->dry_nm, motor.coulomb_nm + options.plant->load.constant_nm);
+    }
+
     void whatHoldsASpeedIsAMean_data()
     {
         // A third of the looks tells 2 A more, the others 1 A less.
