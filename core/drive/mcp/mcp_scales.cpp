@@ -59,13 +59,12 @@ MotorLimits limitsOf(const McpMotorDescription &motor)
         limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);
         limits.nominalCurrentAmps = plausible(motor.application->nominalAmps, kHighestAmps);
     }
-    if (motor.motor) {
-        limits.polePairs = plausible(motor.motor->polePairs, kMaxPolePairs);
-        const double flux = motor::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
+    if (const auto &told = motor.motor) {
+        limits.polePairs = plausible(told->polePairs, kMaxPolePairs);
+        const double flux = motor::fluxOfConfiguration_wb(told->ratedFlux, limits.polePairs);
         limits.torquePerAmp =
             plausible(motor::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
-        const mcp::MotorConfig &told = *motor.motor; // some builds do not tell Ld
-        limits.saliency_h = plausible(told.ld > 0 ? told.lq - told.ld : 0, kMaxInductance_h);
+        limits.saliency_h = plausible(told->ld > 0 ? told->lq - told->ld : 0, kMaxInductance_h);
     }
     return limits;
 }
