@@ -41,13 +41,20 @@ constexpr double kAway = 0.2; ///< of the way, beyond the speed that it comes fr
 constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
 
+/// A, of the motor, or what the user allows where that is less.
+double nominalOf(const Subject &subject, const drive::UserLimits &caps)
+{
+    const double nominal = subject.limits.nominalCurrentAmps;
+    return caps.maxCurrentAmps > 0.0 ? std::min(nominal, caps.maxCurrentAmps) : nominal;
+}
+
 class SpinCourse : public Course {
 public:
     SpinCourse(const SpinPlan &plan, const Subject &subject)
         : m_plan(plan)
         , m_motor(subject.motor)
         , m_sign(plan.highRpm < 0 ? -1.0 : 1.0)
-        , m_nominal(subject.limits.nominalCurrentAmps)
+        , m_nominal(nominalOf(subject, plan.caps))
         , m_draw(plan.seed)
         , m_jump(byHall(subject.nameOf(subject.registers.angle)) ? kHallJump : kJump)
         , m_way_s(plan.fluxAmps > 0.0 || byHall(subject.nameOf(subject.registers.angle))
@@ -56,8 +63,6 @@ public:
         , m_leastAlong(-plan.fluxAmps)
         , m_mostAlong(plan.fluxAmps)
     {
-        if (plan.caps.maxCurrentAmps > 0.0)
-            m_nominal = std::min(m_nominal, plan.caps.maxCurrentAmps);
         m_push = kFirstPush * m_nominal;
     }
 
@@ -205,14 +210,11 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
 SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
     SpinPlan plan = spinPlanFor(subject, caps);
-    double nominal = subject.limits.nominalCurrentAmps;
-    if (caps.maxCurrentAmps > 0.0)
-        nominal = std::min(nominal, caps.maxCurrentAmps);
     plan.lowRpm = static_cast<int>(
         std::lround(kFluxLowShare * drive::realBoundsOf(subject.limits, caps).rpm));
     plan.highRpm = static_cast<int>(
         std::lround(kFluxHighShare * drive::realBoundsOf(subject.limits, caps).rpm));
-    plan.fluxAmps = kFluxShare * nominal;
+    plan.fluxAmps = kFluxShare * nominalOf(subject, caps);
     plan.length = 12s;
     return plan;
 }
@@ -226,9 +228,9 @@ std::string objectionTo(const SpinPlan &plan, const Subject &subject)
                "known";
     if (!(subject.limits.nominalCurrentAmps > 0.0))
         return "the board does not tell the nominal current of its motor";
-    if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > kMostPush * subject.limits.nominalCurrentAmps)
-        return "at most " + decimalText(kMostPush * subject.limits.nominalCurrentAmps, 3)
-            + " A flow along the magnets";
+    const double mostAlong = kMostPush * nominalOf(subject, plan.caps);
+    if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > mostAlong)
+        return "at most " + decimalText(mostAlong, 3) + " A flow along the magnets";
     if (plan.fluxAmps > 0.0 && (subject.registers.voltage == 0 || subject.registers.currentD == 0))
         return "this board does not record its voltage and both of its currents";
     if (plan.length < 1s || plan.length > 30s)

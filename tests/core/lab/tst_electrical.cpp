@@ -578,6 +578,10 @@ private Q_SLOTS:
         QCOMPARE(recordedPlan<SpinPlan>(entryOf(turning, subject, {}))->plan, turning);
         turning.fluxAmps = subject.limits.nominalCurrentAmps;
         QVERIFY(!objectionTo(turning, subject).empty());
+        turning = fluxPlanFor(subject, {.maxCurrentAmps = 1.0});
+        QVERIFY(objectionTo(turning, subject).empty());
+        turning.fluxAmps = 0.8; // of 0.7 that the user's own limit leaves
+        QVERIFY(!objectionTo(turning, subject).empty());
         const RestPlan bounded = restPlanFor(subject, {.maxCurrentAmps = 1.0});
         QVERIFY(bounded.highAmps <= 1.0);
     }
