@@ -451,8 +451,8 @@ private Q_SLOTS:
         QVERIFY(back.size() > 5 && toOneSide(back, -side));
     }
 
-    /// Its encoder stands aside by up to 60 degrees, so that currents along the magnets, as the board sees them, brake
-    /// a heavy rotor. Half of such runs were ended by the bound of the bus.
+    /// Its encoder stands 13 to more than 60 degrees aside, so that currents along the magnets, as the board sees them,
+    /// brake a heavy rotor. Half of such runs were ended by the bound of the bus.
     void aHeavyRotorIsNotBrakedByItsEncoder()
     {
         for (const std::uint64_t seed : {2U, 3U, 6U}) {
