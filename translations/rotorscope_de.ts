@@ -1588,6 +1588,89 @@
     </message>
 </context>
 <context>
+    <name>Link</name>
+    <message>
+        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
+        <translation>Die Schnittstelle ist offen, aber kein Board antwortet. Prüfen Sie Baudrate, Kabel und Versorgung des Boards.</translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one, and check the board&apos;s firmware.</source>
+        <translation>Es kommen Bytes an, aber sie ergeben keinen Sinn. Die Baudrate oder das Protokoll ist vermutlich nicht das des Boards: Versuchen Sie ein anderes und prüfen Sie die Firmware des Boards.</translation>
+    </message>
+    <message>
+        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
+        <translation>Das Board antwortet, einigt sich aber nicht auf die Einstellungen der Verbindung. Setzen Sie das Board zurück und verbinden Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The board went silent. Check the cable and the board&apos;s power.</source>
+        <translation>Das Board ist verstummt. Prüfen Sie Kabel und Versorgung des Boards.</translation>
+    </message>
+    <message>
+        <source>Contact to the board could not be restored. Check the cable and the board&apos;s power, reset the board and connect again.</source>
+        <translation>Der Kontakt zum Board ließ sich nicht wiederherstellen. Prüfen Sie Kabel und Versorgung des Boards, setzen Sie das Board zurück und verbinden Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The board was reset.</source>
+        <translation>Das Board wurde zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of older firmware.</source>
+        <translation>Das Board spricht das Protokoll älterer Firmware.</translation>
+    </message>
+    <message>
+        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
+        <translation>Der Antrieb meldet nicht, dass er bereit ist. Bitte Versorgung und Bereit-Leitung prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation>Nichts treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
+    </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
+        <translation>Gefragt wird im Protokoll neuerer Firmware; ohne Antwort danach in dem älterer.</translation>
+    </message>
+    <message>
+        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation>Keine Antwort im Protokoll neuerer Firmware: Gefragt wird in dem älterer.</translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of newer firmware.</source>
+        <translation>Das Board spricht das Protokoll neuerer Firmware.</translation>
+    </message>
+    <message>
+        <source>There is no port %1. Plug the board in, or choose another port.</source>
+        <translation>Es gibt keine Schnittstelle %1. Schließen Sie das Board an oder wählen Sie eine andere Schnittstelle.</translation>
+    </message>
+    <message>
+        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
+        <translation>Sie dürfen %1 nicht benutzen. Führen Sie „sudo adduser $USER dialout“ aus, melden Sie sich dann ab und wieder an.</translation>
+    </message>
+    <message>
+        <source>%1 is in use%2. Close what uses it, then connect again.</source>
+        <translation>%1 wird benutzt%2. Schließen Sie, was sie benutzt, und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>%1 refuses this baud rate. Choose another one.</source>
+        <translation>%1 lehnt diese Baudrate ab. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged. Check the cable.</source>
+        <translation>%1 wurde abgezogen. Prüfen Sie das Kabel.</translation>
+    </message>
+    <message>
+        <source>This program did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did.</source>
+        <translation>Dieses Programm lief eine Weile nicht. Sein Wächter hat jedem Motor an %1 befohlen anzuhalten; dass sie es taten, ist nicht belegt.</translation>
+    </message>
+    <message>
+        <source>The recording %1 cannot be read. Choose another file.</source>
+        <translation>Die Aufzeichnung %1 kann nicht gelesen werden. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened%2. Check the cable, then connect again.</source>
+        <translation>%1 kann nicht geöffnet werden%2. Prüfen Sie das Kabel und verbinden Sie dann erneut.</translation>
+    </message>
+</context>
+<context>
     <name>Measures</name>
     <message>
         <source>Minimum</source>
@@ -1807,54 +1890,6 @@
     <message>
         <source>link lost</source>
         <translation>Verbindung verloren</translation>
-    </message>
-    <message>
-        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
-        <translation>Die Schnittstelle ist offen, aber kein Board antwortet. Prüfen Sie Baudrate, Kabel und Versorgung des Boards.</translation>
-    </message>
-    <message>
-        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
-        <translation>Das Board antwortet, einigt sich aber nicht auf die Einstellungen der Verbindung. Setzen Sie das Board zurück und verbinden Sie erneut.</translation>
-    </message>
-    <message>
-        <source>The board went silent. Check the cable and the board&apos;s power.</source>
-        <translation>Das Board ist verstummt. Prüfen Sie Kabel und Versorgung des Boards.</translation>
-    </message>
-    <message>
-        <source>Contact to the board could not be restored. Check the cable, reset the board and connect again.</source>
-        <translation>Der Kontakt zum Board ließ sich nicht wiederherstellen. Prüfen Sie das Kabel, setzen Sie das Board zurück und verbinden Sie erneut.</translation>
-    </message>
-    <message>
-        <source>The board was reset. It is connected again; arm it before you go on.</source>
-        <translation>Das Board wurde zurückgesetzt. Es ist wieder verbunden; geben Sie es frei, bevor Sie weitermachen.</translation>
-    </message>
-    <message>
-        <source>There is no port %1. Plug the board in, then choose it from the list.</source>
-        <translation>Es gibt keine Schnittstelle %1. Schließen Sie das Board an und wählen Sie es dann aus der Liste.</translation>
-    </message>
-    <message>
-        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
-        <translation>Sie dürfen %1 nicht benutzen. Führen Sie „sudo adduser $USER dialout“ aus, melden Sie sich dann ab und wieder an.</translation>
-    </message>
-    <message>
-        <source>%1 is in use by another program. Close that program, then connect again.</source>
-        <translation>%1 wird von einem anderen Programm benutzt. Schließen Sie es und verbinden Sie dann erneut.</translation>
-    </message>
-    <message>
-        <source>%1 is in use (%2). Close that program, then connect again.</source>
-        <translation>%1 wird benutzt (%2). Schließen Sie dieses Programm und verbinden Sie dann erneut.</translation>
-    </message>
-    <message>
-        <source>%1 refuses this baud rate. Choose another one.</source>
-        <translation>%1 lehnt diese Baudrate ab. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <source>The recording %1 cannot be read. Choose another file.</source>
-        <translation>Die Aufzeichnung %1 kann nicht gelesen werden. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened (%2). Check the cable, then connect again.</source>
-        <translation>%1 kann nicht geöffnet werden (%2). Prüfen Sie das Kabel und verbinden Sie dann erneut.</translation>
     </message>
     <message>
         <source>done</source>
@@ -2157,25 +2192,9 @@
         <translation>Positionsrampe</translation>
     </message>
     <message>
-        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
-        <translation>Der Antrieb meldet nicht, dass er bereit ist. Bitte Versorgung und Bereit-Leitung prüfen.</translation>
-    </message>
-    <message>
-        <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
-        <translation>Das Board spricht das Protokoll älterer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
-    </message>
-    <message>
-        <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
-        <translation>Das Board spricht das Protokoll neuerer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
-    </message>
-    <message>
         <source>Current scale</source>
         <comment>a person says it</comment>
         <translation>Stromskala</translation>
-    </message>
-    <message>
-        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It reconnects; arm again to move.</source>
-        <translation>Rotorscope lief eine Weile nicht. Sein Wächter hat jedem Motor an %1 befohlen anzuhalten; dass sie es taten, ist nicht belegt. Es verbindet sich neu; zum Bewegen erneut freigeben.</translation>
     </message>
     <message>
         <source>All motors were told to stop. Look at them, then arm again.</source>
@@ -2219,22 +2238,6 @@
         <translation>Nicht geschrieben: %1. Platz schaffen oder anderen Ordner wählen; nichts wurde ersetzt.</translation>
     </message>
     <message>
-        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
-        <translation>Gefragt wird im Protokoll neuerer Firmware; ohne Antwort danach in dem älterer.</translation>
-    </message>
-    <message>
-        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
-        <translation>Keine Antwort im Protokoll neuerer Firmware: Gefragt wird in dem älterer.</translation>
-    </message>
-    <message>
-        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
-        <translation>Nichts treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
-    </message>
-    <message>
-        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one.</source>
-        <translation>Es kommen Bytes an, aber sie ergeben keinen Sinn. Die Baudrate oder das Protokoll ist vermutlich nicht das des Boards: Versuchen Sie ein anderes.</translation>
-    </message>
-    <message>
         <source>No motor was driven when the board was last heard.</source>
         <translation>Kein Motor war angetrieben, als das Board zuletzt antwortete.</translation>
     </message>
@@ -2247,8 +2250,16 @@
         <translation>Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
     </message>
     <message>
-        <source>%1 was unplugged.</source>
-        <translation>%1 wurde abgezogen.</translation>
+        <source>It is connected again; arm it before you go on.</source>
+        <translation>Es ist wieder verbunden; geben Sie es frei, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>Choose that one, or Auto, and connect again.</source>
+        <translation>Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>Rotorscope reconnects; arm again to move.</source>
+        <translation>Rotorscope verbindet sich neu; zum Bewegen erneut freigeben.</translation>
     </message>
 </context>
 <context>

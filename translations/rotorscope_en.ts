@@ -1588,6 +1588,89 @@
     </message>
 </context>
 <context>
+    <name>Link</name>
+    <message>
+        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one, and check the board&apos;s firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board went silent. Check the cable and the board&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact to the board could not be restored. Check the cable and the board&apos;s power, reset the board and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board was reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of older firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of newer firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no port %1. Plug the board in, or choose another port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use%2. Close what uses it, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refuses this baud rate. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was unplugged. Check the cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording %1 cannot be read. Choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened%2. Check the cable, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Measures</name>
     <message>
         <source>Minimum</source>
@@ -1806,54 +1889,6 @@
     </message>
     <message>
         <source>link lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board went silent. Check the cable and the board&apos;s power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contact to the board could not be restored. Check the cable, reset the board and connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board was reset. It is connected again; arm it before you go on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no port %1. Plug the board in, then choose it from the list.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is in use by another program. Close that program, then connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is in use (%2). Close that program, then connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 refuses this baud rate. Choose another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording %1 cannot be read. Choose another file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened (%2). Check the cable, then connect again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2157,24 +2192,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Current scale</source>
         <comment>a person says it</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It reconnects; arm again to move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2219,22 +2238,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bytes arrive but make no sense. The baud rate or the protocol is probably not the board&apos;s: try another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No motor was driven when the board was last heard.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2247,7 +2250,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was unplugged.</source>
+        <source>It is connected again; arm it before you go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose that one, or Auto, and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotorscope reconnects; arm again to move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,9 +1,22 @@
 #include "sentences.h"
 
+#include "session/link/link_problems.h"
+
 namespace cli {
 
 using drive::LinkReason;
 using session::PortProblem;
+
+namespace {
+
+constexpr QLatin1String kMayTurn(" A motor may still be turning.");
+
+QString baudText(const Arguments &arguments)
+{
+    return QStringLiteral(" The baud rate is %1 (--baud).").arg(arguments.baud);
+}
+
+} // namespace
 
 QString plainText(const std::string &text)
 {
@@ -20,92 +33,45 @@ QString plainText(const std::string &text)
 
 QString sentenceOf(const session::PortError &error, const Arguments &arguments)
 {
-    const QString &port = arguments.port;
-    const QString detail =
-        error.detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(error.detail);
+    const QString text = session::portErrorText(error, arguments.port);
     switch (error.problem) {
-    case PortProblem::None:
-        return {};
     case PortProblem::NotFound:
-        if (port.startsWith(QLatin1String("sim:")))
-            return QStringLiteral("There is no simulated board %1; there are sim, %2.")
-                .arg(port, otherBoards());
-        return QStringLiteral("There is no serial port %1; check the cable, or list the ports with "
-                              "rotorscope-cli ports.")
-            .arg(port);
-    case PortProblem::NoPermission:
-        return QStringLiteral("You may not use %1; join the group dialout (sudo adduser $USER "
-                              "dialout) and log in again.")
-            .arg(port);
-    case PortProblem::Busy:
-        if (error.detail.isEmpty())
-            return QStringLiteral("%1 is used by another program; close that one first.").arg(port);
-        return QStringLiteral("%1 is used by %2; close that program first.")
-            .arg(port, error.detail);
+        return text
+            + (arguments.port.startsWith(QLatin1String("sim:"))
+                    ? QStringLiteral(" Simulated boards are sim, %1.").arg(otherBoards())
+                    : QStringLiteral(" rotorscope-cli ports lists them."));
     case PortProblem::BadSpeed:
-        return QStringLiteral("%1 cannot do %2 baud; choose another speed with --baud.")
-            .arg(port, QString::number(arguments.baud));
-    case PortProblem::Unplugged: // the system's own words for it are left-overs of another call
-        return QStringLiteral(
-            "The connection to %1 broke; check the cable. A motor may still be turning.")
-            .arg(port);
+        return text + baudText(arguments);
+    case PortProblem::Unplugged:
+        return text + kMayTurn;
     case PortProblem::TakenOver:
-        return QStringLiteral("This program did not run for a while; its guardian has told every "
-                              "motor on %1 to stop. "
-                              "Look at them with rotorscope-cli info.")
-            .arg(port);
-    case PortProblem::BadFile:
-        return QStringLiteral("%1 is no recorded session.").arg(port);
-    case PortProblem::Other:
-        break;
+        return text + QStringLiteral(" Look at them with rotorscope-cli info.");
+    default:
+        return text;
     }
-    return QStringLiteral("%1 cannot be opened%2; check the device.").arg(port, detail);
 }
 
 QString sentenceOf(LinkReason reason, const Arguments &arguments)
 {
-    const QString &port = arguments.port;
+    QString text = arguments.port + QLatin1String(": ") + session::linkProblemText(reason);
     switch (reason) {
     case LinkReason::OnlyGarbage:
-        return QStringLiteral("What %1 sends at %2 baud makes no sense; try another --baud%3, and "
-                              "check the board's firmware.")
-            .arg(port, QString::number(arguments.baud),
-                arguments.protocol == drive::Protocol::Mcb
-                    ? QString()
-                    : QStringLiteral(", or --protocol mcb for a drive that speaks MCB"));
-    case LinkReason::NoAgreement:
-        return QStringLiteral(
-            "The board at %1 does not agree on how to talk; reset it and try again.")
-            .arg(port);
-    case LinkReason::OldProtocol:
-        return QStringLiteral("The board at %1 speaks an older protocol; try --protocol auto.")
-            .arg(port);
-    case LinkReason::OtherProtocol:
-        return QStringLiteral("The board at %1 speaks a newer protocol; try --protocol auto.")
-            .arg(port);
-    case LinkReason::BoardReset:
-        return QStringLiteral("The board at %1 was reset meanwhile; try again.").arg(port);
+        if (arguments.protocol != drive::Protocol::Mcb)
+            text += QLatin1String(" A drive that speaks MCB needs --protocol mcb.");
+        [[fallthrough]];
+    case LinkReason::NoAnswer:
+        return text + baudText(arguments);
     case LinkReason::Silence:
     case LinkReason::RecoveryFailed:
-        return QStringLiteral("The board at %1 stopped answering; check cable and power. A motor "
-                              "may still be turning.")
-            .arg(port);
-    case LinkReason::NotReady:
-        return QStringLiteral(
-            "The drive at %1 does not say that it is ready; check its power and the ready line.")
-            .arg(port);
-    case LinkReason::DeadLine:
-        return QStringLiteral(
-            "Nothing drives the line from %1; check wiring, chip select and power.")
-            .arg(port);
-    case LinkReason::None:
-    case LinkReason::AskingNewer:
-    case LinkReason::AskingOlder:
-    case LinkReason::NoAnswer:
-        break;
+        return text + kMayTurn;
+    case LinkReason::BoardReset:
+        return text + QStringLiteral(" Try again.");
+    case LinkReason::OldProtocol:
+    case LinkReason::OtherProtocol:
+        return text + QStringLiteral(" Try --protocol auto.");
+    default:
+        return text;
     }
-    return QStringLiteral("No board answers at %1; check power, cable and --baud (now %2).")
-        .arg(port, QString::number(arguments.baud));
 }
 
 QString sentenceOf(const session::FileResult &file, const QString &path)

@@ -163,7 +163,7 @@ void TestCliOlderBoards::anUnknownSimulatedBoardIsNoPort()
 {
     const CliRun result = typed(QStringLiteral("--port sim:mcsdk-6.4 info"));
     QCOMPARE(result.status, 3);
-    QVERIFY2(result.err.contains(QLatin1String("no simulated board sim:mcsdk-6.4"))
+    QVERIFY2(result.err.contains(QLatin1String("no port sim:mcsdk-6.4"))
             && result.err.contains(QLatin1String("sim:mcb")),
         qPrintable(result.err));
 }

@@ -1,5 +1,6 @@
 #include "widgets/base/messages.h"
 
+#include "session/link/link_problems.h"
 #include "widgets/base/device_text.h"
 
 #include <QCoreApplication>
@@ -41,6 +42,10 @@ constexpr const char *kReasons[] = {
     QT_TRANSLATE_NOOP("Messages", "stopped; arm again first"),
     QT_TRANSLATE_NOOP("Messages", "too late: it was asked for more than half a second ago"),
     // NOLINTEND(bugprone-suspicious-missing-comma)
+};
+
+constexpr session::ProblemWords kLinkWords = [](const char *english) {
+    return QCoreApplication::translate("Link", english);
 };
 
 } // namespace
@@ -91,45 +96,12 @@ QString linkStateText(const drive::LinkChanged &link)
 QString linkReasonText(drive::LinkReason reason)
 {
     using drive::LinkReason;
-    switch (reason) {
-    case LinkReason::None:
-        return {};
-    case LinkReason::NoAnswer:
-        return Messages::tr("The port is open but no board answers. Check the baud rate, the cable "
-                            "and the board's power.");
-    case LinkReason::OnlyGarbage:
-        return Messages::tr("Bytes arrive but make no sense. The baud rate or the protocol is "
-                            "probably not the board's: try another one.");
-    case LinkReason::NoAgreement:
-        return Messages::tr("The board answers but does not agree on the settings of the link. "
-                            "Reset the board and connect again.");
-    case LinkReason::Silence:
-        return Messages::tr("The board went silent. Check the cable and the board's power.");
-    case LinkReason::RecoveryFailed:
-        return Messages::tr("Contact to the board could not be restored. Check the cable, reset "
-                            "the board and connect again.");
-    case LinkReason::BoardReset:
-        return Messages::tr("The board was reset. It is connected again; arm it before you go on.");
-    case LinkReason::OldProtocol:
-        return Messages::tr("The board speaks the protocol of older firmware. Choose that one, or "
-                            "Auto, and connect again.");
-    case LinkReason::AskingNewer:
-        return Messages::tr("Asking whether the board speaks the protocol of newer firmware; if "
-                            "no answer comes, that of older firmware is next.");
-    case LinkReason::AskingOlder:
-        return Messages::tr("No answer in the protocol of newer firmware: asking in that of "
-                            "older firmware.");
-    case LinkReason::OtherProtocol:
-        return Messages::tr("The board speaks the protocol of newer firmware. Choose that one, or "
-                            "Auto, and connect again.");
-    case LinkReason::NotReady:
-        return Messages::tr("The drive does not say that it is ready. Check its power and the "
-                            "ready line.");
-    case LinkReason::DeadLine:
-        return Messages::tr("Nothing drives the line to this computer. Check the wiring, the "
-                            "chip select and the drive's power.");
-    }
-    return {};
+    QString text = session::linkProblemText(reason, kLinkWords);
+    if (reason == LinkReason::BoardReset)
+        text += u' ' + Messages::tr("It is connected again; arm it before you go on.");
+    if (reason == LinkReason::OldProtocol || reason == LinkReason::OtherProtocol)
+        text += u' ' + Messages::tr("Choose that one, or Auto, and connect again.");
+    return text;
 }
 
 QString interruptionText(const session::Interruption &what)
@@ -169,42 +141,11 @@ QString motorsOutOfReachText(bool wereAtRest, std::optional<std::chrono::millise
 
 QString portProblemText(const session::PortError &error, const QString &port)
 {
-    using session::PortProblem;
-    const QString name = deviceText(port);
-    const QString detail = deviceText(error.detail);
-    switch (error.problem) {
-    case PortProblem::None:
-        return {};
-    case PortProblem::NotFound:
-        return Messages::tr("There is no port %1. Plug the board in, then choose it from the list.")
-            .arg(name);
-    case PortProblem::NoPermission:
-        return Messages::tr(
-            "You may not use %1. Run \"sudo adduser $USER dialout\", then log out and in again.")
-            .arg(name);
-    case PortProblem::Busy:
-        return detail.isEmpty()
-            ? Messages::tr(
-                "%1 is in use by another program. Close that program, then connect again.")
-                  .arg(name)
-            : Messages::tr("%1 is in use (%2). Close that program, then connect again.")
-                  .arg(name, detail);
-    case PortProblem::BadSpeed:
-        return Messages::tr("%1 refuses this baud rate. Choose another one.").arg(name);
-    case PortProblem::Unplugged:
-        return Messages::tr("%1 was unplugged.").arg(name);
-    case PortProblem::TakenOver:
-        return Messages::tr(
-            "Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, "
-            "without evidence that they did. It reconnects; arm again to move.")
-            .arg(name);
-    case PortProblem::BadFile:
-        return Messages::tr("The recording %1 cannot be read. Choose another file.").arg(name);
-    case PortProblem::Other:
-        return Messages::tr("%1 cannot be opened (%2). Check the cable, then connect again.")
-            .arg(name, detail);
-    }
-    return {};
+    QString text = session::portErrorText(
+        {error.problem, deviceText(error.detail)}, deviceText(port), kLinkWords);
+    if (error.problem == session::PortProblem::TakenOver)
+        text += u' ' + Messages::tr("Rotorscope reconnects; arm again to move.");
+    return text;
 }
 
 QString outcomeText(drive::Outcome outcome)

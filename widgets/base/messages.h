@@ -1,5 +1,5 @@
 // What core reports as enums, said in the user's language: one sentence each, with what to do where something can be
-// done. The only place that does so.
+// done. The only place that does so. What the command line says too comes from session, and is translated here.
 #pragma once
 
 #include "drive/event.h"

@@ -34,7 +34,7 @@ constexpr std::array kExportProblems{"",
 
 } // namespace
 
-QString csvProblemText(const capture::CsvError &error, FileProblemWords wordsOf)
+QString csvProblemText(const capture::CsvError &error, ProblemWords wordsOf)
 {
     const QString line = QString::number(error.line);
     QString what = wordsOf(kCsvProblems.at(static_cast<std::size_t>(error.what)));
@@ -45,8 +45,7 @@ QString csvProblemText(const capture::CsvError &error, FileProblemWords wordsOf)
               .arg(line, QString::number(error.column), what);
 }
 
-QString exportProblemText(
-    ExportProblem problem, const ExportFormat &format, FileProblemWords wordsOf)
+QString exportProblemText(ExportProblem problem, const ExportFormat &format, ProblemWords wordsOf)
 {
     if (problem == ExportProblem::None)
         return {};

@@ -4,17 +4,14 @@
 
 #include "capture/csv_import.h"
 #include "session/files/export_formats.h"
+#include "session/files/problem_words.h"
 
 namespace session {
 
-/// A piece of these texts, in the language of who reads it.
-using FileProblemWords = QString (*)(const char *english);
-inline QString englishWords(const char *english) { return QString::fromUtf8(english); }
-
 /// Where, and what: `line 3, column 2: "x" is no number`.
-QString csvProblemText(const capture::CsvError &error, FileProblemWords wordsOf = englishWords);
+QString csvProblemText(const capture::CsvError &error, ProblemWords wordsOf = englishWords);
 /// A sentence that says what to do; empty if there is no problem.
 QString exportProblemText(
-    ExportProblem problem, const ExportFormat &format, FileProblemWords wordsOf = englishWords);
+    ExportProblem problem, const ExportFormat &format, ProblemWords wordsOf = englishWords);
 
 } // namespace session

@@ -395,7 +395,7 @@ private Q_SLOTS:
 
     void everyReasonIsASentence()
     {
-        for (int reason = 1; reason <= int(LinkReason::OldProtocol); ++reason) {
+        for (int reason = 1; reason <= int(LinkReason::OtherProtocol); ++reason) {
             feed({LinkState::Lost, static_cast<LinkReason>(reason)});
             QVERIFY(banner()->isVisible());
             QVERIFY(banner()->text().endsWith(QLatin1Char('.')));
