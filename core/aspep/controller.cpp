@@ -1,7 +1,5 @@
 #include "aspep/controller.h"
 
-#include "base/crc.h"
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -12,8 +10,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// While a packet still waits to be written it cannot be lost: a busy host gets this much more time.
-constexpr Duration kUnsentGrace = 250ms;
 constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
 /// The Performer listens again after the next idle line only.
 constexpr Duration kRestAfterNack = 10ms;
@@ -26,28 +22,18 @@ constexpr std::size_t kShortTail = 12;
 
 Controller::Controller(Config config)
     : m_config(config)
+    , m_sender(config.baud, config.payloadPause)
+    , m_negotiation(config.offer)
 {
 }
 
 Duration Controller::responseTimeout() const
 {
+    const Duration host = m_config.hostLatency + m_config.patience;
     if (m_state == State::Negotiating && !m_heardBytes && m_attempts > m_config.attempts)
-        return wireTime(2 * kHeaderSize, m_config.baud) + 5ms + m_config.hostLatency
-            + m_config.patience; // no stream
-    constexpr std::size_t kUsualAsync = 2048;
-    constexpr std::size_t kUsualResponse = 256;
-    const std::size_t bytes =
-        m_everAgreed ? m_widest.async + m_widest.response : kUsualAsync + kUsualResponse;
-    const Duration wire = wireTime(bytes + 2 * kHeaderSize, m_config.baud);
-    return wire + wire / 2 + 2ms + m_config.hostLatency + m_config.patience;
-}
-
-void Controller::remember(const Beacon &agreed)
-{
-    if (m_everAgreed)
-        return;
-    m_agreed = agreed;
-    m_remembered = true;
+        return wireTime(2 * kHeaderSize, m_config.baud) + 5ms + host; // no stream
+    const Duration wire = wireTime(m_negotiation.longestReply() + 2 * kHeaderSize, m_config.baud);
+    return wire + wire / 2 + 2ms + host;
 }
 
 void Controller::connect(TimePoint now)
@@ -56,11 +42,11 @@ void Controller::connect(TimePoint now)
     m_heardBytes = m_heardAnswer = m_afterReset = false;
     m_firstHeard.clear();
     m_dialogueStart = m_lastByte = m_lastValid = now;
-    m_lineFree = std::min(m_lineFree, now);
+    m_sender.freeLine(now);
     m_rounds = 0;
     m_echoesLeft = 1;
     m_attempts = 0;
-    if (!m_replyDue || now >= *m_replyDue)
+    if (now >= m_sender.replyDue().value_or(now))
         return negotiate(now);
     m_state = State::Negotiating; // the last packet of the link before may still be answered
     m_framer.setLimits({});
@@ -76,7 +62,7 @@ void Controller::reset()
     m_state = State::Idle;
     m_step = Step::None;
     m_suspect = m_inDoubt = false;
-    m_output.clear();
+    m_sender.clear();
     m_async.reset();
     m_framer.resynchronise();
 }
@@ -89,7 +75,7 @@ bool Controller::canSend() const
 void Controller::sendRequest(ByteView payload, TimePoint now)
 {
     assert(canSend());
-    assert(payload.size() >= 2 && payload.size() <= m_agreed.rxMax());
+    assert(payload.size() >= 2 && payload.size() <= agreed().rxMax());
     m_step = Step::Waiting;
     m_requestOpen = true;
     sendData(payload, {}, now);
@@ -134,8 +120,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
         if (m_state == State::Idle && !m_urgent)
             break;
         if (hurried() && !m_framer.inStep()) {
-            m_framer.resynchronise(); // a stop does not wait for silence; only an exact echo counts
-                // anyway
+            // A stop does not wait for silence; only an exact echo counts anyway.
+            m_framer.resynchronise();
             break;
         }
     }
@@ -170,11 +156,9 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
         return;
     }
     // What begins before the payload can have left answers something else: the request before, for the second time.
-    if (m_step != Step::Waiting || tooSoon()) {
-        ++m_stats.unexpected;
-        return;
-    }
-    m_replyDue.reset();
+    if (m_step != Step::Waiting || tooSoon())
+        return ignore();
+    m_sender.settle();
     m_step = Step::None;
     m_requestOpen = false;
     m_parity = !m_parity;
@@ -208,7 +192,7 @@ void Controller::onNack(TimePoint now)
     ++m_stats.nacks;
     if (blind())
         return damage();
-    m_replyDue.reset(); // an answer of a kind: the Performer is done with what was sent
+    m_sender.settle(); // an answer of a kind: the Performer is done with what was sent
     damage();
     if (m_state == State::Connected)
         recover(now);
@@ -265,9 +249,9 @@ void Controller::handleTimeout(TimePoint now)
         tellAsync();
     if (m_urgent && now >= m_urgent->until)
         onUrgentDue(now);
-    if (const auto torn = tornAt(); torn && now >= *torn)
+    if (reached(tornAt(), now))
         onTorn(now);
-    if (const auto end = stepEnd(); end && now >= *end)
+    if (reached(stepEnd(), now))
         onStepOver(now);
     checkHealth(now);
     m_stats.discardedBytes = m_framer.discardedBytes();
@@ -275,39 +259,27 @@ void Controller::handleTimeout(TimePoint now)
 
 void Controller::onStepOver(TimePoint now)
 {
-    switch (m_step) {
-    case Step::None:
-        break;
-    case Step::Waiting:
-    case Step::KeepingAlive:
-    case Step::Probing:
-    case Step::Offering:
-    case Step::Pinging:
-        onReplyTimeout(now);
-        break;
-    case Step::Draining:
+    if (m_step == Step::Draining)
         onDrainOver(now);
-        break;
-    case Step::Resting:
+    else if (m_step == Step::Resting)
         goOn(now);
-        break;
-    case Step::Settling:
+    else if (m_step == Step::Settling)
         afterEcho(now);
-        break;
-    }
+    else
+        onReplyTimeout(now); // all other steps wait for one
 }
 
 void Controller::onReplyTimeout(TimePoint now)
 {
     ++m_stats.timeouts;
-    m_replyDue.reset();
+    m_sender.settle();
     if (blind()) {
         endRequest(std::nullopt);
         return endBlind(now);
     }
     if (m_framer.midPacket() && !m_tornTold && now - m_lastByte >= m_config.hostLatency)
         onTorn(now); // with every word of a dialogue its tail would come nearer, but only a little
-    if (m_step == Step::Probing && m_lastByte > m_askedAt)
+    if (m_step == Step::Probing && m_lastByte > m_sender.askedAt())
         damage(); // what came may have been the answer, as the end of a packet that lacked some bytes
     if (m_state == State::Connected)
         recover(now);
@@ -318,48 +290,39 @@ void Controller::onReplyTimeout(TimePoint now)
 /// What a link is judged by: a stop may talk where there is none, and proves nothing by talking.
 Controller::State Controller::judgedState() const { return m_urgent ? m_urgent->before : m_state; }
 
+bool Controller::linked() const
+{
+    return judgedState() == State::Connected || judgedState() == State::Recovering;
+}
+
+Controller::Health Controller::health() const
+{
+    Health due;
+    if (linked() && !m_suspect)
+        due.suspect = m_lastValid + m_config.suspectAfter;
+    if (canSend())
+        due.keepAlive = m_lastValid + m_config.keepAliveAfter;
+    if (m_state == State::Connected || judgedState() == State::Idle)
+        return due;
+    due.lost = m_dialogueStart + dialogueLimit();
+    if (linked())
+        earliest(due.lost, spentAt());
+    return due;
+}
+
 void Controller::checkHealth(TimePoint now)
 {
-    const State judged = judgedState();
-    if (judged == State::Idle)
-        return;
-    const bool linked = judged == State::Connected || judged == State::Recovering;
-    if (linked && !m_suspect && now - m_lastValid >= m_config.suspectAfter) {
+    const Health due = health();
+    if (reached(due.suspect, now)) {
         m_suspect = true;
         m_events.push_back(Suspect{});
     }
-    if (canSend() && now - m_lastValid >= m_config.keepAliveAfter) {
+    if (reached(due.keepAlive, now)) {
         m_step = Step::KeepingAlive;
-        sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
+        sendPing({}, now);
     }
-    if (m_state == State::Connected)
-        return;
-    if (now - m_dialogueStart >= dialogueLimit() || (linked && spent(now)))
-        lose(linked
-                ? (m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence)
-                : connectFailure());
-}
-
-std::optional<TimePoint> Controller::healthDue() const
-{
-    const State judged = judgedState();
-    if (judged == State::Idle)
-        return std::nullopt;
-    std::optional<TimePoint> due;
-    const bool linked = judged == State::Connected || judged == State::Recovering;
-    if (linked && !m_suspect)
-        due = m_lastValid + m_config.suspectAfter;
-    if (canSend())
-        earliest(due, m_lastValid + m_config.keepAliveAfter);
-    if (m_state != State::Connected)
-        earliest(due, m_dialogueStart + dialogueLimit());
-    if (m_state != State::Connected && linked) {
-        if (m_urgent)
-            earliest(due, m_lastValid + m_config.lostAfter);
-        else if (m_attempts >= m_config.attempts)
-            earliest(due, m_outageStart + m_config.lostAfter);
-    }
-    return due;
+    if (reached(due.lost, now))
+        lose(linked() ? outageFailure() : connectFailure());
 }
 
 std::optional<TimePoint> Controller::tornAt() const
@@ -373,34 +336,24 @@ std::optional<TimePoint> Controller::tornAt() const
 
 std::optional<TimePoint> Controller::stepEnd() const
 {
-    switch (m_step) {
-    case Step::None:
-        break;
-    case Step::Waiting:
-    case Step::KeepingAlive:
-    case Step::Probing:
-    case Step::Offering:
-    case Step::Pinging:
-        return m_replyDue;
-    case Step::Resting:
-    case Step::Settling:
+    if (m_step == Step::None)
+        return std::nullopt;
+    if (m_step == Step::Resting || m_step == Step::Settling)
         return m_restUntil;
-    case Step::Draining: {
-        const TimePoint silent = std::max(m_lastByte, m_drainStart) + m_quiet;
-        const std::size_t longest = m_everAgreed ? m_agreed.txAsyncMax() : kMaxPayload;
-        const TimePoint enough = m_drainStart + m_quiet + wireTime(longest, m_config.baud) + 50ms;
-        const TimePoint end = std::min(silent, enough);
-        return m_replyDue ? std::max(end, *m_replyDue) : end;
-    }
-    }
-    return std::nullopt;
+    if (m_step != Step::Draining)
+        return m_sender.replyDue();
+    const TimePoint silent = std::max(m_lastByte, m_drainStart) + m_quiet;
+    const Duration longest = wireTime(m_negotiation.longestAsync(), m_config.baud);
+    const TimePoint end = std::min(silent, m_drainStart + m_quiet + longest + 50ms);
+    return std::max(end, m_sender.replyDue().value_or(end));
 }
 
 std::optional<TimePoint> Controller::nextTimeout() const
 {
-    std::optional<TimePoint> due = stepEnd();
-    earliest(due, tornAt());
-    earliest(due, healthDue());
+    std::optional<TimePoint> due;
+    const Health ahead = health();
+    for (const auto &at : {stepEnd(), tornAt(), ahead.suspect, ahead.keepAlive, ahead.lost})
+        earliest(due, at);
     if (m_async && !m_framer.midPacket())
         earliest(due, m_async->at + kWhole);
     if (m_urgent && m_urgent->stage != Urgent::Stage::Sent)
@@ -408,62 +361,21 @@ std::optional<TimePoint> Controller::nextTimeout() const
     return due;
 }
 
-/// Nothing answers these bytes that began before they can have begun to leave, behind all that left before them.
-void Controller::hand(Bytes bytes, Duration gap, TimePoint now)
+void Controller::send(const Packet &packet, Duration gap, TimePoint now)
 {
-    m_answerableAt = std::max(now, m_lineFree + gap);
-    m_lineFree = m_answerableAt + wireTime(bytes.size(), m_config.baud);
-    m_stats.bytesOut += bytes.size();
-    m_output.push_back({std::move(bytes), gap});
-}
-
-void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
-{
-    const HeaderBytes bytes = encodeHeader(header);
-    hand({bytes.begin(), bytes.end()}, gap, now);
     ++m_stats.packetsOut;
-    awaitReply(now + gap + wireTime(bytes.size(), m_config.baud));
+    m_stats.bytesOut += m_sender.send(packet, agreed().dataCrc, gap, responseTimeout(), now);
 }
 
 void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
 {
-    sendPacket(Data{false, static_cast<std::uint16_t>(payload.size())}, gap, now);
-    Bytes body = bodyOf(payload);
-    awaitReply(
-        now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
-    hand(std::move(body), m_config.payloadPause, now);
+    const Data header{false, static_cast<std::uint16_t>(payload.size())};
+    send({header, Bytes(payload.begin(), payload.end())}, gap, now);
 }
 
-bool Controller::tooSoon() const { return m_packetBegan < m_answerableAt; }
-
-Bytes Controller::bodyOf(ByteView payload) const
+void Controller::sendPing(Duration gap, TimePoint now)
 {
-    Bytes body(payload.begin(), payload.end());
-    if (m_agreed.dataCrc) {
-        const std::uint16_t crc = crc16Xmodem(payload);
-        body.push_back(static_cast<std::uint8_t>(crc));
-        body.push_back(static_cast<std::uint8_t>(crc >> 8));
-    }
-    return body;
-}
-
-void Controller::awaitReply(TimePoint from)
-{
-    m_askedAt = from;
-    m_replyDue = from + responseTimeout() + kUnsentGrace;
-    m_sentPending = true;
-}
-
-void Controller::handleSent(TimePoint now)
-{
-    if (!m_sentPending || !m_output.empty())
-        return;
-    m_sentPending = false;
-    m_askedAt = now;
-    m_answerableAt = std::min(m_answerableAt, now);
-    m_lineFree = std::min(m_lineFree, now);
-    if (m_replyDue)
-        m_replyDue = now + responseTimeout();
+    send({Ping{false, false, 0, ++m_number}, {}}, gap, now);
 }
 
 void Controller::endRequest(std::optional<bool> executed)

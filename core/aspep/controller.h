@@ -3,24 +3,25 @@
 //   port bytes  --receive(bytes, now)-->  Controller  --takeOutput()--> bytes for the port
 //   one timer   --handleTimeout(now)-->               --takeEvents()--> events for the owner
 //
-// After any call: send takeOutput() (respecting gapBefore), call handleSent() once it has left, act
-// on takeEvents(), and arm one timer at nextTimeout().
+// After any call: send takeOutput() (respecting gapBefore), call handleSent() once it has left, act on takeEvents(),
+// and arm one timer at nextTimeout().
 //
 // States:  Idle -connect-> Negotiating -own Beacon echoed-> Pinging -Ping, configured-> Connected
-//          Connected -nack, time-out, bad header-> Recovering (drain, agreed Beacon until echoed,
-//          Ping) -> Connected Connected -Ping reply says not configured-> the board was reset:
-//          Negotiating from the maxima again any -attempts spent or no valid packet for
-//          `lostAfter`-> Idle, event Lost
+//          Connected -nack, time-out, bad header-> Recovering (drain, agreed Beacon until echoed, Ping) -> Connected
+//          Connected -Ping reply says not configured-> the board was reset: Negotiating from the maxima again
+//          any -attempts spent or no valid packet for `lostAfter`-> Idle, event Lost
 //
-// Rules of the wire that live here (firmware 6.0 to 6.4.2): never a second packet before the reply
-// to the first; a pause between the header and the payload of a request; the maxima are offered
-// first because boards only ever shrink; connected only after a Ping; resynchronisation by dialogue
-// (exact Beacon echo). Where two packets of the stream in a row prove that the line is in step, the
-// dialogue need not wait for silence, and the stream goes on meanwhile; it is not left out.
+// Rules of the wire that it keeps (firmware 6.0 to 6.4.2): never a second packet before the reply to the first; a
+// pause between the header and the payload of a request; the maxima are offered first because boards only ever shrink;
+// connected only after a Ping; resynchronisation by dialogue (exact Beacon echo). Where two packets of the stream in a
+// row prove that the line is in step, the dialogue need not wait for silence, and the stream goes on meanwhile; it is
+// not left out.
 #pragma once
 
 #include "aspep/framer.h"
+#include "aspep/negotiation.h"
 #include "aspep/packet.h"
+#include "aspep/sender.h"
 #include "base/output.h"
 #include "base/time.h"
 
@@ -78,8 +79,8 @@ public:
     struct Response {
         Bytes payload;
     };
-    /// The open request has no response. `executed`: the parity of a later Ping says that it was or
-    /// was not carried out; empty if that cannot be known (reset, link lost).
+    /// The open request has no response. `executed`: the parity of a later Ping says that it was or was not carried
+    /// out; empty if that cannot be known (reset, link lost).
     struct NoResponse {
         std::optional<bool> executed;
     };
@@ -109,7 +110,7 @@ public:
     explicit Controller(Config config);
 
     /// What was agreed on this line before this machine was made. Only what goes out without an answer makes use of it.
-    void remember(const Beacon &agreed);
+    void remember(const Beacon &agreed) { m_negotiation.remember(agreed); }
 
     void connect(TimePoint now);
     /// Forgets the link at once, without a word on the wire (the protocol has no disconnect).
@@ -120,30 +121,33 @@ public:
     void sendRequest(ByteView payload, TimePoint now);
     bool canSend() const; ///< Connected, and no packet of ours waits for its reply
 
-    /// The hurried way for Stop, allowed to break the one-packet rule. Connected and idle: sends
-    /// the payload at once. A request open: waits min(its time-out, 50 ms), then tries BEACON,
-    /// PING, payload by dialogue and after 20 ms without waiting for the echoes, at least 2 ms
-    /// apart. Not connected: the same at once. An open request ends with NoResponse first. The
-    /// reply, if any, is an ordinary Response or NoResponse.
+    /// The hurried way for Stop, allowed to break the one-packet rule. Connected and idle: sends the payload at once. A
+    /// request open: waits min(its time-out, 50 ms), then tries BEACON, PING, payload by dialogue and after 20 ms
+    /// without waiting for the echoes, at least 2 ms apart. Not connected: the same at once. An open request ends with
+    /// NoResponse first. The reply, if any, is an ordinary Response or NoResponse.
     void sendUrgent(ByteView payload, TimePoint now);
     /// It has not left yet: another would begin the wait anew, or take the line from it.
     bool urgentWaits() const;
 
     /// The payloads as they go out without an answer: BEACON, PING, the payloads, and at last enough BEACONs to end a
     /// payload that a board may still wait for. Changes nothing here.
-    std::vector<Output> blindScript(const std::vector<Bytes> &payloads) const;
+    std::vector<Output> blindScript(const std::vector<Bytes> &payloads) const
+    {
+        return m_sender.blindScript(payloads, m_negotiation.known());
+    }
 
     void receive(ByteView bytes, TimePoint now);
     void handleTimeout(TimePoint now); ///< early or repeated calls do nothing
     /// All output taken so far has left: reply time-outs count from here.
-    void handleSent(TimePoint now);
+    void handleSent(TimePoint now) { m_sender.handleSent(responseTimeout(), now); }
 
-    [[nodiscard]] std::vector<Output> takeOutput() { return std::exchange(m_output, {}); }
+    [[nodiscard]] std::vector<Output> takeOutput() { return m_sender.takeOutput(); }
     [[nodiscard]] std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
     [[nodiscard]] std::optional<TimePoint> nextTimeout() const;
 
     State state() const { return m_state; }
-    const Beacon &agreed() const { return m_agreed; } ///< meaningful from Connected on
+    /// Meaningful from Connected on.
+    const Beacon &agreed() const { return m_negotiation.agreed(); }
     const Stats &stats() const { return m_stats; }
     std::uint8_t linkId() const { return m_linkId; } ///< LIID of the last Ping reply
     Duration responseTimeout() const; ///< from baud rate and negotiated sizes
@@ -175,13 +179,17 @@ private:
         TimePoint begun{}; ///< the dialogue
     };
 
+    /// What the board's silence will bring, and when.
+    struct Health {
+        std::optional<TimePoint> suspect, keepAlive, lost;
+    };
+
     // controller.cpp: what goes out, what comes in, what time brings
-    void hand(Bytes bytes, Duration gap, TimePoint now);
-    void sendPacket(const Header &header, Duration gap, TimePoint now);
+    void send(const Packet &packet, Duration gap, TimePoint now);
     void sendData(ByteView payload, Duration gap, TimePoint now);
-    Bytes bodyOf(ByteView payload) const; ///< with the CRC that was agreed
-    void awaitReply(TimePoint from);
-    bool tooSoon() const; ///< the packet under way began before what it would answer had left
+    void sendPing(Duration gap, TimePoint now);
+    /// The packet under way began before what it would answer had left.
+    bool tooSoon() const { return !m_sender.answerable(m_packetBegan); }
     void onPacket(Packet &packet, TimePoint now);
     void onData(const Data &data, Bytes &payload, TimePoint now);
     void withdrawResponse();
@@ -190,6 +198,11 @@ private:
     void onFault(Framer::Step what, TimePoint now);
     void onTorn(TimePoint now);
     void damage();
+    void ignore() { ++m_stats.unexpected; }
+    static bool reached(const std::optional<TimePoint> &due, TimePoint now)
+    {
+        return due && now >= *due;
+    }
     void onStepOver(TimePoint now);
     void onReplyTimeout(TimePoint now);
     void countFault(Framer::Step what);
@@ -197,14 +210,14 @@ private:
     std::optional<TimePoint> stepEnd() const;
     std::optional<TimePoint> tornAt() const;
     State judgedState() const;
-    std::optional<TimePoint> healthDue() const;
+    bool linked() const;
+    Health health() const;
     void checkHealth(TimePoint now);
 
     // controller_dialogue.cpp: how a link comes about and is mended
     void negotiate(TimePoint now);
     void offer(TimePoint now, Duration gap = {});
-    void probe(TimePoint now);
-    void ping(TimePoint now);
+    void ping(Step step, TimePoint now);
     void onBeacon(const Beacon &answer, TimePoint now);
     void onPing(const Ping &reply, TimePoint now);
     void acceptAnswer(TimePoint now);
@@ -217,9 +230,10 @@ private:
     void rest(TimePoint now, Duration pause);
     void goOn(TimePoint now);
     void retry(TimePoint now);
-    bool spent(TimePoint now) const;
+    std::optional<TimePoint> spentAt() const;
     Duration dialogueLimit() const;
     void lose(LostReason reason);
+    LostReason outageFailure() const;
     LostReason connectFailure() const;
 
     // controller_urgent.cpp
@@ -234,24 +248,16 @@ private:
 
     Config m_config;
     Framer m_framer;
+    Sender m_sender;
+    Negotiation m_negotiation;
     State m_state = State::Idle;
     Step m_step = Step::None;
-    Beacon m_offer;
-    Beacon m_agreed;
-    Framer::Limits m_widest{0, 0, false}; ///< of all agreements: a board goes on with its first
-    bool m_everAgreed = false;
-    bool m_remembered = false; ///< m_agreed is what was agreed before, until there is an agreement
     bool m_afterReset = false;
     bool m_inDoubt = false; ///< a Beacon has left in this outage before a Ping told of a reset
     bool m_parity = false; ///< what the next Ping should say if no request is lost
     std::uint8_t m_linkId = 0;
     std::uint16_t m_number = 0; ///< of the last Ping
 
-    std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
-    TimePoint m_askedAt; ///< when the last packet left
-    TimePoint m_answerableAt; ///< what began before answers something else than the last packet
-    TimePoint m_lineFree; ///< when all that was handed over has left, at the earliest
-    bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
     bool m_requestOpen = false; ///< its end has not been told yet
     std::optional<Urgent> m_urgent;
 
@@ -275,7 +281,6 @@ private:
     bool m_probed = false; ///< in this recovery the board has said that it was not reset
     bool m_damaged = false; ///< something bad was heard: only Beacon and Ping mend that
 
-    std::vector<Output> m_output;
     std::vector<Event> m_events;
     std::optional<Async> m_async; ///< not told yet: payloads are not protected
     Stats m_stats;

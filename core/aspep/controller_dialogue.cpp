@@ -1,12 +1,10 @@
-// How the Controller's link comes about, and how it is mended: Beacons until the own one is echoed,
-// then a Ping.
+// How the Controller's link comes about, and how it is mended: Beacons until the own one is echoed, then a Ping.
 //
-// A recovery begins with Pings until one is answered: a board that was reset says so only before it has
-// heard a matching Beacon. (A stop cannot wait for that. A link that comes back by its Beacons is a new one.)
-// Where nothing bad was heard, only nothing at all, the Ping's reply is enough: the board is there and
-// connected, and its stream goes on. Else the agreed Beacon must come back exactly, twice: the first echo
-// shows that the line is in step, the second that the first was no late answer and that nothing which came
-// before is still under way.
+// A recovery begins with Pings until one is answered: a board that was reset says so only before it has heard a
+// matching Beacon. (A stop cannot wait for that. A link that comes back by its Beacons is a new one.) Where nothing bad
+// was heard, only nothing at all, the Ping's reply is enough: the board is there and connected, and its stream goes on.
+// Else the agreed Beacon must come back exactly, twice: the first echo shows that the line is in step, the second that
+// the first was no late answer and that nothing which came before is still under way.
 #include "aspep/controller.h"
 
 #include <algorithm>
@@ -20,13 +18,6 @@ namespace {
 /// Counter-proposals and returns to the start before there is no agreement.
 constexpr int kMaxRounds = 10;
 constexpr Duration kDialogueLimit = 4s; ///< whatever happens, a dialogue has ended after this
-
-/// An answer never has more than was offered: the Performer takes the minimum of both sides.
-bool canAnswer(const Beacon &answer, const Beacon &offer)
-{
-    return answer.dataCrc <= offer.dataCrc && answer.rxUnits <= offer.rxUnits
-        && answer.txSyncUnits <= offer.txSyncUnits && answer.txAsyncUnits <= offer.txAsyncUnits;
-}
 
 /// A refusal as boards of the protocol before this one send it: FF, one byte, its error code, and the sum of all that
 /// with the carry added. The code is 0x0C at most. Five Beacons are to such a board at least one frame with a bad sum.
@@ -42,7 +33,7 @@ void Controller::negotiate(TimePoint now)
 {
     m_state = State::Negotiating;
     m_framer.setLimits({});
-    m_offer = m_config.offer;
+    m_negotiation.startOver();
     m_attempts = 0;
     offer(now);
 }
@@ -50,9 +41,9 @@ void Controller::negotiate(TimePoint now)
 void Controller::offer(TimePoint now, Duration gap)
 {
     const bool recovering = m_state == State::Recovering;
-    const int most = m_heardBytes ? m_config.attempts
-        : m_everAgreed            ? kSilentOffers
-                                  : m_config.firstSilentOffers;
+    const int most = m_heardBytes   ? m_config.attempts
+        : m_negotiation.concluded() ? kSilentOffers
+                                    : m_config.firstSilentOffers;
     if (!recovering && m_attempts >= most)
         return lose(connectFailure());
     if (!recovering)
@@ -60,48 +51,38 @@ void Controller::offer(TimePoint now, Duration gap)
     m_inDoubt = m_inDoubt || (recovering && !m_probed);
     m_step = Step::Offering;
     ++m_attempts;
-    sendPacket(recovering ? m_agreed : m_offer, gap, now);
+    send({m_negotiation.beacon(recovering), {}}, gap, now);
 }
 
-void Controller::probe(TimePoint now)
-{
-    m_step = Step::Probing;
-    ++m_attempts;
-    sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
-}
-
-void Controller::ping(TimePoint now)
+void Controller::ping(Step step, TimePoint now)
 {
     if (m_state != State::Recovering)
         m_state = State::Pinging;
-    m_step = Step::Pinging;
+    m_step = step;
     ++m_attempts;
-    sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
+    sendPing({}, now);
 }
 
 void Controller::onBeacon(const Beacon &answer, TimePoint now)
 {
-    if (m_step == Step::Offering && tooSoon()) { // the late echo of one before: ours has not left
-        ++m_stats.unexpected;
-        return;
-    }
+    if (m_step == Step::Offering && tooSoon()) // the late echo of one before: ours has not left
+        return ignore();
     if (m_step == Step::Offering) {
-        const Beacon &mine = m_state == State::Recovering ? m_agreed : m_offer;
-        if (answer == mine && (m_state == State::Recovering || answer.version == 0))
+        const bool recovering = m_state == State::Recovering;
+        if (answer == m_negotiation.beacon(recovering) && (recovering || answer.version == 0))
             return acceptAnswer(now);
-        const bool plausible = m_state == State::Negotiating && canAnswer(answer, m_offer);
+        const bool plausible = m_state == State::Negotiating && m_negotiation.allows(answer);
         m_heardAnswer = m_heardAnswer || plausible;
         if (plausible && answer.version == 0) {
             if (++m_rounds > kMaxRounds)
                 return lose(LostReason::NoAgreement);
-            m_offer = answer;
+            m_negotiation.offer(answer);
             ++m_echoesLeft; // this one is no echo
             return acceptAnswer(now);
         }
     }
-    // It answers nothing that was asked: noise, or a late echo behind which the Performer has left
-    // the connection.
-    ++m_stats.unexpected;
+    // It answers nothing that was asked: noise, or a late echo behind which the Performer has left the connection.
+    ignore();
     if (blind())
         return;
     damage();
@@ -117,7 +98,7 @@ void Controller::onBeacon(const Beacon &answer, TimePoint now)
 
 void Controller::acceptAnswer(TimePoint now)
 {
-    m_replyDue.reset();
+    m_sender.settle();
     const bool repeated = m_attempts > 1; // then echoes of the earlier ones may be on their way
     if (repeated)
         m_echoesLeft = std::max(m_echoesLeft, 2);
@@ -134,15 +115,10 @@ void Controller::afterEcho(TimePoint now)
     if (m_echoesLeft > 0)
         return offer(now);
     if (m_state != State::Recovering) {
-        m_agreed = m_offer;
-        m_everAgreed = true;
-        // A Performer that streams keeps to the sizes of its first agreement, whatever came after.
-        m_widest.response = std::max(m_widest.response, m_agreed.txSyncMax());
-        m_widest.async = std::max(m_widest.async, m_agreed.txAsyncMax());
-        m_widest.dataCrc = m_agreed.dataCrc;
-        m_framer.setLimits(m_widest);
+        m_negotiation.conclude();
+        m_framer.setLimits(m_negotiation.limits());
     }
-    ping(now);
+    ping(Step::Pinging, now);
 }
 
 void Controller::onPing(const Ping &reply, TimePoint now)
@@ -150,15 +126,13 @@ void Controller::onPing(const Ping &reply, TimePoint now)
     const bool due =
         m_step == Step::Probing || m_step == Step::Pinging || m_step == Step::KeepingAlive;
     // Firmware up to 6.2.1 truncates the number once it is connected; unconfigured it never does.
-    if (!due || (!reply.configured && reply.number != m_number)) {
-        ++m_stats.unexpected;
-        return;
-    }
+    if (!due || (!reply.configured && reply.number != m_number))
+        return ignore();
     if (m_step == Step::Pinging && tooSoon()) { // the end is of another
-        ++m_stats.unexpected;
+        ignore();
         return damage();
     }
-    m_replyDue.reset();
+    m_sender.settle();
     m_heardAnswer = true;
     if (!reply.configured)
         return onNotConfigured(now);
@@ -181,9 +155,7 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
 {
     endRequest(reply.parity != m_parity);
     m_parity = reply.parity;
-    // A stop may talk where there was no link.
-    const State before = m_urgent ? m_urgent->before : m_state;
-    const bool recovered = before == State::Connected || before == State::Recovering;
+    const bool recovered = linked();
     m_state = State::Connected;
     m_step = Step::None;
     m_attempts = m_rounds = 0;
@@ -193,7 +165,7 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
     if (recovered && !m_inDoubt)
         m_events.push_back(Recovered{});
     else
-        m_events.push_back(Connected{m_agreed, m_afterReset});
+        m_events.push_back(Connected{agreed(), m_afterReset});
     m_afterReset = m_inDoubt = false;
     if (m_urgent)
         onUrgentDue(now);
@@ -238,7 +210,7 @@ void Controller::drain(TimePoint now, Duration quiet)
 
 void Controller::onDrainOver(TimePoint now)
 {
-    m_replyDue.reset();
+    m_sender.settle();
     const Duration silence = now - std::max(m_lastByte, m_drainStart);
     if (silence >= m_quiet && silence < kLongSilence && m_framer.missingToScanner() > 0) {
         m_drainStart = m_lastByte;
@@ -249,55 +221,52 @@ void Controller::onDrainOver(TimePoint now)
         m_framer.resynchronise();
         return goOn(now);
     }
-    // A stream that never pauses. A Beacon makes the Performer leave the connection, and so the
-    // stream end.
+    // A stream that never pauses. A Beacon makes the Performer leave the connection, and so the stream end.
     if (m_state != State::Recovering && m_attempts >= m_config.attempts)
         return lose(connectFailure());
     ++m_attempts;
     m_drainStart = now;
-    sendPacket(m_state == State::Recovering ? m_agreed : m_config.offer, {}, now);
+    send({m_state == State::Recovering ? agreed() : m_config.offer, {}}, {}, now);
 }
 
 void Controller::rest(TimePoint now, Duration pause)
 {
     m_step = Step::Resting;
-    m_restUntil = now + pause;
-    if (m_replyDue)
-        m_restUntil = std::max(m_restUntil, *m_replyDue);
+    m_restUntil = std::max(now + pause, m_sender.replyDue().value_or(now));
 }
 
 void Controller::goOn(TimePoint now)
 {
-    m_replyDue.reset();
+    m_sender.settle();
     if (m_state == State::Recovering && !m_probed && !hurried())
-        return probe(now);
+        return ping(Step::Probing, now);
     if (m_state != State::Recovering)
-        m_offer = m_config.offer; // a misheard answer must not shrink what is offered
+        m_negotiation.startOver(); // a misheard answer must not shrink what is offered
     offer(now);
 }
 
 void Controller::retry(TimePoint now)
 {
     const bool recovering = m_state == State::Recovering;
-    if (recovering && spent(now))
-        return lose(m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence);
-    if (m_step == Step::Probing)
-        return probe(now);
+    if (recovering && reached(spentAt(), now))
+        return lose(outageFailure());
+    if (m_step == Step::Probing || (m_step == Step::Pinging && m_attempts < m_config.attempts))
+        return ping(m_step, now);
     if (m_step != Step::Pinging)
         return offer(now);
-    if (m_attempts < m_config.attempts)
-        return ping(now);
     if (!recovering)
         return lose(connectFailure());
     m_echoesLeft = 2;
     offer(now);
 }
 
-bool Controller::spent(TimePoint now) const
+std::optional<TimePoint> Controller::spentAt() const
 {
     if (m_urgent) // counts no attempts
-        return now - m_lastValid >= m_config.lostAfter;
-    return m_attempts >= m_config.attempts && now - m_outageStart >= m_config.lostAfter;
+        return m_lastValid + m_config.lostAfter;
+    if (m_attempts < m_config.attempts)
+        return std::nullopt;
+    return m_outageStart + m_config.lostAfter;
 }
 
 Duration Controller::dialogueLimit() const
@@ -309,6 +278,11 @@ void Controller::lose(LostReason reason)
 {
     reset();
     m_events.push_back(Lost{reason});
+}
+
+Controller::LostReason Controller::outageFailure() const
+{
+    return m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence;
 }
 
 Controller::LostReason Controller::connectFailure() const
