@@ -1329,6 +1329,10 @@
         <translation>über 10 Hz wird der Frequenzgang des Motors selbst nicht genannt: was ohne Encoder für den Winkel des Rotors gehalten wird, folgt auch seinem Strom</translation>
     </message>
     <message>
+        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
+        <translation>was ohne Encoder für den Winkel des Rotors gehalten wird, folgt seinem Strom, um %1 elektrische Grad je Ampere: das ist herausgerechnet, und über 25 Hz wird der Frequenzgang des Motors selbst nicht genannt</translation>
+    </message>
+    <message>
         <source>nothing in it follows the set-point</source>
         <translation>nichts darin folgt dem Sollwert</translation>
     </message>

@@ -1325,6 +1325,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nothing in it follows the set-point</source>
         <translation type="unfinished"></translation>
     </message>

@@ -5,6 +5,7 @@
 #include "campaign/lab_gains.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/response_evaluation.h"
 #include "session/files/motor_file.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
@@ -14,8 +15,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <complex>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <numbers>
 #include <span>
 
 namespace {
@@ -36,6 +41,7 @@ struct Column {
     double bar = 0.0; ///< percent
     int found = 0, held = 0;
     double worst = 0.0; ///< percent, signed
+    double sum = 0.0, squares = 0.0, widths = 0.0; ///< of the numbers and of their intervals
 
     void accept(const std::optional<Estimate> &estimate, double truth)
     {
@@ -45,14 +51,26 @@ struct Column {
         held += *estimate->low <= truth && truth <= *estimate->high ? 1 : 0;
         const double off = (estimate->value / truth - 1.0) * kPercent;
         worst = std::abs(off) > std::abs(worst) ? off : worst;
+        sum += off;
+        squares += off * off;
+        widths += (*estimate->high - *estimate->low) / truth * kPercent;
+    }
+    /// The mean interval beside that which holds 95 % of the numbers, if these are normal.
+    double tooWide() const
+    {
+        constexpr double kOf95 = 2.0 * 1.96;
+        const double mean = sum / found;
+        const double deviation = std::sqrt((squares - sum * mean) / (found - 1));
+        return widths / found / (kOf95 * deviation);
     }
     void print() const
     {
         if (found == 0)
             std::printf(" - |");
         else
-            std::printf(" %s%+.2f%s (%d/%d) |", std::abs(worst) > bar ? "**" : "", worst,
-                std::abs(worst) > bar ? "**" : "", held, found);
+            std::printf(" %s%+.2f%s (%d/%d; %.1f, %.1f) |", std::abs(worst) > bar ? "**" : "",
+                worst, std::abs(worst) > bar ? "**" : "", held, found, widths / found / 2.0,
+                tooWide());
     }
 };
 
@@ -138,6 +156,68 @@ void mechanics(const Motor &motor, double brake, std::uint64_t seeds)
     end(columns, reasons);
 }
 
+/// A frequency of the response in all runs of a row.
+struct Bin {
+    int found = 0;
+    double gain = 0.0, phase_deg = 0.0; ///< sums of the errors; the gain's in percent
+};
+
+/// Of the shaft's speed by Iq where the response tells it: with an encoder from 3 to 40 Hz, observed up to 10 Hz.
+void responses(const Motor &motor, std::uint64_t seeds)
+{
+    constexpr double kFrom_hz = 3.0, kTo_hz = 40.0, kClear = 0.8,
+                     kDegrees = 180.0 / std::numbers::pi;
+    std::map<double, Bin> bins;
+    int points = 0, held = 0;
+    double squares = 0.0;
+    std::vector<std::string> reasons;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        support::LabBench bench(boardOf(motor.plant, seed), seed);
+        ResponsePlan plan = responsePlanFor(bench.experiment.subject, {});
+        plan.seed = static_cast<std::uint32_t>(seed);
+        std::string why = carryOut(bench, {plan});
+        const auto found = why.empty() ? evaluateResponse(bench.capture, bench.happenings)
+                                       : Result<SpeedResponse, std::string>(fail(why));
+        if (!found) {
+            reasons.push_back(found.error());
+            continue;
+        }
+        const auto &one = motor.plant.motor;
+        const double rad = plan.rpm * 2.0 * std::numbers::pi / 60.0;
+        for (const ResponsePoint &point : found->points) {
+            if (!point.plantKnown || point.hz < kFrom_hz || point.hz > kTo_hz
+                || point.coherence < kClear)
+                continue;
+            const std::complex<double> truth = 1.5 * one.polePairs * one.flux_wb
+                / std::complex(one.viscous_nms + 2.0 * motor.plant.load.fan_nms2 * rad,
+                    one.inertia_kgm2 * 2.0 * std::numbers::pi * point.hz);
+            const double off = std::abs(point.plant / truth) - 1.0;
+            ++points;
+            held += std::abs(off) <= 1.96 * point.relative ? 1 : 0;
+            squares += off * off;
+            Bin &bin = bins[std::round(point.hz * 100.0) / 100.0];
+            ++bin.found;
+            bin.gain += off * kPercent;
+            bin.phase_deg += std::arg(point.plant / truth) * kDegrees;
+        }
+    }
+    const std::size_t results = static_cast<std::size_t>(seeds) - reasons.size();
+    double gain = 0.0, phase_deg = 0.0, to_hz = 0.0;
+    for (const auto &[hz, bin] : bins) {
+        if (2 * bin.found < static_cast<int>(results))
+            continue; // seldom clear
+        const double off = bin.gain / bin.found, turned = bin.phase_deg / bin.found;
+        gain = std::abs(off) > std::abs(gain) ? off : gain;
+        phase_deg = std::abs(turned) > std::abs(phase_deg) ? turned : phase_deg;
+        to_hz = hz;
+    }
+    std::printf("| %s | %zu of %llu | %.0f Hz | %+.2f | %+.2f | %.2f | %.0f %% | %s |\n",
+        motor.name.c_str(), results, static_cast<unsigned long long>(seeds), to_hz, gain, phase_deg,
+        kPercent * std::sqrt(squares / std::max(1, points)), kPercent * held / std::max(1, points),
+        reasons.empty() ? "" : reasons.front().c_str());
+    std::fflush(stdout);
+}
+
 void electrics(const Motor &motor, std::uint64_t seeds)
 {
     std::array columns{
@@ -190,6 +270,11 @@ int main(int count, char **words)
         "\n| motor | results | Rs | Ld | Lq | flux | else |\n|---|---|---|---|---|---|---|\n");
     for (const Motor &motor : all)
         electrics(motor, seeds);
+    std::printf(
+        "\n| motor | results | clear up to | gain, percent | phase, degrees | rms, percent | "
+        "held | else |\n|---|---|---|---|---|---|---|---|\n");
+    for (const Motor &motor : all)
+        responses(motor, seeds);
     std::printf(
         "\nMedium gains: Ms that was measured, overshoot in %% as predicted and as measured.\n\n"
         "| motor | load | gains as they were | four times | a quarter | else "

@@ -207,6 +207,10 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "above 10 Hz the motor's own response is not told: what is taken for the angle of a rotor "
         "without an encoder follows its current, too"),
+    QT_TRANSLATE_NOOP("Lab",
+        "what is taken for the angle of a rotor without an encoder follows its current, by %1 "
+        "electrical degrees an ampere: that is taken out, and above 25 Hz the motor's own response "
+        "is not told"),
     QT_TRANSLATE_NOOP("Lab", "nothing in it follows the set-point"),
     QT_TRANSLATE_NOOP("Lab", "the current does not follow its reference in it"),
     QT_TRANSLATE_NOOP("Lab", "the gains were changed while it was measured"),

@@ -1,5 +1,6 @@
 #include "lab/evaluation/response_evaluation.h"
 
+#include "base/text.h"
 #include "lab/evaluation/segments.h"
 #include "lab/evaluation/step_evaluation.h"
 #include "lab/happenings.h"
@@ -23,7 +24,8 @@ constexpr std::size_t kTransform = 2048;
 constexpr double kBand = 0.25;
 constexpr std::size_t kMostBins = 4;
 constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
-constexpr double kObserved_hz = 10.0; ///< beyond it an observed speed says little of the shaft's
+/// Of an observed speed: beyond these it says little of the shaft's, with and without what follows the current.
+constexpr double kCorrected_hz = 25.0, kObserved_hz = 10.0;
 constexpr int kLeastSegments = 4;
 constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
 enum Signal : std::size_t { Speed, Current, Reference, Sensed, kSignals };
@@ -204,6 +206,62 @@ void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoin
     found.phaseMargin_deg = Estimate{margin, margin - half, margin + half};
 }
 
+/// An observed angle follows the current, too, by c: measured is G + c s. Of one inertia, w Im G is the same at all
+/// frequencies, so that c is the slope of w Im(G + c s) by w^2. @return  c in rad/A, if it can be told
+std::optional<Estimate> angleByCurrent(const std::vector<ResponsePoint> &points)
+{
+    constexpr double kClear = 0.8;
+    constexpr int kLeastPoints = 6;
+    int count = 0;
+    double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const ResponsePoint &point : points) {
+        if (point.coherence < kClear || point.hz > kCorrected_hz)
+            continue;
+        const double w = 2.0 * std::numbers::pi * point.hz, square = w * w;
+        const double off = w * std::abs(point.plant) * point.relative;
+        const double weight = 1.0 / std::max(off * off, 1e-12);
+        const double value = w * point.plant.imag();
+        ++count;
+        sum += weight;
+        x += weight * square;
+        y += weight * value;
+        xx += weight * square * square;
+        xy += weight * square * value;
+    }
+    const double spread = sum * xx - x * x;
+    if (count < kLeastPoints || !(spread > 0.0))
+        return std::nullopt;
+    const double c = (sum * xy - x * y) / spread, half = kNormal * std::sqrt(sum / spread);
+    return Estimate{c, c - half, c + half};
+}
+
+/// Takes it out again as far as one inertia explains it.
+void correctObserved(SpeedResponse &found, double polePairs)
+{
+    const auto c = angleByCurrent(found.points);
+    const double top_hz = c ? kCorrected_hz : kObserved_hz;
+    // An observer is not quite this: of simulated motors up to a sixth of it was left.
+    constexpr double kLeft = 0.2;
+    for (ResponsePoint &point : found.points) {
+        point.plantKnown = point.hz <= top_hz;
+        if (!c)
+            continue;
+        const double w = 2.0 * std::numbers::pi * point.hz;
+        const double unsure = w * std::hypot((*c->high - c->value) / kNormal, kLeft * c->value);
+        const double noise = point.relative * std::abs(point.plant);
+        point.plant -= Complex(0.0, c->value * w);
+        point.relative = std::hypot(noise, unsure) / std::abs(point.plant);
+    }
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    found.notes.push_back(c
+            ? "what is taken for the angle of a rotor without an encoder follows its current, by "
+                + decimalText(c->value * polePairs * kDegrees, 2)
+                + " electrical degrees an ampere: that is taken out, and above 25 Hz the motor's "
+                  "own response is not told"
+            : "above 10 Hz the motor's own response is not told: what is taken for the "
+              "angle of a rotor without an encoder follows its current, too");
+}
+
 } // namespace
 
 bool changesGains(int motor, const recorded::Happening &what)
@@ -299,11 +357,6 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(
             std::string("too little of it is without a gap: stretches of two seconds are needed"));
     SpeedResponse found;
-    const bool byEncoder = lab::byEncoder(plan->angle);
-    if (!byEncoder)
-        found.notes.emplace_back(
-            "above 10 Hz the motor's own response is not told: what is taken for the "
-            "angle of a rotor without an encoder follows its current, too");
     const bool knownGains = plan->regulator.proportional != 0.0;
     const CrossSpectra fine = sum.result();
     found.regulator = plan->regulator;
@@ -326,7 +379,6 @@ Result<SpeedResponse, std::string> evaluateResponse(
             / sinc(2.0 * point.hz * kSample_s);
         point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
             + varianceOf(spectra.coherence(Current, bin), spectra.averages));
-        point.plantKnown = byEncoder || point.hz <= kObserved_hz;
         if (knownGains)
             point.loop = cross(Sensed) / cross(Reference) * regulatorAt(plan->regulator, point.hz);
         point.loopRelative = std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages)
@@ -335,6 +387,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
     }
     if (found.points.empty())
         return fail(std::string("nothing in it follows the set-point"));
+    if (!byEncoder(plan->angle))
+        correctObserved(found, plan->polePairs);
     if (!edges.reason.empty())
         found.notes.push_back("the run ended early: " + edges.reason);
     if (knownGains)

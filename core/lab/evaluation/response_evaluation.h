@@ -19,10 +19,10 @@ namespace lab {
 
 struct ResponsePoint {
     double hz = 0.0;
-    /// Speed of the shaft by Iq: (rad/s)/A; of a current loop Iq by its reference.
+    /// Speed of the shaft by Iq: (rad/s)/A, an observed one without what its angle owes to the current alone; of a
+    /// current loop Iq by its reference.
     std::complex<double> plant;
-    /// Else the speed is observed, and follows the current in other ways, too.
-    bool plantKnown = true;
+    bool plantKnown = true; ///< else what an observer adds is too much of it
     double relative = 0.0; ///< standard error of its gain, and of its phase in rad
     double coherence = 0.0; ///< the smaller one of both signals with the set-point
     std::complex<double> loop; ///< as the regulator closes it; 0: its gains are not known

@@ -213,7 +213,7 @@ Result<Measured, std::string> measuredMotor(const SpeedResponse &measured, const
     for (const ResponsePoint &point : measured.points)
         if (point.coherence >= kLeastCoherence)
             motor.points.push_back(
-                {point.hz, point.loop / regulatorAt(now, point.hz), point.relative});
+                {point.hz, point.loop / regulatorAt(now, point.hz), point.loopRelative});
     if (motor.points.size() < kLeastPoints)
         return fail(std::string("too few frequencies of the response are clear enough"));
     constexpr double kUsual_hz = 15.0;

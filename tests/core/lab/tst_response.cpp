@@ -114,29 +114,32 @@ private Q_SLOTS:
         }
     }
 
-    void anObservedSpeedTellsItUpTo10Hz_data()
+    void anObservedSpeedTellsItUpTo25Hz_data()
     {
         QTest::addColumn<QString>("motor");
         for (const char *motor : {"pm24", "prop12", "ipm48", "blower36"})
             QTest::newRow(motor) << QString::fromLatin1(motor);
     }
-    void anObservedSpeedTellsItUpTo10Hz()
+    void anObservedSpeedTellsItUpTo25Hz()
     {
         QFETCH(const QString, motor);
         const MeasuredSpeed measured = measure(motor.toStdString());
         VERIFY_COMPLETE(measured);
         const auto &plant = *simulation::findPreset(motor.toStdString());
-        int known = 0;
+        int known = 0, within = 0;
         for (const ResponsePoint &point : measured.found->points) {
-            QCOMPARE(point.plantKnown, point.hz <= 10.0);
-            if (!point.plantKnown || point.coherence < 0.95)
+            QCOMPARE(point.plantKnown, point.hz <= 25.0);
+            if (!point.plantKnown || point.coherence < 0.8 || point.hz < 3.0)
                 continue;
             ++known;
             const Complex ratio = point.plant / truthAt(plant, measured.plan, point.hz);
-            QVERIFY2(std::abs(std::abs(ratio) - 1.0) < 0.06,
+            within += std::abs(std::abs(ratio) - 1.0) <= 1.96 * point.relative ? 1 : 0;
+            // Without what the current does to the angle it would be 30 % at 25 Hz.
+            QVERIFY2(std::abs(std::abs(ratio) - 1.0) < std::max(0.06, 3.0 * point.relative),
                 qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::abs(ratio))));
         }
-        QVERIFY(known >= 4);
+        QVERIFY(within >= 0.9 * known);
+        QVERIFY(known >= 10);
         QVERIFY(measured.found->crossover_hz.has_value());
         QCOMPARE(measured.found->notes.size(), 1U);
     }

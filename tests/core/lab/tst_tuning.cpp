@@ -230,7 +230,7 @@ private Q_SLOTS:
         // Worse points keep a wider distance.
         SpeedResponse unsure = *measured;
         for (ResponsePoint &point : unsure.points)
-            point.relative *= 5.0;
+            point.loopRelative *= 5.0;
         const auto careful = proposeGains(unsure, digits, 7.0);
         QVERIFY(careful);
         QVERIFY(careful->back().integral < proposed->back().integral);
