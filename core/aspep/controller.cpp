@@ -55,9 +55,9 @@ void Controller::connect(TimePoint now)
 
 void Controller::reset()
 {
-    if (m_urgent && !blind())
-        m_requestOpen = true; // promised an end, though it was never sent
     endRequest(std::nullopt);
+    if (m_urgent && !blind())
+        m_events.push_back(NoResponse{}); // promised an end, though it was never sent
     m_urgent.reset();
     m_state = State::Idle;
     m_step = Step::None;
@@ -122,7 +122,6 @@ void Controller::receive(ByteView bytes, TimePoint now)
         if (hurried() && !m_framer.inStep()) {
             // A stop does not wait for silence; only an exact echo counts anyway.
             m_framer.resynchronise();
-            break;
         }
     }
     if (m_framer.inPayload())

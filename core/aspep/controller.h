@@ -7,7 +7,8 @@
 // and arm one timer at nextTimeout().
 //
 // States:  Idle -connect-> Negotiating -own Beacon echoed-> Pinging -Ping, configured-> Connected
-//          Connected -nack, time-out, bad header-> Recovering (drain, agreed Beacon until echoed, Ping) -> Connected
+//          Connected -nack, time-out, bad header-> Recovering (Ping; after damage: drain, Ping, the
+//                    agreed Beacon until echoed, Ping) -> Connected
 //          Connected -Ping reply says not configured-> the board was reset: Negotiating from the maxima again
 //          any -attempts spent or no valid packet for `lostAfter`-> Idle, event Lost
 //

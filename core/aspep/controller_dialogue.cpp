@@ -51,7 +51,7 @@ void Controller::offer(TimePoint now, Duration gap)
     m_inDoubt = m_inDoubt || (recovering && !m_probed);
     m_step = Step::Offering;
     ++m_attempts;
-    send({m_negotiation.beacon(recovering), {}}, gap, now);
+    send({recovering ? agreed() : m_negotiation.offered(), {}}, gap, now);
 }
 
 void Controller::ping(Step step, TimePoint now)
@@ -69,7 +69,8 @@ void Controller::onBeacon(const Beacon &answer, TimePoint now)
         return ignore();
     if (m_step == Step::Offering) {
         const bool recovering = m_state == State::Recovering;
-        if (answer == m_negotiation.beacon(recovering) && (recovering || answer.version == 0))
+        if (answer == (recovering ? agreed() : m_negotiation.offered())
+            && (recovering || answer.version == 0))
             return acceptAnswer(now);
         const bool plausible = m_state == State::Negotiating && m_negotiation.allows(answer);
         m_heardAnswer = m_heardAnswer || plausible;
@@ -114,10 +115,9 @@ void Controller::afterEcho(TimePoint now)
 {
     if (m_echoesLeft > 0)
         return offer(now);
-    if (m_state != State::Recovering) {
+    if (m_state != State::Recovering)
         m_negotiation.conclude();
-        m_framer.setLimits(m_negotiation.limits());
-    }
+    m_framer.setLimits(m_negotiation.limits()); // also where a stop mends what was being opened
     ping(Step::Pinging, now);
 }
 
@@ -153,7 +153,7 @@ void Controller::onPing(const Ping &reply, TimePoint now)
 
 void Controller::enterConnected(const Ping &reply, TimePoint now)
 {
-    endRequest(reply.parity != m_parity);
+    endRequest(m_inDoubt ? std::nullopt : std::optional(reply.parity != m_parity));
     m_parity = reply.parity;
     const bool recovered = linked();
     m_state = State::Connected;
@@ -162,7 +162,7 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
     m_echoesLeft = 1;
     m_damaged = false;
     m_suspect = false;
-    if (recovered && !m_inDoubt)
+    if (recovered && !m_inDoubt && !m_afterReset)
         m_events.push_back(Recovered{});
     else
         m_events.push_back(Connected{agreed(), m_afterReset});
@@ -226,7 +226,9 @@ void Controller::onDrainOver(TimePoint now)
         return lose(connectFailure());
     ++m_attempts;
     m_drainStart = now;
-    send({m_state == State::Recovering ? agreed() : m_config.offer, {}}, {}, now);
+    const bool recovering = m_state == State::Recovering;
+    m_inDoubt = m_inDoubt || (recovering && !m_probed);
+    send({recovering ? agreed() : m_config.offer, {}}, {}, now);
 }
 
 void Controller::rest(TimePoint now, Duration pause)

@@ -18,7 +18,6 @@ public:
     {
     }
 
-    /// What was agreed on this line before this machine was made. Only what goes out without an answer makes use of it.
     void remember(const Beacon &agreed)
     {
         if (m_concluded)
@@ -44,11 +43,10 @@ public:
     {
         return m_concluded || m_remembered ? std::optional(m_agreed) : std::nullopt;
     }
-    /// What there is to say: the offer, or `again` what was agreed on.
-    const Beacon &beacon(bool again) const { return again ? m_agreed : m_offer; }
+    const Beacon &offered() const { return m_offer; }
     /// The offer as it goes out without an answer. A board that goes on with an agreement leaves the connection for any
     /// offer beyond it, and then swallows requests.
-    const Beacon &blindOffer() const { return beacon(m_remembered && m_offer == m_maxima); }
+    const Beacon &blindOffer() const { return known() && m_offer == m_maxima ? m_agreed : m_offer; }
     /// A board can answer the offer with this: it takes the minimum of both sides.
     bool allows(const Beacon &answer) const
     {
@@ -71,7 +69,7 @@ private:
     Beacon m_maxima, m_offer, m_agreed;
     Framer::Limits m_limits{0, 0, false};
     bool m_concluded = false;
-    bool m_remembered = false; ///< m_agreed is what was agreed before, until there is an agreement
+    bool m_remembered = false; ///< m_agreed was told by remember()
 };
 
 } // namespace aspep

@@ -1,6 +1,6 @@
 // What goes out to a Performer: one packet, and its reply is due then. It knows when each has left, at the earliest or
-// as its owner tells, and so until when nothing else may be sent and what began too soon to be an answer. It judges no
-// reply; how long one may take is the owner's to say.
+// as its owner tells, and so what began too soon to be an answer. It judges no reply; how long one may take is the
+// owner's to say.
 #pragma once
 
 #include "aspep/packet.h"
@@ -36,14 +36,14 @@ public:
     void settle() { m_replyDue.reset(); }
     void putOff(Duration more) { *m_replyDue += more; }
 
-    /// What has not left never does.
+    /// Nothing is on the line from now on.
     void freeLine(TimePoint now) { m_lineFree = std::min(m_lineFree, now); }
     /// The last packet takes the place of all that has not left.
     void overtake() { m_output.back().dropsEarlier = true; }
     void clear() { m_output.clear(); }
     [[nodiscard]] std::vector<Output> takeOutput() { return std::exchange(m_output, {}); }
 
-    /// The payloads as they go out without an answer, to a board with which `known` was agreed. Sends nothing.
+    /// For Controller::blindScript(), to a board with which `known` was agreed.
     std::vector<Output> blindScript(
         const std::vector<Bytes> &payloads, const std::optional<Beacon> &known) const;
 
@@ -61,7 +61,7 @@ private:
     std::uint32_t m_baud;
     Duration m_payloadPause;
     std::vector<Output> m_output;
-    std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
+    std::optional<TimePoint> m_replyDue; ///< of the last packet
     TimePoint m_askedAt;
     TimePoint m_answerableAt; ///< what began before answers something else than the last packet
     TimePoint m_lineFree; ///< when all that was handed over has left, at the earliest

@@ -293,6 +293,9 @@ void TestControllerRecovery::aStreamThatNeverPausesIsEndedByABeacon()
     QCOMPARE(link.controller.stats().discardedBytes > 1000, true);
     answerAll(link);
     QCOMPARE(link.controller.state(), kConnected);
+    // After that Beacon a board that was reset no longer says so.
+    QCOMPARE(link.count<Controller::Recovered>(), 0);
+    QCOMPARE(link.count<Controller::Connected>(), 1);
 }
 
 void TestControllerRecovery::aStallWithinAPacketIsWaitedFor()

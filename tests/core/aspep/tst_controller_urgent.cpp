@@ -15,6 +15,10 @@ private Q_SLOTS:
     void onALostLinkItUsesTheAgreedSizes();
     void onALinkThatNeverWasItOffersTheMost();
     void unheardItUsesWhatWasAgreedBefore();
+    void whileALinkIsOpenedAgainItUsesTheAgreedSizes();
+    void aLinkThatItBringsBackHasItsLimits();
+    void aResetThatItsDialogueMeetsIsTold();
+    void howBytesCameTogetherChangesNothing();
     void aBlindStopThatIsAnsweredSaysSo();
     void nothingAnswersABlindStopThatHasNotLeft();
     void theEchoOfAnEarlierBeaconIsNotTheAnswer();
@@ -216,6 +220,82 @@ void TestControllerUrgent::unheardItUsesWhatWasAgreedBefore()
     QCOMPARE(header(link.controller.agreed()), small);
 }
 
+void TestControllerUrgent::whileALinkIsOpenedAgainItUsesTheAgreedSizes()
+{
+    VirtualLink link;
+    link.connect();
+    link.wait(2s);
+    (void)link.sent();
+    link.controller.connect(link.now);
+    QCOMPARE(link.nextSent(), kWidest);
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.sent(), Bytes()); // the offer has just left
+    link.wait(20ms);
+    const Bytes blind = link.sent();
+    QCOMPARE(Bytes(blind.begin(), blind.begin() + 4), kBoard);
+    QVERIFY(endsWithStop(blind));
+}
+
+void TestControllerUrgent::aLinkThatItBringsBackHasItsLimits()
+{
+    VirtualLink link;
+    link.connect();
+    link.wait(2s);
+    (void)link.sent();
+    link.controller.connect(link.now);
+    link.wait(30ms);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    for (int i = 0; i < 20 && link.controller.state() != Controller::State::Connected; ++i) {
+        const Bytes bytes = link.nextSent();
+        link.hear(isPing(bytes) ? kConfigured : kBoard);
+    }
+    QVERIFY(endsWithStop(link.sent()));
+    link.hear(packet(true, hex("00")));
+    QVERIFY(link.controller.canSend());
+    link.hear(header(aspep::Data{false, 4000}));
+    QCOMPARE(link.controller.stats().tooLong, std::uint64_t{1});
+}
+
+void TestControllerUrgent::aResetThatItsDialogueMeetsIsTold()
+{
+    for (Duration late{}; late < 20ms; late += 1ms) {
+        VirtualLink link;
+        link.connect();
+        link.controller.sendRequest(kGetStatus, link.now);
+        (void)link.sent();
+        const Bytes probe = link.nextSent();
+        QVERIFY(isPing(probe));
+        link.wait(late);
+        link.controller.sendUrgent(kStop, link.now);
+        link.hear(probe); // "not configured" is the Ping itself
+        for (int i = 0; i < 10 && link.controller.state() != Controller::State::Connected; ++i)
+            link.hear(isPing(link.nextSent()) ? kConfigured : kBoard);
+        QCOMPARE(link.count<Controller::Recovered>(), 0);
+        QCOMPARE(link.count<Controller::Connected>(), 1);
+        QVERIFY(link.last<Controller::Connected>()->afterReset);
+    }
+}
+
+void TestControllerUrgent::howBytesCameTogetherChangesNothing()
+{
+    const Bytes noise = hex("FF FF FF FF");
+    for (const bool together : {true, false}) {
+        VirtualLink link;
+        link.connect();
+        link.controller.sendRequest(kGetStatus, link.now);
+        (void)link.sent();
+        link.controller.sendUrgent(kStop, link.now);
+        QCOMPARE(link.nextSent(), kBoard);
+        if (!together)
+            link.hear(noise);
+        link.hear(together ? noise + kBoard : kBoard);
+        QCOMPARE(link.nextSent(), kBoard); // what was heard needs a second echo
+        link.hear(kBoard);
+        QVERIFY(isPing(link.sent()));
+    }
+}
+
 void TestControllerUrgent::aBlindStopThatIsAnsweredSaysSo()
 {
     VirtualLink link;
@@ -299,6 +379,14 @@ void TestControllerUrgent::everyUrgentRequestEndsOnce()
     link.controller.reset();
     link.collect();
     QCOMPARE(ends(link), asked);
+    // Also where it waits behind a request.
+    VirtualLink waiting;
+    waiting.connect();
+    waiting.controller.sendRequest(kGetStatus, waiting.now);
+    waiting.controller.sendUrgent(kStop, waiting.now);
+    waiting.controller.reset();
+    waiting.collect();
+    QCOMPARE(ends(waiting), 2);
 }
 
 void TestControllerUrgent::noiseDoesNotHoldItUp()
