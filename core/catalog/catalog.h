@@ -29,10 +29,12 @@ struct Scales {
 };
 
 /// Which registers say where a START goes, by name: of each kind the first that a board has. What is followed in the
-/// end, not the ramp on the way to it; `ramp` is the last one, s32 rpm and u16 ms.
+/// end, not the ramp on the way to it; `ramp` is the last one, s32 rpm and u16 ms, `torqueRamp` that of the current,
+/// s16 digits and u16 ms.
 struct StartRegisters {
     std::array<std::string_view, 2> mode, ramp, speed, current;
     ControlMode (*controlOf)(std::int64_t mode) = controlModeOf;
+    std::string_view torqueRamp = {};
 };
 
 class Catalog {

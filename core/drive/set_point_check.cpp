@@ -105,6 +105,11 @@ std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
         : "";
 }
 
+double leastAmps(double digits, double ampsPerDigit)
+{
+    return std::max(0.0, std::abs(digits) - 0.5) * ampsPerDigit;
+}
+
 std::string refuseStages(const BoardFacts &board, int motor, ByteView raw)
 {
     const auto stages = motor::revUpOfBytes(raw);
@@ -114,9 +119,11 @@ std::string refuseStages(const BoardFacts &board, int motor, ByteView raw)
     for (const motor::RevUpStage &stage : *stages) {
         if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
             return why;
-        if (amps > 0.0)
-            if (auto why = refuseCurrent(board, motor, stage.current_digits * amps); !why.empty())
-                return why;
+        if (!(amps > 0.0))
+            continue;
+        if (auto why = refuseCurrent(board, motor, leastAmps(stage.current_digits, amps));
+            !why.empty())
+            return why;
     }
     return {};
 }

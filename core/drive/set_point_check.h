@@ -36,6 +36,10 @@ std::string refuseCurrent(const BoardFacts &board, int motor, double amps);
 /// Why this speed must not be asked for by a protocol that holds so much; empty if it may.
 std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
 
+/// The least current, without its sign, that becomes so many whole digits. A limit has no digits of its own: the ones
+/// that a set-point of just the limit becomes are within it.
+double leastAmps(double digits, double ampsPerDigit);
+
 /// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
 std::string refuseStages(const BoardFacts &board, int motor, ByteView raw);
 

@@ -1,9 +1,9 @@
 // What a START of a motor goes to, by what its board holds: the reference that its control follows, under whatever name
 // the board has it. Pure functions; reading the registers is left to the caller.
 //
-// A speed that is asked for while a motor rests is kept until it runs: the reference in force still has the old one
-// then, and the last ramp has the speed that a start goes to (firmware 6.0 to 6.4.2). Where a board tells its last
-// ramp, that counts.
+// A speed or a current that is asked for while a motor rests is kept until it runs: the reference in force still has
+// the old one then, or 0, and the last ramp has what a start goes to (firmware 6.0 to 6.4.2). Where a board tells its
+// last ramp, that counts.
 #pragma once
 
 #include "catalog/catalog.h"

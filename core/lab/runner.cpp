@@ -299,6 +299,8 @@ void Runner::advance(TimePoint now)
         if (!m_answered)
             break;
         if (m_ran && m_byTorque)
+            return catchSpeed(now);
+        if (m_ran && m_target_rpm != std::lround(m_before_rpm))
             return ramp(static_cast<int>(std::lround(m_before_rpm)), wayTo(m_before_rpm), now);
         if (m_ran ? steadyAt(m_before_rpm, now) || (m_swings && hadItsTime(now))
                   : m_status->state == MotorState::Idle)
@@ -559,6 +561,8 @@ void Runner::giveBack(TimePoint now)
     enter(Phase::Returning, m_ran ? way + kReachesWithin : kRestsWithin, now);
     if (m_ran) {
         m_envelope.set(caps(), now);
+        if (m_currents.idAmps == 0.0 && m_byTorque)
+            return catchSpeed(now);
         if (m_currents.idAmps == 0.0)
             return ramp(static_cast<int>(std::lround(m_before_rpm)), way, now);
         m_currents.idAmps = 0.0; // speed control would keep it
@@ -568,6 +572,14 @@ void Runner::giveBack(TimePoint now)
     resting.silence = Duration::zero();
     m_envelope.set(resting, now);
     ask(drive::Command{drive::MotorAction::StopMotor, m_experiment.subject.motor}, now);
+}
+
+/// Firmware keeps the speed reference of before the torque, and a ramp begins there: so first to the speed that it has.
+void Runner::catchSpeed(TimePoint now)
+{
+    const double allowed = allowedRpm(m_experiment);
+    const double rpm = std::clamp(m_envelope.rpm().value_or(m_before_rpm), -allowed, allowed);
+    ramp(static_cast<int>(std::lround(rpm)), milliseconds(0), now);
 }
 
 /// Of what was written: while the motor rests, or turns as before. A start goes its way in the time of the last ramp.
@@ -713,10 +725,14 @@ void Runner::finish()
         m_soFar.leaves = true;
     };
     const auto isOld = [this](double rpm) { return std::abs(rpm - m_before_rpm) <= tolerated(); };
-    // What is on its way may have been taken, and may not: of the two, the one that is not the old one is said.
-    const double now_rpm = m_asked_rpm && !isOld(*m_asked_rpm) ? *m_asked_rpm : m_target_rpm;
-    if (m_commanded && !isOld(now_rpm))
-        say(std::string("the set-point ") + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm)
+    // What is on its way may have been taken, and may not.
+    std::string now;
+    if (m_asked_rpm && !isOld(*m_asked_rpm))
+        now = rpmText(*m_asked_rpm);
+    if (!isOld(m_target_rpm) && rpmText(m_target_rpm) != now)
+        now += (now.empty() ? "" : " or ") + rpmText(m_target_rpm);
+    if (m_commanded && !now.empty())
+        say(std::string("the set-point ") + (m_asked_rpm ? "may be " : "is ") + now
             + " now, it was " + rpmText(m_before_rpm));
     if (m_lent) {
         std::vector<Lent> lent;

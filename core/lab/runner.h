@@ -89,6 +89,7 @@ private:
     void approach(TimePoint now);
     void work(TimePoint now);
     void giveBack(TimePoint now);
+    void catchSpeed(TimePoint now);
     void restore(TimePoint now);
     void restoreNext(TimePoint now);
     void compare(TimePoint now);
@@ -115,7 +116,7 @@ private:
     drive::Watch watch() const;
     std::optional<double> shown(drive::RegisterId id) const;
 
-    static constexpr const char *kStopping = "every motor is being stopped";
+    static constexpr const char *kStopping = "every motor was told to stop";
 
     Experiment m_experiment;
     Conditions m_conditions;

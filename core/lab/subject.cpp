@@ -81,6 +81,10 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     found.catalog = board.catalog;
     found.limits = at < board.limits.size() ? board.limits[at] : drive::MotorLimits{};
     found.setPoint = drive::startRegisters(catalog, motor);
+    // An experiment begins in speed control.
+    std::erase_if(found.setPoint, [&catalog](catalog::RegisterId id) {
+        return catalog.find(id)->name == catalog.start().torqueRamp;
+    });
     found.tickHz = board.streaming.tickHz;
     found.linkBytesPerSecond = board.streaming.linkBytesPerSecond;
     found.registers = {.reference = streamed(catalog, "I_Q_REF", motor),

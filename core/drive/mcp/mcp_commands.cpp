@@ -83,7 +83,7 @@ std::string McpCommandTask::refuseTorque(const Value &held) const
     if (bytes == nullptr || bytes->size() < sizeof(std::int16_t))
         return {};
     const double digits = ByteReader(*bytes).s16();
-    return refuseCurrent(m_board, m_motor, digits * m_board.ampsPerDigit(m_motor));
+    return refuseCurrent(m_board, m_motor, leastAmps(digits, m_board.ampsPerDigit(m_motor)));
 }
 
 std::string McpCommandTask::plan()
@@ -123,7 +123,13 @@ std::string McpSetPointTask::plan()
 {
     const bool speed = m_wanted.feature == Feature::SpeedRamp;
     const std::int64_t mode = speed ? catalog::kSpeedModeNumber : catalog::kTorqueModeNumber;
-    if (const auto now = held(needs().front()); now && *now != Value(mode))
+    const auto now = held(needs().front());
+    // A speed ramp leaves these by itself; by its number, speed control would first go to the speed of its last time,
+    // at once, which brakes a motor hard that turns faster now.
+    const bool leaves = speed && now
+        && (*now == Value(std::int64_t{catalog::kTorqueModeNumber})
+            || *now == Value(std::int64_t{catalog::kPositionModeNumber}));
+    if (now && *now != Value(mode) && !leaves)
         request(mcpSet(mcp::reg::kControlMode, m_motor, static_cast<std::uint32_t>(mode)));
     const auto digits = [this](double amps) { return digitsOf(m_board, m_motor, amps); };
     const auto milliseconds = static_cast<std::uint32_t>(m_wanted.duration.count());

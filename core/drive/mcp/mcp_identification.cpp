@@ -19,7 +19,8 @@ constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kS
                        kSensorHso = 5, kSensorZest = 6;
 
 constexpr catalog::StartRegisters kStart{{"CONTROL_MODE"}, {"SPEED_RAMP"},
-    {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}};
+    {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}, catalog::controlModeOf,
+    "TORQUE_RAMP"};
 
 std::string versionText(std::uint32_t version)
 {

@@ -20,7 +20,8 @@ std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, doub
             return why;
     if (auto why = board.reasonAgainstAmps(motor); !why.empty())
         return why;
-    if (auto why = refuseCurrent(board, motor, digits * board.ampsPerDigit(motor)); !why.empty())
+    if (auto why = refuseCurrent(board, motor, leastAmps(digits, board.ampsPerDigit(motor)));
+        !why.empty())
         return why;
     return digits > kGreatestDigits ? "beyond what 16 bits hold" : "";
 }

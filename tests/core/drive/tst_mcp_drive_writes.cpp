@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aLostAnswerIsSettledByReadingBack();
     void whatWasNotCarriedOutIsWrittenAgainOnce();
     void commandsAreNeverRepeated();
+    void aSpeedRampLeavesTorqueControlByItself();
 };
 
 void TestMcpDriveWrites::aWriteTellsBeforeAndAfter()
@@ -431,6 +432,24 @@ void TestMcpDriveWrites::commandsAreNeverRepeated()
         QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), 1U);
         QCOMPARE(session.status[1].state == MotorState::Running, reachesTheBoard);
     }
+}
+
+/// Speed control that is asked for by its number goes to the speed of its last time at once, which may brake hard.
+void TestMcpDriveWrites::aSpeedRampLeavesTorqueControlByItself()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    Session session(true, options);
+    QVERIFY(session.runAt(1000));
+    session.runUntilEnded(session.submit(drive::TorqueRamp{1, 0.8, 0ms}));
+    QVERIFY(session.runUntil([&] { return session.board->truth(1).rpm > 2000.0; }, 5s));
+    QVERIFY(session.runUntilEnded(session.submit(drive::SpeedRamp{1, 2200, 500ms})));
+    const Bytes byNumber{0x08, 0x00, 0x89, 0x00, 0x03};
+    QCOMPARE(std::count(session.requests.begin(), session.requests.end(), byNumber), 0);
+    session.runFor(1s);
+    QVERIFY(std::abs(session.board->truth(1).rpm - 2200.0) < 30.0);
+    QVERIFY(session.runUntilEnded(session.submit(Read{{session.id("CONTROL_MODE")}})));
+    QVERIFY(session.values[session.id("CONTROL_MODE")].value == Value(std::int64_t{3}));
 }
 
 QTEST_APPLESS_MAIN(TestMcpDriveWrites)

@@ -380,6 +380,21 @@ void TestMotionLimits::theLastTorqueSaysWhereAStartGoes()
     const WishId within = starts(0.2);
     const std::string why = reasonOfEnd(session, within);
     QVERIFY2(session.outcome(within) == Outcome::Ok, why.c_str());
+    session.drive->stop(session.now);
+    QVERIFY(session.runUntilState(MotorState::Idle));
+    session.runFor(3s);
+    // Of just the limit, whatever its digits are.
+    for (double limit = 4.0; limit < 4.0012; limit += 0.0004) {
+        session.drive->arm();
+        session.runUntilEnded(session.submit(UserLimits{0.0, limit}));
+        session.runUntilEnded(session.submit(TorqueRamp{1, limit, 0ms}));
+        const WishId start = session.submit(Command{MotorAction::Start, 1});
+        const std::string refused = reasonOfEnd(session, start);
+        QVERIFY2(session.outcome(start) == Outcome::Ok, refused.c_str());
+        session.drive->stop(session.now);
+        QVERIFY(session.runUntilState(MotorState::Idle));
+        session.runFor(3s);
+    }
 }
 
 void TestMotionLimits::aStartThatFollowsNoSetPointIsRefusedWithOnesOwnLimit()
@@ -421,7 +436,10 @@ void TestMotionLimits::stagesOfTheStartUpAreWithinTheLimits()
     const std::size_t before = session.requests.size();
     QVERIFY(ends(bounds.rpm + 60.0, 0.5) == Outcome::Refused);
     QVERIFY(ends(600.0, bounds.amps * 1.1) == Outcome::Refused);
+    const double digit = session.identified->catalog->readScale(session.id("I_Q_REF")).factor;
+    QVERIFY(ends(600.0, bounds.amps + digit) == Outcome::Refused);
     QVERIFY(!changedSomething(session, before));
+    QVERIFY2(ends(600.0, bounds.amps) == Outcome::Ok, why.c_str()); // the digit next to it
     QVERIFY2(ends(600.0, bounds.amps * 0.5) == Outcome::Ok, why.c_str());
 }
 

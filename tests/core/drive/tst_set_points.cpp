@@ -2,6 +2,7 @@
 // to what is allowed.
 #include "drive/motion_limits.h"
 #include "drive/set_point_check.h"
+#include "motor/rev_up.h"
 
 #include <QTest>
 
@@ -65,6 +66,7 @@ private Q_SLOTS:
     void numbersForRegistersAreJudgedByTheirScale();
     void whatAWishSetsIsReadFromIt();
     void aWordOnTheWireHolds16Bits();
+    void aStageMayHoldTheDigitNextToALimit();
     void everyPartOfASetPointIsLookedAt();
     void digitsAreRoundedAndClamped();
 };
@@ -287,6 +289,33 @@ void TestSetPoints::aWordOnTheWireHolds16Bits()
         QCOMPARE(refuseWireSpeed(facts, 1, sign * 32768.0),
             std::string("beyond the 32767 rpm that this protocol can hold"));
     }
+}
+
+/// As a set-point of just the limit is sent as that digit.
+void TestSetPoints::aStageMayHoldTheDigitNextToALimit()
+{
+    BoardFacts facts = boardFacts();
+    facts.limits[0].wireRpm = 32767.0;
+    const auto refuse = [&](int digits) {
+        return refuseStages(
+            facts, 1, motor::bytesOf({{0, 1, 100}, {900, static_cast<std::int16_t>(digits), 0}}));
+    };
+    const std::string beyond = "beyond the limit of 5 A";
+    const std::pair<double, int> rows[] = {{2723.0, 2723}, {2722.7, 2723}, {2722.4, 2722}};
+    for (const auto &[digitsOfLimit, most] : rows) {
+        facts.scales = scalesOf(5.0 / digitsOfLimit);
+        QCOMPARE(int{digitsOf(facts, 1, 5.0)}, most);
+        for (const int sign : {1, -1}) {
+            QCOMPARE(refuse(sign * most), std::string());
+            QCOMPARE(refuse(sign * (most + 1)), beyond);
+        }
+        QCOMPARE(refuse(-32768), beyond);
+    }
+    facts.scales = scalesOf(1.0);
+    facts.user.maxCurrentAmps = 0.4; // less than half a digit
+    QCOMPARE(refuse(1), std::string("beyond your own limit of 0.4 A"));
+    facts.scales = scalesOf(0.0); // six-step
+    QCOMPARE(refuse(32767), std::string());
 }
 
 void TestSetPoints::everyPartOfASetPointIsLookedAt()

@@ -115,6 +115,38 @@ private Q_SLOTS:
         QVERIFY(!rpm());
     }
 
+    /// Nor is a current, whose reference is 0 at rest.
+    void theLastTorqueRampIsWhereAStartGoes()
+    {
+        constexpr std::uint32_t kRamp = 0x40;
+        std::vector<catalog::RegisterInfo> registers{
+            reference(kModeId, "CONTROL_MODE", catalog::SetPoint::None, ""),
+            reference(kCurrentId, "I_Q_REF", catalog::SetPoint::Current, "A"),
+            reference(kRamp, "TORQUE_RAMP", catalog::SetPoint::None, "")};
+        registers.back().type = catalog::ValueType::Raw;
+        const catalog::Catalog board(std::move(registers), 1, {{}},
+            {{"CONTROL_MODE"}, {"SPEED_RAMP"}, {"SPEED_REF"}, {"I_Q_REF"}, catalog::controlModeOf,
+                "TORQUE_RAMP"});
+        const auto id = [&](std::uint32_t bare) {
+            return board.withMotor(*board.find(RegisterId{bare}), 1);
+        };
+        QCOMPARE(startRegisters(board, 1), (std::vector{id(kModeId), id(kRamp), id(kCurrentId)}));
+        std::map<RegisterId, catalog::Value> held{
+            {id(kModeId), std::int64_t{4}}, {id(kCurrentId), std::int64_t{0}}};
+        const auto amps = [&] {
+            return startTarget(board, {}, 1, [&](RegisterId of) -> std::optional<catalog::Value> {
+                const auto found = held.find(of);
+                return found == held.end() ? std::nullopt : std::optional(found->second);
+            }).amps;
+        };
+        QCOMPARE(amps(), 0.0); // a board that does not tell its ramp
+        held[id(kRamp)] = Bytes{0xF0, 0xFF, 0x64, 0x00}; // -16 digits in 100 ms
+        QCOMPARE(amps(), -16.0);
+        held[id(kRamp)] = Bytes{0, 0, 0, 0};
+        held[id(kCurrentId)] = std::int64_t{3};
+        QCOMPARE(amps(), 3.0);
+    }
+
     void whatIsNotThereOrNotReadIsNotGuessed()
     {
         const auto board = catalogOf("CONTROL_MODE", "SPEED_REF", nullptr);

@@ -436,6 +436,16 @@ private Q_SLOTS:
             cut.found.error().find("are needed") != std::string::npos, cut.found.error().c_str());
     }
 
+    /// As of a program that was killed.
+    void aRecordingThatEndsBeforeItsExperimentIsToldSo()
+    {
+        const MeasuredMechanics cut = measure(*simulation::findPreset("servo24"), "servo24", 1,
+            [](LabBench &bench) { bench.happenings.pop_back(); });
+        QVERIFY2(cut.found, cut.found ? "" : cut.found.error().c_str());
+        QCOMPARE(cut.found->notes,
+            (std::vector<std::string>{"the recording ends before the experiment does"}));
+    }
+
     /// Files are foreign: one sample a second is no recording of a control loop, and ends no program.
     void samplesThatAreFarApartTellNothing()
     {
@@ -481,6 +491,35 @@ private Q_SLOTS:
         const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxSpeedRpm = 1000.0});
         QVERIFY(slow.highRpm < 1000);
         QVERIFY(recordedPlan<SpinPlan>(entryOf(plan, bench.experiment.subject, {}))->plan == plan);
+    }
+
+    /// Out of torque control, on a line whose answers come late: by way of the speed of before it would be braked.
+    void aRunningMotorComesBackToItsSpeed_data()
+    {
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<int>("rpm");
+        QTest::newRow("servo24") << "servo24" << 2000;
+        QTest::newRow("pm24") << "pm24" << 2000;
+        QTest::newRow("prop12") << "prop12" << 3000;
+    }
+    void aRunningMotorComesBackToItsSpeed()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const int, rpm);
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            simulation::BoardOptions options;
+            options.motor = motor.toStdString();
+            LabBench bench(options, seed);
+            QVERIFY(bench.pair.runAt(rpm));
+            bench.pair.runFor(1s);
+            bench.eachTurn = [&] { bench.held = 25ms; };
+            bench.experiment.plan = spinPlanFor(bench.experiment.subject, {});
+            const Outcome outcome = bench.run();
+            QVERIFY2(outcome.end == End::Complete && outcome.reason.empty(),
+                qPrintable(support::outcomeText(outcome)));
+            QVERIFY2(std::abs(bench.pair.board->truth(1).rpm - rpm) < 0.05 * rpm,
+                qPrintable(QString::number(bench.pair.board->truth(1).rpm)));
+        }
     }
 };
 

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void aStartThatWasTakenAndAnsweredOtherwiseIsStopped();
     void aTorqueThatMayStillBeInForceIsSaid();
     void aWayBackThatWasOnlyAskedForIsSaid();
+    void aStepThatWasOnlyAskedForIsSaid();
     void aBoardThatDoesNotObeyIsToldAtTheEnd();
     void aRotorThatTurnsOnIsWaitedFor_data();
     void aRotorThatTurnsOnIsWaitedFor();
@@ -670,6 +671,27 @@ void TestRunner::aWayBackThatWasOnlyAskedForIsSaid()
         bench.runner->outcome().reason.c_str());
 }
 
+/// A step that is on its way, behind one that was taken: it is at one of both.
+void TestRunner::aStepThatWasOnlyAskedForIsSaid()
+{
+    LabBench bench;
+    QVERIFY(bench.pair.runAt(1380));
+    bench.pair.runFor(1s);
+    bench.begin();
+    QVERIFY(bench.runUntil(
+        [&] {
+            const auto ramps = bench.asked<SpeedRamp>();
+            return !ramps.empty() && ramps.back().rpm != 1000;
+        },
+        30s));
+    bench.runner->interrupt("the port was closed");
+    const std::string expected = "the set-point may be "
+        + std::to_string(bench.asked<SpeedRamp>().back().rpm)
+        + " rpm or 1000 rpm now, it was 1380 rpm";
+    QVERIFY2(bench.runner->outcome().reason.find(expected) != std::string::npos,
+        bench.runner->outcome().reason.c_str());
+}
+
 /// Its STOPs are answered and do nothing: the series ends with a Stop that goes on, and says so.
 void TestRunner::aBoardThatDoesNotObeyIsToldAtTheEnd()
 {
@@ -754,7 +776,7 @@ void TestRunner::whatOnlyTheEnvelopeBoundsEndsWithAStop()
     disarmed.runner->disarm();
     VERIFY_END(disarmed.runner->outcome(), End::Interrupted);
     QVERIFY2(disarmed.runner->outcome().reason.starts_with(
-                 "the drive was disarmed; every motor is being stopped"),
+                 "the drive was disarmed; every motor was told to stop"),
         disarmed.runner->outcome().reason.c_str());
     disarmed.turn();
     QCOMPARE(disarmed.stops, 1);
@@ -765,7 +787,7 @@ void TestRunner::whatOnlyTheEnvelopeBoundsEndsWithAStop()
     stopped.runner->stopped();
     VERIFY_END(stopped.runner->outcome(), End::Interrupted);
     QVERIFY(stopped.runner->outcome().reason.starts_with("every motor was stopped; "));
-    QVERIFY(stopped.runner->outcome().reason.find("being stopped") == std::string::npos);
+    QVERIFY(stopped.runner->outcome().reason.find("told to stop") == std::string::npos);
     QVERIFY(!stopped.runner->takeStop());
 
     simulation::BoardOptions sensorless;
@@ -796,6 +818,7 @@ void TestRunner::aStepThatIsCutShortTellsNothing()
     const lab::StepRun &whole = series->runs.front(), &cut = series->runs.back();
     QVERIFY(!whole.cut && whole.rise_s && whole.overshoot_pct);
     QVERIFY(cut.cut && !cut.rise_s && !cut.overshoot_pct && !cut.settling_s && !cut.peakIq_a);
+    QVERIFY(whole.instantError_s && !cut.instantError_s);
     QVERIFY(std::any_of(series->notes.begin(), series->notes.end(), [](const std::string &note) {
         return note.find("was cut short: nothing is told of its speed") != std::string::npos;
     }));
