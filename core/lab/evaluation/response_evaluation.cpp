@@ -24,7 +24,8 @@ constexpr std::size_t kTransform = 2048;
 constexpr double kBand = 0.25;
 constexpr std::size_t kMostBins = 4;
 constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
-/// Of an observed speed: beyond these it says little of the shaft's, with and without what follows the current.
+/// Of an observed speed: beyond these it says little of the shaft's, once what follows the current is taken out, and as
+/// it was.
 constexpr double kCorrected_hz = 25.0, kObserved_hz = 10.0;
 constexpr int kLeastSegments = 4;
 constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
@@ -206,22 +207,33 @@ void addCrossover(FrequencyResponse &found, const std::vector<const ResponsePoin
     found.phaseMargin_deg = Estimate{margin, margin - half, margin + half};
 }
 
-/// An observed angle follows the current, too, by c: measured is G + c s. Of one inertia, w Im G is the same at all
-/// frequencies, so that c is the slope of w Im(G + c s) by w^2. @return  c in rad/A, if it can be told
+/// An observer is not quite what is taken out: of simulated motors up to a sixth of it was left.
+constexpr double kLeft = 0.2;
+
+/// An observed angle follows the current, too, by c: measured is G + c s. Of one inertia with friction, 1 / G is
+/// (s + p) / K, so that -w / Im(1 / (G + c s)) is c w^2 - K near enough, whatever p is.
+/// @return  c in rad/A, if it can be told: not where that is no straight line, as with two masses
 std::optional<Estimate> angleByCurrent(const std::vector<ResponsePoint> &points)
 {
-    constexpr double kClear = 0.8;
-    constexpr int kLeastPoints = 6;
-    int count = 0;
+    constexpr double kClear = 0.8, kMostResidual = 2.0; ///< times what is expected, as squares
+    constexpr std::size_t kLeastPoints = 6;
+    struct Place {
+        double square, value, off; ///< w^2; of the line; its standard error
+    };
+    std::vector<Place> places;
     double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const ResponsePoint &point : points) {
         if (point.coherence < kClear || point.hz > kCorrected_hz)
             continue;
+        const Complex inverse = 1.0 / point.plant;
+        if (!(inverse.imag() > 0.0))
+            continue;
         const double w = 2.0 * std::numbers::pi * point.hz, square = w * w;
-        const double off = w * std::abs(point.plant) * point.relative;
-        const double weight = 1.0 / std::max(off * off, 1e-12);
-        const double value = w * point.plant.imag();
-        ++count;
+        const double value = -w / inverse.imag();
+        const double off =
+            std::max(std::abs(value / inverse.imag() * inverse) * point.relative, 1e-6);
+        const double weight = 1.0 / (off * off);
+        places.push_back({square, value, off});
         sum += weight;
         x += weight * square;
         y += weight * value;
@@ -229,19 +241,26 @@ std::optional<Estimate> angleByCurrent(const std::vector<ResponsePoint> &points)
         xy += weight * square * value;
     }
     const double spread = sum * xx - x * x;
-    if (count < kLeastPoints || !(spread > 0.0))
+    if (places.size() < kLeastPoints || !(spread > 0.0))
         return std::nullopt;
     const double c = (sum * xy - x * y) / spread, half = kNormal * std::sqrt(sum / spread);
+    const double start = (y - c * x) / sum;
+    double residual = 0.0;
+    for (const Place &place : places)
+        residual += std::pow((place.value - start - c * place.square)
+                / std::hypot(place.off, kLeft * c * place.square),
+            2);
+    if (residual > kMostResidual * static_cast<double>(places.size() - 2))
+        return std::nullopt;
     return Estimate{c, c - half, c + half};
 }
 
-/// Takes it out again as far as one inertia explains it.
+} // namespace
+
 void correctObserved(SpeedResponse &found, double polePairs)
 {
     const auto c = angleByCurrent(found.points);
     const double top_hz = c ? kCorrected_hz : kObserved_hz;
-    // An observer is not quite this: of simulated motors up to a sixth of it was left.
-    constexpr double kLeft = 0.2;
     for (ResponsePoint &point : found.points) {
         point.plantKnown = point.hz <= top_hz;
         if (!c)
@@ -255,14 +274,12 @@ void correctObserved(SpeedResponse &found, double polePairs)
     constexpr double kDegrees = 180.0 / std::numbers::pi;
     found.notes.push_back(c
             ? "what is taken for the angle of a rotor without an encoder follows its current, by "
-                + decimalText(c->value * polePairs * kDegrees, 2)
-                + " electrical degrees an ampere: that is taken out, and above 25 Hz the motor's "
-                  "own response is not told"
+                + decimalText(c->value * polePairs * kDegrees, 3)
+                + " electrical degrees an ampere if all that turns is one inertia: that is taken "
+                  "out, and above 25 Hz the motor's own response is not told"
             : "above 10 Hz the motor's own response is not told: what is taken for the "
               "angle of a rotor without an encoder follows its current, too");
 }
-
-} // namespace
 
 bool changesGains(int motor, const recorded::Happening &what)
 {
@@ -389,8 +406,7 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(std::string("nothing in it follows the set-point"));
     if (!byEncoder(plan->angle))
         correctObserved(found, plan->polePairs);
-    if (!edges.reason.empty())
-        found.notes.push_back("the run ended early: " + edges.reason);
+    noteEnd(found.notes, edges.over, edges.reason);
     if (knownGains)
         addMargins(found, kLeastMarginCoherence);
     return found;

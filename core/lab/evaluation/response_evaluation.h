@@ -42,6 +42,10 @@ struct SpeedResponse : FrequencyResponse {
     double referenceNoise_a = 0.0;
 };
 
+/// Of a motor without an encoder: takes what follows the current out of the angle again, as far as one inertia with
+/// friction explains it, and adds a note on that.
+void correctObserved(SpeedResponse &found, double polePairs);
+
 /// From which on points count for the margins of a speed loop.
 inline constexpr double kLeastMarginCoherence = 0.5;
 /// Crossover, phase margin and Ms by the loop of those points that are coherent enough.

@@ -45,6 +45,23 @@ Complex truthAt(const simulation::PlantParameters &plant, const ResponsePlan &pl
             plant.motor.inertia_kgm2 * 2.0 * std::numbers::pi * hz);
 }
 
+Complex laplaceOf(double hz) { return {0.0, 2.0 * std::numbers::pi * hz}; }
+
+/// As an observer tells a motor, whose angle follows the current by so much: rad/A.
+SpeedResponse observed(const std::function<Complex(Complex)> &motor, double angle)
+{
+    SpeedResponse found;
+    for (double hz = 2.0; hz <= 40.0; hz += 1.0) {
+        const Complex s = laplaceOf(hz);
+        ResponsePoint &point = found.points.emplace_back();
+        point.hz = hz;
+        point.plant = motor(s) + angle * s;
+        point.relative = 0.01;
+        point.coherence = 0.95;
+    }
+    return found;
+}
+
 #define VERIFY_COMPLETE(measured)                                                                  \
     QVERIFY2((measured).outcome.end == End::Complete && (measured).outcome.reason.empty(),         \
         qPrintable(support::outcomeText((measured).outcome)));                                     \
@@ -81,6 +98,16 @@ private Q_SLOTS:
         QVERIFY(std::abs(measured.found->phaseMargin_deg->value - 63.0) < 4.0);
         QVERIFY(measured.found->ms->value > 1.1 && measured.found->ms->value < 1.4);
         QVERIFY(measured.found->notes.empty());
+    }
+
+    /// As of a program that was killed.
+    void aRecordingThatEndsBeforeItsExperimentIsToldSo()
+    {
+        const MeasuredSpeed cut =
+            measure("servo24", [](LabBench &bench) { bench.happenings.pop_back(); });
+        VERIFY_COMPLETE(cut);
+        QCOMPARE(cut.found->notes,
+            (std::vector<std::string>{"the recording ends before the experiment does"}));
     }
 
     /// Their spread over seeds is what they say.
@@ -142,6 +169,47 @@ private Q_SLOTS:
         QVERIFY(known >= 10);
         QVERIFY(measured.found->crossover_hz.has_value());
         QCOMPARE(measured.found->notes.size(), 1U);
+    }
+
+    void frictionIsNotTakenForTheAngle_data()
+    {
+        QTest::addColumn<double>("pole"); // of the motor: friction by inertia, rad/s
+        QTest::addColumn<double>("angle"); // rad/A
+        QTest::newRow("none") << 0.0 << 0.01;
+        QTest::newRow("a propeller") << 5.5 << 0.01;
+        QTest::newRow("a heavy fan") << 20.0 << 0.01;
+        QTest::newRow("a heavy fan, the other way") << 20.0 << -0.01;
+        QTest::newRow("only a heavy fan") << 20.0 << 0.0;
+    }
+    void frictionIsNotTakenForTheAngle()
+    {
+        QFETCH(const double, pole);
+        QFETCH(const double, angle);
+        const auto truth = [pole](Complex s) { return 600.0 / (s + pole); };
+        SpeedResponse found = observed(truth, angle);
+        correctObserved(found, 4.0);
+        for (const ResponsePoint &point : found.points) {
+            QCOMPARE(point.plantKnown, point.hz <= 25.0);
+            const double gain = std::abs(point.plant / truth(laplaceOf(point.hz)));
+            if (point.plantKnown)
+                QVERIFY2(std::abs(gain - 1.0) < 0.02,
+                    qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(gain)));
+        }
+    }
+
+    void aResonanceIsNotTakenForTheAngle()
+    {
+        const auto truth = [](Complex s) {
+            const auto bend = [s](double hz) { return 1.0 - std::norm(s / laplaceOf(hz)); };
+            return 600.0 / s * bend(25.5) / bend(35.5);
+        };
+        SpeedResponse found = observed(truth, 0.0);
+        const SpeedResponse before = found;
+        correctObserved(found, 4.0);
+        for (std::size_t i = 0; i < found.points.size(); ++i) {
+            QCOMPARE(found.points[i].plantKnown, found.points[i].hz <= 10.0);
+            QCOMPARE(found.points[i].plant, before.points[i].plant);
+        }
     }
 
     void withoutGainsTheLoopIsNotTold()
