@@ -61,7 +61,7 @@ std::optional<DrivenSpan> drivenSpan(
         const bool drives = what.name == "torque ramp" || what.name == "current reference";
         if (drives && numberOf(what, "motor") == motor) {
             if (!span)
-                span = DrivenSpan{time, last, {}};
+                span = DrivenSpan{time, last, false, {}};
         } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
             || endsLink(what)) {
             if (span)
@@ -69,6 +69,7 @@ std::optional<DrivenSpan> drivenSpan(
         } else if (what.name == kEndEntry) {
             if (span) {
                 span->to = std::min(span->to, time);
+                span->over = true;
                 span->reason =
                     what.field("outcome") == "complete" ? std::string() : what.field("reason");
             }
@@ -76,6 +77,14 @@ std::optional<DrivenSpan> drivenSpan(
         }
     }
     return span;
+}
+
+void noteEnd(std::vector<std::string> &notes, bool over, const std::string &reason)
+{
+    if (!over)
+        notes.emplace_back("the recording ends before the experiment does");
+    else if (!reason.empty())
+        notes.push_back("the run ended early: " + reason);
 }
 
 } // namespace lab

@@ -34,6 +34,7 @@ const capture::Channel *fastChannel(const capture::Capture &capture, const std::
 /// When a motor was driven by currents or torques in an experiment: from the first one to whatever came then.
 struct DrivenSpan {
     Nanos from = 0, to = 0;
+    bool over = false; ///< the recording has the experiment's end
     std::string reason; ///< why it ended early; empty: it did not, or nothing says so
 };
 
@@ -42,5 +43,9 @@ struct DrivenSpan {
 /// @return  empty if it was never driven so
 std::optional<DrivenSpan> drivenSpan(
     int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last);
+
+/// Says of what was measured that the experiment ended early, or the recording before it.
+/// @param over, reason  as of a DrivenSpan
+void noteEnd(std::vector<std::string> &notes, bool over, const std::string &reason);
 
 } // namespace lab

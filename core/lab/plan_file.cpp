@@ -49,7 +49,9 @@ public:
     {
         const std::string_view word = name;
         const bool yesOrNo = word == "flux" || word == "current loop";
-        if (const double *number = take(name, yesOrNo ? 0.0 : -kMost, yesOrNo ? 1.0 : kMost, true))
+        // A plan with a proportional gain of 0 is one without gains: who wants that leaves both out.
+        const double least = yesOrNo ? 0.0 : word == "speed kp" ? 1.0 : -kMost;
+        if (const double *number = take(name, least, yesOrNo ? 1.0 : kMost, true))
             value = static_cast<int>(*number);
     }
     void operator()(const char *name, std::uint32_t &value)
@@ -112,12 +114,32 @@ Result<Plan, std::string> withNumbers(
     return Plan(plan);
 }
 
-/// Both gains or neither: the other one would be 0.
-Result<Plan, std::string> responseWith(const ResponsePlan &plan, const PlanNumbers &numbers)
+/// Both gains or neither: the other one would be 0. An amplitude that is left out is that of the file's speed.
+Result<Plan, std::string> responseWith(
+    const ResponsePlan &usual, const PlanNumbers &numbers, const Subject &subject)
 {
-    if (numberIn(numbers, "speed_kp") == nullptr && numberIn(numbers, "speed_ki") == nullptr)
-        return withNumbers(plan, numbers);
-    return withNumbers(plan, numbers, {"speed_kp", "speed_ki"});
+    const bool gains =
+        numberIn(numbers, "speed_kp") != nullptr || numberIn(numbers, "speed_ki") != nullptr;
+    auto plan =
+        gains ? withNumbers(usual, numbers, {"speed_kp", "speed_ki"}) : withNumbers(usual, numbers);
+    if (plan && numberIn(numbers, "amplitude_rpm") == nullptr) {
+        auto &response = std::get<ResponsePlan>(*plan);
+        response.amplitudeRpm = usualAmplitudeRpm(subject, response.rpm);
+    }
+    return plan;
+}
+
+/// Without a speed of its own it turns the way that the file's torques push.
+Result<Plan, std::string> currentStepWith(
+    const PlanNumbers &numbers, const Subject &subject, const drive::UserLimits &caps)
+{
+    const auto given = [&](const char *key) {
+        const double *number = numberIn(numbers, key);
+        return number != nullptr ? *number : 0.0;
+    };
+    return withNumbers(
+        currentStepPlanFor(subject, given("flux") != 0.0, given("from_a"), given("to_a"), caps),
+        numbers, {"from_a", "to_a"});
 }
 
 /// Of a file's bounds and the user's the lower ones count.
@@ -140,14 +162,13 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
         if (kind == "step")
             return withNumbers(StepPlan{}, numbers, {"from_rpm", "to_rpm"});
         if (kind == "current_step")
-            return withNumbers(
-                currentStepPlanFor(subject, false, 0.0, 0.0, lower), numbers, {"from_a", "to_a"});
+            return currentStepWith(numbers, subject, lower);
         if (kind == "spin")
             return withNumbers(spinPlanFor(subject, lower), numbers);
         if (kind == "current_response")
-            return responseWith(currentResponsePlanFor(subject, lower), numbers);
+            return responseWith(currentResponsePlanFor(subject, lower), numbers, subject);
         if (kind == "response")
-            return responseWith(responsePlanFor(subject, lower), numbers);
+            return responseWith(responsePlanFor(subject, lower), numbers, subject);
         if (kind == "rest")
             return withNumbers(restPlanFor(subject, lower), numbers);
         return fail("there is no experiment \"" + kind

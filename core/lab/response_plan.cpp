@@ -63,8 +63,7 @@ ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &ca
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
     ResponsePlan plan;
     plan.rpm = static_cast<int>(std::lround(kMostSpeed * allowed));
-    plan.amplitudeRpm = static_cast<int>(
-        std::lround(std::max(kLeastDigits * subject.limits.speedStepRpm, kSpeedShare * plan.rpm)));
+    plan.amplitudeRpm = usualAmplitudeRpm(subject, plan.rpm);
     plan.caps = caps;
     return plan;
 }
@@ -75,6 +74,12 @@ ResponsePlan currentResponsePlanFor(const Subject &subject, const drive::UserLim
     plan.current = 1;
     plan.length = 6s;
     return plan;
+}
+
+int usualAmplitudeRpm(const Subject &subject, int rpm)
+{
+    return static_cast<int>(std::lround(
+        std::max(kLeastDigits * subject.limits.speedStepRpm, kSpeedShare * std::abs(rpm))));
 }
 
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject)

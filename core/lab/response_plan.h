@@ -24,10 +24,12 @@ struct ResponsePlan {
     bool operator==(const ResponsePlan &) const = default;
 };
 
-/// Around 0.4 of what is allowed, forwards, by ten digits of the set-point or 3 % of the speed.
+/// Around 0.4 of what is allowed, forwards, by 3 % of the speed, at least ten digits of the set-point.
 ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &caps);
 /// The same for the current loop, which takes less time.
 ResponsePlan currentResponsePlanFor(const Subject &subject, const drive::UserLimits &caps);
+/// How far the speed goes to either side of this one, unless told otherwise.
+int usualAmplitudeRpm(const Subject &subject, int rpm);
 
 /// Its fields by the names that recordings and files have them by.
 template <class Field>

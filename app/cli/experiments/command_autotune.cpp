@@ -11,6 +11,7 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
+#include <optional>
 
 Q_LOGGING_CATEGORY(lcTuningProgress, "cli.progress", QtWarningMsg)
 
@@ -225,14 +226,18 @@ QByteArray jsonOf(const Tuned &tuned)
     return json.text();
 }
 
-QString line(const char *name, int proportional, int integral, double crossover_hz,
-    double margin_deg, double ms, double rise_s, double overshoot_pct)
+using Known = std::optional<double>; ///< a dash where it is not
+
+QString line(const char *name, int proportional, int integral, Known crossover_hz, Known margin_deg,
+    Known ms, Known rise_s, Known overshoot_pct)
 {
+    const auto cellOf = [](Known value, int digits, double factor = 1.0) {
+        return value ? QString::number(*value * factor, 'f', digits) : QStringLiteral("-");
+    };
     QString text = QString::fromLatin1(name).leftJustified(kWidth);
     for (const QString &cell : {QString::number(proportional), QString::number(integral),
-             QString::number(crossover_hz, 'f', 1), QString::number(margin_deg, 'f', 0),
-             QString::number(ms, 'f', 2), QString::number(rise_s * kMsPerSecond, 'f', 1),
-             QString::number(overshoot_pct, 'f', 1)})
+             cellOf(crossover_hz, 1), cellOf(margin_deg, 0), cellOf(ms, 2),
+             cellOf(rise_s, 1, kMsPerSecond), cellOf(overshoot_pct, 1)})
         text += cell.rightJustified(kWidth);
     return text;
 }
@@ -253,7 +258,7 @@ void print(const Tuned &tuned, Output &out)
     const lab::SpeedResponse &got = tuned.proof->response;
     const lab::StepSeries &step = tuned.proof->step;
     const auto value = [](const std::optional<lab::Estimate> &known) {
-        return known ? known->value : 0.0;
+        return known ? Known(known->value) : std::nullopt;
     };
     out.line(line("measured", tuned.chosen.proportional, tuned.chosen.integral,
         value(got.crossover_hz), value(got.phaseMargin_deg), value(got.ms), value(step.rise_s),

@@ -8,7 +8,8 @@ namespace {
 
 Outcome<int> runEvaluate(const Arguments &arguments, Output &out)
 {
-    return evaluate(arguments.words.first(), out, arguments.runNumber);
+    const QString &path = arguments.words.first();
+    return evaluate(path, path, out, arguments.runNumber);
 }
 
 constexpr OptionText kEvaluateOptions[] = {

@@ -18,8 +18,10 @@ Outcome<int> runResponse(Desk &desk)
                                            : lab::responsePlanFor(*subject, limits);
     if (asked.seconds > 0)
         plan.length = std::chrono::seconds(asked.seconds);
-    if (asked.rpm)
+    if (asked.rpm) {
         plan.rpm = *asked.rpm;
+        plan.amplitudeRpm = lab::usualAmplitudeRpm(*subject, plan.rpm);
+    }
     if (asked.amplitude_rpm > 0)
         plan.amplitudeRpm = asked.amplitude_rpm;
     return run.run(*subject, {plan});

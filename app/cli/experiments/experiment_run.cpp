@@ -37,7 +37,9 @@ Outcome<lab::Subject> ExperimentRun::subject() const
 Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<lab::Plan> &plans)
 {
     const auto path = record(subject, plans);
-    return path ? evaluate(*path, m_desk.out) : tl::make_unexpected(path.error());
+    if (!path)
+        return tl::make_unexpected(path.error());
+    return evaluate(*path, recordingName(m_path, m_kept), m_desk.out);
 }
 
 Outcome<QString> ExperimentRun::record(
@@ -84,7 +86,7 @@ Outcome<QString> ExperimentRun::record(
 Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
 {
     Conversation &talk = m_desk.talk;
-    ConversationRecording recording(talk, m_path, false);
+    ConversationRecording recording(talk, m_path, false, m_kept);
     if (const auto started = recording.start(m_desk.arguments.port); !started)
         return tl::make_unexpected(started.error());
     const auto board = readBoard(m_desk, snapshots::Scope::All);
@@ -152,9 +154,11 @@ Failure ExperimentRun::stopped(Failure why)
 
 Outcome<bool> readRunFile(const Given &given, Arguments &arguments)
 {
-    const QString path = arguments.runFile = given.value("output");
-    if (path.isEmpty() || !QFileInfo::exists(path))
+    if (!given.has("output"))
         return true;
+    const QString path = arguments.runFile = given.value("output");
+    if (const auto named = checkRecordingName(path); !named || !QFileInfo::exists(path))
+        return named;
     return failure(
         kFileError, QStringLiteral("%1 is there already; choose a name that is not.").arg(path));
 }

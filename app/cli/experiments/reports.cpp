@@ -177,7 +177,7 @@ Outcome<int> tell(const Result<lab::Finding, std::string> &found, const lab::Hap
 }
 
 /// Of several, by their numbers: one that says nothing keeps its place.
-Outcome<int> tellAll(const QString &path, const capture::Capture &capture,
+Outcome<int> tellAll(const QString &name, const capture::Capture &capture,
     const std::vector<lab::Happenings> &runs, Output &out)
 {
     const QString count = QString::number(runs.size());
@@ -202,32 +202,44 @@ Outcome<int> tellAll(const QString &path, const capture::Capture &capture,
         return kDone;
     return failure(kRefused,
         QStringLiteral("%1: not conclusive: %2 %3 of %4.")
-            .arg(path, lacking.size() == 1 ? QStringLiteral("run") : QStringLiteral("runs"),
+            .arg(name, lacking.size() == 1 ? QStringLiteral("run") : QStringLiteral("runs"),
                 lacking.join(QStringLiteral(", ")), count));
 }
 
-} // namespace
-
-Outcome<int> evaluate(const QString &path, Output &out, int number)
+/// Of the recording of that name, whole or not.
+Outcome<int> tellRuns(
+    const QString &name, const OpenedRecording &recording, Output &out, int number)
 {
-    const auto recording = openRecording(path);
-    if (!recording)
-        return tl::make_unexpected(recording.error());
-    if (const QString lack = lackText(**recording); !lack.isEmpty())
-        Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
-    const lab::Happenings &all = (*recording)->report.happenings;
+    const lab::Happenings &all = recording.report.happenings;
     const std::vector<lab::Happenings> runs = lab::runsIn(all);
     const auto count = static_cast<int>(runs.size());
     if (count > 0 && number > count)
         return failure(kUsage,
             QStringLiteral("%1 has no run %2, only %3.")
-                .arg(path, QString::number(number), QString::number(count)));
+                .arg(name, QString::number(number), QString::number(count)));
     if (count > 1 && number == 0)
-        return tellAll(path, (*recording)->capture, runs, out);
+        return tellAll(name, recording.capture, runs, out);
     // Without any, that is said.
     const lab::Happenings &run = count > 1 ? runs[static_cast<std::size_t>(number - 1)] : all;
-    return tell(
-        lab::findingIn((*recording)->capture, run), run, {}, path + QStringLiteral(": "), out);
+    return tell(lab::findingIn(recording.capture, run), run, {}, name + QStringLiteral(": "), out);
+}
+
+} // namespace
+
+Outcome<int> evaluate(const QString &path, const QString &name, Output &out, int number)
+{
+    const auto recording = openRecording(path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    auto told = tellRuns(name, **recording, out, number);
+    const QString lack = lackText(**recording);
+    if (lack.isEmpty())
+        return told;
+    const QString missing = QStringLiteral("%1 is not whole: %2.").arg(name, lack);
+    if (told)
+        return failure(kDataLost, missing);
+    Output::error(missing);
+    return told;
 }
 
 } // namespace cli

@@ -161,8 +161,7 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         return fail(std::string("the current does not follow its reference in it"));
     found.notes.push_back("it is the loop at " + decimalText(std::abs(amps) / samples, 3)
         + " A: what a bridge loses by its dead time damps it the more the smaller the current is");
-    if (!span.reason.empty())
-        found.notes.push_back("the run ended early: " + span.reason);
+    noteEnd(found.notes, span.over, span.reason);
     constexpr double kSure = 0.8;
     addMargins(found, kSure);
     return found;

@@ -96,10 +96,12 @@ StepRun evaluate(const capture::Channel &reference, const capture::Channel &resp
     const auto instant = stepInstant(reference, asked, 1.0);
     run.found = instant.has_value();
     run.at = instant ? instant->at : asked.asked;
-    run.instantError_s =
-        capture::toSeconds(instant ? instant->error : asked.answered - asked.asked);
+    if (instant || asked.answered > asked.asked) // else nothing says when the board had it
+        run.instantError_s =
+            capture::toSeconds(instant ? instant->error : asked.answered - asked.asked);
     // The same of each, however late the host was.
     const Nanos until = std::min(asked.until, run.at + hold);
+    run.until = until;
     if (current != nullptr)
         run.peakIq_a = peakOf(*current, run.at, until);
     if (run.found)

@@ -353,7 +353,7 @@ Result<Electrics, std::string> evaluateElectrics(
     const Happenings happenings = carriedOut(all);
     Parts parts;
     Electrics &found = parts.found;
-    bool any = false;
+    bool any = false, over = false;
     for (auto at = happenings.begin(); at != happenings.end(); ++at) {
         std::string failed;
         if (const auto rest = recordedPlan<RestPlan>(at->second); rest && !found.rs_ohm)
@@ -363,6 +363,8 @@ Result<Electrics, std::string> evaluateElectrics(
         else
             continue;
         any = true;
+        over = std::any_of(at, happenings.cend(),
+            [](const auto &later) { return later.second.name == kEndEntry; });
         if (!failed.empty())
             found.notes.push_back(failed);
     }
@@ -372,6 +374,7 @@ Result<Electrics, std::string> evaluateElectrics(
         return fail(found.notes.empty() ? std::string("nothing follows from it") : found.notes[0]);
     if (parts.rest && found.ld_h)
         takeSwingOut(parts);
+    noteEnd(found.notes, over, {}); // why it ended early stands with what turned
     return found;
 }
 

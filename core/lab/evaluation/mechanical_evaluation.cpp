@@ -322,8 +322,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     if (beganSwinging(after, plan->motor, span->from))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
-    if (!span->reason.empty())
-        found.notes.push_back("the run ended early: " + span->reason);
+    noteEnd(found.notes, span->over, span->reason);
     constexpr double kNoticed_s = 0.02;
     if (stood_s > kNoticed_s)
         found.notes.push_back("the rotor all but stood for " + decimalText(stood_s, 2)

@@ -288,6 +288,7 @@ std::optional<StepRun> cutShort(
     StepRun run;
     run.up = asked.to > asked.from;
     run.at = asked.asked;
+    run.until = asked.until;
     run.cut = true;
     return run;
 }
@@ -300,6 +301,7 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
     run.found = instant.has_value();
     // Not found, it lies anywhere in the range that was searched: what came before that is not the step's.
     run.at = instant ? instant->at : asked.asked - kEarly;
+    run.until = asked.until;
     run.instantError_s = capture::toSeconds(
         instant ? instant->error : asked.answered - asked.asked + kEarly + kLate);
     if (channels.current != nullptr)

@@ -42,8 +42,9 @@ struct StepFacts {
 struct StepRun {
     bool up = true;
     Nanos at = 0; ///< the instant of the step
+    Nanos until = 0; ///< what comes then is not of this step any more
     bool found = false; ///< by the jump; else only when it was asked for is known
-    double instantError_s = 0.0; ///< to either side
+    std::optional<double> instantError_s; ///< to either side; empty: nothing is known of it
     bool cut = false; ///< it was not held to its end, or not recorded: nothing of it can be told
     std::optional<scope::WhyNot> unusable; ///< nothing of the speed can be told
     std::optional<double> rise_s, overshoot_pct,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 
 namespace lab {
 
@@ -91,12 +93,13 @@ private:
     bool m_left = false; ///< there will be no other one
 };
 
-std::string runName(const MeasuredSteps &series, std::size_t run)
+/// Runs are what a recording has several of: one of these is a step.
+std::string stepName(const MeasuredSteps &series, std::size_t run)
 {
-    return "run " + std::to_string(run + 1) + (series.runs[run].up ? " (up)" : " (down)");
+    return "step " + std::to_string(run + 1) + (series.runs[run].up ? " (up)" : " (down)");
 }
 
-/// The mean of one number of the runs; runs that stand apart from the others of their direction are named.
+/// The mean of one number of the steps; those that stand apart from the others of their direction are named.
 std::optional<Estimate> meanOver(MeasuredSteps &series, std::optional<double> StepRun::*member,
     const std::string &what, double resolution)
 {
@@ -111,14 +114,43 @@ std::optional<Estimate> meanOver(MeasuredSteps &series, std::optional<double> St
             from.push_back(i);
         }
         for (const std::size_t place : outliersOf(values[up], resolution))
-            series.notes.push_back(runName(series, from[place])
+            series.notes.push_back(stepName(series, from[place])
                 + " stands apart from the others by its " + what + "; it is part of the mean");
     }
-    const std::size_t count = values[0].size() + values[1].size();
-    if (count > 0 && count < series.runs.size())
-        series.notes.push_back("the mean " + what + " is that of " + std::to_string(count) + " of "
-            + std::to_string(series.runs.size()) + " runs");
     return meanOfBoth(values[0], values[1]);
+}
+
+struct Number {
+    std::optional<double> StepRun::*of;
+    const char *name;
+};
+constexpr std::array kNumbers{Number{&StepRun::rise_s, "rise time"},
+    Number{&StepRun::overshoot_pct, "overshoot"}, Number{&StepRun::settling_s, "settling time"},
+    Number{&StepRun::peakIq_a, "peak current"}};
+
+/// "one, two and three"
+std::string listText(const std::vector<std::string> &names)
+{
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i)
+        text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
+
+/// Of how many steps a mean is, where that is not all: a sentence for all that are of as many.
+void noteCounts(MeasuredSteps &series)
+{
+    std::map<std::size_t, std::vector<std::string>, std::greater<>> names;
+    for (const Number &number : kNumbers) {
+        const auto has = [&](const StepRun &run) { return (run.*number.of).has_value(); };
+        names[static_cast<std::size_t>(std::ranges::count_if(series.runs, has))].emplace_back(
+            number.name);
+    }
+    for (const auto &[count, of] : names)
+        if (count > 0 && count < series.runs.size())
+            series.notes.push_back("the mean " + listText(of)
+                + (of.size() == 1 ? " is that of " : " are those of ") + std::to_string(count)
+                + " of " + std::to_string(series.runs.size()) + " steps");
 }
 
 /// A step of few digits of the speed says little, also by the angle.
@@ -140,6 +172,7 @@ void addMeans(MeasuredSteps &series, double digit_a, double resolution_s)
     series.overshoot_pct = meanOver(series, &StepRun::overshoot_pct, "overshoot", 1.0);
     series.settling_s = meanOver(series, &StepRun::settling_s, "settling time", resolution_s);
     series.peakIq_a = meanOver(series, &StepRun::peakIq_a, "peak current", 2.0 * digit_a);
+    noteCounts(series);
 }
 
 void noteRuns(MeasuredSteps &series, const std::string &signal)
@@ -151,28 +184,28 @@ void noteRuns(MeasuredSteps &series, const std::string &signal)
     const auto unsettled = std::count_if(series.runs.begin(), series.runs.end(), settlesNot);
     if (unsettled > kNamed)
         series.notes.push_back(std::to_string(unsettled) + " of "
-            + std::to_string(series.runs.size()) + " runs do not settle while their " + signal
+            + std::to_string(series.runs.size()) + " steps do not settle while their " + signal
             + " is held");
     for (std::size_t i = 0; i < series.runs.size(); ++i) {
         const StepRun &run = series.runs[i];
         if (run.cut)
             series.notes.push_back(
-                runName(series, i) + " was cut short: nothing is told of its " + signal);
+                stepName(series, i) + " was cut short: nothing is told of its " + signal);
         else if (run.unusable == scope::WhyNot::GapInside)
-            series.notes.push_back("samples are missing in " + runName(series, i)
+            series.notes.push_back("samples are missing in " + stepName(series, i)
                 + ": nothing is told of its " + signal);
         else if (run.unusable)
-            series.notes.push_back("the " + signal + " does not step in " + runName(series, i));
-        else if (!run.found)
-            series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
-                + decimalText(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
+            series.notes.push_back(stepName(series, i) + " is not seen in the " + signal);
+        else if (!run.found && run.instantError_s)
+            series.notes.push_back("the instant of " + stepName(series, i) + " is uncertain by "
+                + decimalText(*run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
         else if (settlesNot(run) && unsettled <= kNamed)
             series.notes.push_back(
-                runName(series, i) + " does not settle while its " + signal + " is held");
+                stepName(series, i) + " does not settle while its " + signal + " is held");
         constexpr double kNoticeable = 0.02, kPercent = 100.0;
         if (run.atLimit > kNoticeable)
             series.notes.push_back("the current was at its limit in "
-                + decimalText(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
+                + decimalText(run.atLimit * kPercent, 2) + " % of " + stepName(series, i)
                 + ": it does not show the loop alone");
     }
 }

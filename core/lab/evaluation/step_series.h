@@ -24,10 +24,10 @@ struct StepSeries : MeasuredSteps {
     StepPlan plan;
 };
 
-/// Their means, with notes on runs that stand apart from the others.
+/// Their means, with notes on steps that stand apart from the others and on means that are not of all.
 /// @param digit_a, resolution_s  differences up to it are none, of a current and of a rise
 void addMeans(MeasuredSteps &series, double digit_a, double resolution_s);
-/// Notes on runs of which not all is told. @param signal  what is stepped, in a word
+/// Notes on steps of which not all is told. @param signal  what is stepped, in a word
 void noteRuns(MeasuredSteps &series, const std::string &signal);
 
 /// The first series in a recording; or why there is none, in a sentence without a full stop.

@@ -33,7 +33,7 @@ void fill(JsonText &json, const lab::MeasuredSteps &series)
         put(json, "overshoot_pct", run.overshoot_pct);
         put(json, "settling_s", run.settling_s);
         put(json, "peak_iq_a", run.peakIq_a);
-        put(json, "instant_error_s", std::optional(run.instantError_s));
+        put(json, "instant_error_s", run.instantError_s);
         json.endObject();
     }
     json.endArray();

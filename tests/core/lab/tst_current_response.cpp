@@ -191,6 +191,16 @@ private Q_SLOTS:
         QVERIFY(early.found && early.found->notes.size() == 2);
     }
 
+    /// As of a program that was killed.
+    void aRecordingThatEndsBeforeItsExperimentIsToldSo()
+    {
+        const Measured cut =
+            measure(ideal("servo24"), 1, [](LabBench &bench) { bench.happenings.pop_back(); });
+        VERIFY_COMPLETE(cut);
+        QCOMPARE(cut.found->notes.size(), 2U);
+        QCOMPARE(cut.found->notes[1], std::string("the recording ends before the experiment does"));
+    }
+
     /// As of the speed: what the plan itself lends and gives back are the gains that it is measured with.
     void changedGainsAreNoLoop_data()
     {

@@ -8,6 +8,7 @@
 #include "support/lab_bench.h"
 
 #include <array>
+#include <limits>
 #include <numbers>
 
 using namespace lab;
@@ -160,7 +161,8 @@ struct DrawnSpin {
         capture.append(block);
         const recorded::Happening driven{
             "current reference", {{"motor", std::to_string(subject.motor)}}};
-        return evaluateElectrics(capture, {{-2, plan}, {-1, driven}});
+        return evaluateElectrics(capture,
+            {{-2, plan}, {-1, driven}, {std::numeric_limits<Nanos>::max(), entryOfEnd({})}});
     }
 };
 
@@ -635,6 +637,23 @@ private Q_SLOTS:
         const auto turning =
             evaluateElectrics(nothing, {{1, entryOf(fluxPlanFor(subject, {}), subject, {})}});
         QVERIFY(!turning && turning.error().find("never driven") != std::string::npos);
+    }
+
+    /// As of a program that was killed, while the motor rested or while it turned. Once.
+    void aRecordingThatEndsBeforeItsExperimentIsToldSo()
+    {
+        LabBench bench(boardOf(QStringLiteral("servo24"), 1));
+        for (const auto &plan : {Plan(restPlanFor(bench.experiment.subject, {})),
+                 Plan(fluxPlanFor(bench.experiment.subject, {}))}) {
+            bench.experiment.plan = plan;
+            QCOMPARE(bench.run().end, End::Complete);
+            Happenings cut = bench.happenings;
+            cut.pop_back();
+            const auto found = evaluateElectrics(bench.capture, cut);
+            QVERIFY2(found, found ? "" : found.error().c_str());
+            QCOMPARE(found->notes,
+                (std::vector<std::string>{"the recording ends before the experiment does"}));
+        }
     }
 
     /// As a file with a damaged layout: what it was to be driven by is there, and the samples of it are not.

@@ -40,6 +40,62 @@ private Q_SLOTS:
         QCOMPARE(std::get<ResponsePlan>(*response).amplitudeRpm, 90);
     }
 
+    /// As `step torque` has it: a motor that has no speed in the file turns the way that its torques push.
+    void aTorqueBackwardsTurnsTheMotorBackwards()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        const PlanNumbers torques{{"from_a", -0.5}, {"to_a", -1.5}};
+        const auto backwards = planOf("current_step", torques, subject, {});
+        QVERIFY(backwards);
+        QCOMPARE(std::get<CurrentStepPlan>(*backwards),
+            currentStepPlanFor(subject, false, -0.5, -1.5, {}));
+        QVERIFY(std::get<CurrentStepPlan>(*backwards).rpm < 0);
+        QCOMPARE(objectionTo(Experiment{*backwards, subject}), std::string());
+        PlanNumbers withSpeed = torques;
+        withSpeed.emplace_back("rpm", 900);
+        const auto told = planOf("current_step", withSpeed, subject, {});
+        QVERIFY(told);
+        QCOMPARE(std::get<CurrentStepPlan>(*told).rpm, 900);
+        PlanNumbers alongMagnets = torques;
+        alongMagnets.emplace_back("flux", 1);
+        const auto flux = planOf("current_step", alongMagnets, subject, {});
+        QVERIFY(flux);
+        QVERIFY(std::get<CurrentStepPlan>(*flux).rpm > 0);
+    }
+
+    void theUsualAmplitudeIsThatOfTheFilesSpeed()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        const auto amplitude = [&](const char *kind, const PlanNumbers &numbers) {
+            const auto plan = planOf(kind, numbers, subject, {});
+            return plan ? std::get<ResponsePlan>(*plan).amplitudeRpm : -1;
+        };
+        for (const char *kind : {"response", "current_response"}) {
+            QCOMPARE(amplitude(kind, {{"rpm", 3000}}), 90); // 3 %
+            QCOMPARE(amplitude(kind, {{"rpm", -3000}}), 90);
+            QCOMPARE(amplitude(kind, {{"rpm", 1000}}), 60); // ten digits
+            QCOMPARE(amplitude(kind, {{"rpm", 3000}, {"amplitude_rpm", 70}}), 70);
+        }
+    }
+
+    /// A plan whose proportional gain is 0 is one without gains: the board's own would be measured without a word.
+    void gainsNeedAProportionalOne()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        for (const char *kind : {"response", "current_response"}) {
+            for (const double integral : {0.0, 500.0}) {
+                const auto none =
+                    planOf(kind, {{"speed_kp", 0}, {"speed_ki", integral}}, subject, {});
+                QVERIFY(!none);
+                QCOMPARE(
+                    none.error(), std::string("its \"speed_kp\" is no number that can be meant"));
+            }
+            const auto both = planOf(kind, {{"speed_kp", 1}, {"speed_ki", 0}}, subject, {});
+            QVERIFY(both);
+            QCOMPARE(std::get<ResponsePlan>(*both).kp, 1);
+        }
+    }
+
     void ofTwoBoundsTheLowerOneCounts()
     {
         const Subject &subject = m_bench.experiment.subject;

@@ -1,5 +1,6 @@
 // One step, from samples whose truth is known: an analytic plant of second order, seen through a board's digits.
 #include "lab/evaluation/step_evaluation.h"
+#include "lab/evaluation/step_series.h"
 #include "support/link_pair.h"
 
 #include <QTest>
@@ -164,7 +165,7 @@ private Q_SLOTS:
         VERIFY_NEAR(*run.rise_s, rise, 0.01 * rise);
         VERIFY_NEAR(*run.overshoot_pct, recording.plant.overshoot_pct(), 0.5);
         VERIFY_NEAR(double(run.at), 1e9, 63e3); // a sample
-        VERIFY_NEAR(run.instantError_s, 1.0 / kStepTick_hz, 1e-9);
+        VERIFY_NEAR(*run.instantError_s, 1.0 / kStepTick_hz, 1e-9);
     }
 
     void theInstantIsInTheDataHoweverLateTheWriteWas()
@@ -193,7 +194,7 @@ private Q_SLOTS:
         const StepRun run = evaluateStep(channels, asked, facts);
         QVERIFY(!run.found);
         QVERIFY(!run.settling_s);
-        VERIFY_NEAR(run.instantError_s, 38e-3, 1e-4); // the range that was searched
+        VERIFY_NEAR(*run.instantError_s, 38e-3, 1e-4); // the range that was searched
         QVERIFY(run.at <= Nanos(recording.at_s * 1e9));
         // The shape of the speed needs no instant.
         VERIFY_NEAR(*run.rise_s, recording.plant.rise_s(), 0.02 * recording.plant.rise_s());
@@ -259,6 +260,45 @@ private Q_SLOTS:
         channels.angle = nullptr;
         const StepRun run = evaluateStep(channels, recording.asked(), kFacts);
         VERIFY_NEAR(*run.overshoot_pct, recording.plant.overshoot_pct(), 1.5); // digits of 6 rpm
+    }
+
+    /// A recording has runs, and a series is one of them.
+    void whatIsToldOfASeriesCallsItsStepsSteps()
+    {
+        StepRun whole;
+        whole.found = true;
+        whole.rise_s = 0.03;
+        whole.overshoot_pct = 14.0;
+        whole.settling_s = 0.2;
+        whole.peakIq_a = 0.6;
+        StepRun broken;
+        broken.up = false;
+        broken.unusable = scope::WhyNot::GapInside;
+        broken.peakIq_a = 0.6;
+        MeasuredSteps series;
+        series.runs = {whole, broken};
+        noteRuns(series, "speed");
+        addMeans(series, 1e-3, 1e-3);
+        const std::vector<std::string> once{
+            "samples are missing in step 2 (down): nothing is told of its speed",
+            "the mean rise time, overshoot and settling time are those of 1 of 2 steps"};
+        QCOMPARE(series.notes, once);
+
+        StepRun swings = whole;
+        swings.up = false;
+        swings.settling_s.reset();
+        StepRun flat;
+        flat.unusable = scope::WhyNot::NoStep;
+        series = {};
+        series.runs = {whole, swings, flat};
+        noteRuns(series, "speed");
+        addMeans(series, 1e-3, 1e-3);
+        const std::vector<std::string> twice{
+            "step 2 (down) does not settle while its speed is held",
+            "step 3 (up) is not seen in the speed",
+            "the mean rise time, overshoot and peak current are those of 2 of 3 steps",
+            "the mean settling time is that of 1 of 3 steps"};
+        QCOMPARE(series.notes, twice);
     }
 
     void aStandingRotorGivesASpeedOfNothing()

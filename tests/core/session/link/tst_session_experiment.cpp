@@ -38,7 +38,7 @@ bool pushes(World &world)
 
 bool saysStop(const lab::Outcome &outcome)
 {
-    return outcome.reason.find("every motor is being stopped") != std::string::npos;
+    return outcome.reason.find("every motor was told to stop") != std::string::npos;
 }
 
 } // namespace
@@ -293,7 +293,7 @@ private Q_SLOTS:
         QVERIFY(world.ends(5s));
         VERIFY_END(world, End::Lost);
         QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
-        QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // not true
+        QVERIFY(world.outcomes[0].reason.find("told to stop") == std::string::npos); // not true
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
         world.line.plugged = true; // it is opened again by itself
         QVERIFY(world.idles(10s));

@@ -152,7 +152,7 @@ std::string whatIsWrong(Scenario &scenario)
         return "the judge: MS32: a motor that stood is driven: " + reason;
     if (driven && moved && reason.find("Stop") != std::string::npos)
         return "the judge: MS29: it was to be stopped and is driven: " + reason;
-    if (driven && takenOver && reason.find("is being stopped") != std::string::npos)
+    if (driven && takenOver && reason.find("was told to stop") != std::string::npos)
         return "the judge: MS29: it was to be stopped and is driven: " + reason;
     if (driven && inTime && (scenario.deed == Deed::Stop || scenario.deed == Deed::Close))
         return "the judge: MS29: it was stopped by hand and is driven: " + reason;
