@@ -557,6 +557,9 @@ Outcome<bool> readCapture(const Given &given, Arguments &arguments)
         return usage(QStringLiteral("-o writes CSV; for %1 record with --record FILE.pcapng, and "
                                     "export that.")
                          .arg(capture.file));
+    if (given.has("record"))
+        if (const auto named = checkRecordingName(capture.recording); !named)
+            return named;
     if (capture.recordLink && capture.recording.isEmpty())
         return usage(QStringLiteral("--link belongs to --record FILE.pcapng."));
     capture.start = given.has("start");

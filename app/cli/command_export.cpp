@@ -18,8 +18,11 @@ constexpr char kRegistersEnding[] = ".json"; ///< beside those of the signals
 
 struct Source {
     std::unique_ptr<OpenedRecording> recording;
-    std::unique_ptr<capture::Capture> csv;
-    const capture::Capture &capture() const { return recording ? recording->capture : *csv; }
+    std::unique_ptr<ImportedCsv> csv;
+    const capture::Capture &capture() const
+    {
+        return recording ? recording->capture : csv->capture;
+    }
 };
 
 bool endsWith(const QString &path, const char *ending)
@@ -95,9 +98,13 @@ Outcome<session::ExportOutcome> writeSignals(const RecordingArguments &wanted,
         return tl::make_unexpected(channels.error());
     std::optional<capture::TimeSpan> range;
     const auto all = capture.timeSpan();
-    if (all && (wanted.from || wanted.to)) // a polled value at the end is still in it
-        range =
-            capture::TimeSpan{wanted.from.value_or(all->from), wanted.to.value_or(all->to + 1.0)};
+    if (all && (wanted.from || wanted.to)) {
+        // Not far beyond what there is, because not every double fits into nanoseconds. But a second: a polled value at
+        // the end is still in it, and seconds since 1970 are no double to the nanosecond.
+        const double least = all->from - 1.0, most = all->to + 1.0;
+        range = capture::TimeSpan{std::clamp(wanted.from.value_or(least), least, most),
+            std::clamp(wanted.to.value_or(most), least, most)};
+    }
     const auto outcome = format.write(wanted.file, {*channels, range}, {});
     if (outcome.problem != session::ExportProblem::None)
         return failure(kUsage,

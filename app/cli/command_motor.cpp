@@ -53,7 +53,8 @@ Outcome<drive::StartTarget> startTarget(Desk &desk)
 QString targetText(const drive::StartTarget &target)
 {
     return target.rpm ? QStringLiteral("Start -> %1 rpm").arg(numberText(std::round(*target.rpm)))
-        : target.amps ? QStringLiteral("Start -> Iq of %1 A").arg(numberText(*target.amps))
+        : target.amps ? QStringLiteral("Start -> Iq of %1 A")
+                            .arg(numberText(std::round(*target.amps * 1e3) / 1e3))
                       : QStringLiteral("Start; what it goes to is not known.");
 }
 

@@ -32,16 +32,25 @@ auto badStage(const QString &word)
         QStringLiteral("\"%1\" is no stage; write RPM,A,MS, such as 1200,2.5,1500.").arg(word));
 }
 
-/// @param digits  of the current, where they are known better than the amperes
-Outcome<motor::RevUpStage> stageOf(double rpm, double digits, double ms, const QString &word)
+Outcome<motor::RevUpStage> stageOf(
+    double rpm, double amps, double ms, double ampsPerDigit, const QString &word)
 {
-    constexpr double kMostRpm = 32767;
-    if (rpm > kMostRpm || rpm < -kMostRpm)
-        return usage(QStringLiteral("The speed of \"%1\" is larger than a stage holds, %2 rpm.")
-                         .arg(word, QString::number(kMostRpm)));
-    const auto speed = session::wholeIn<std::int32_t>(rpm, -kMostRpm, kMostRpm);
-    const auto current = session::wholeIn<std::int16_t>(digits, -32768, 32767);
-    const auto duration = session::wholeIn<std::uint16_t>(ms, 0, 65535);
+    constexpr double kMost = 32767, kLongest_ms = 65535;
+    const double digits = std::round(amps / ampsPerDigit);
+    const auto tooLarge = [&word](const char *what, double most, const char *unit) {
+        return usage(
+            QStringLiteral("The %1 of \"%2\" is larger than a stage holds, %3 %4.")
+                .arg(QLatin1String(what), word, QString::number(most), QLatin1String(unit)));
+    };
+    if (std::abs(rpm) > kMost)
+        return tooLarge("speed", kMost, "rpm");
+    if (std::abs(digits) > kMost)
+        return tooLarge("current", kMost * ampsPerDigit, "A");
+    if (ms > kLongest_ms)
+        return tooLarge("time", kLongest_ms, "ms");
+    const auto speed = session::wholeIn<std::int32_t>(rpm, -kMost, kMost);
+    const auto current = session::wholeIn<std::int16_t>(digits, -kMost, kMost);
+    const auto duration = session::wholeIn<std::uint16_t>(ms, 0, kLongest_ms);
     if (!speed || !current || !duration)
         return badStage(word);
     return motor::RevUpStage{*speed, *current, *duration};
@@ -58,7 +67,7 @@ Outcome<RevUp> stagesOfWords(const QStringList &words, double ampsPerDigit)
                    ms = plainNumber(parts[2]);
         if (!rpm || !amps || !ms)
             return badStage(word);
-        const auto stage = stageOf(*rpm, std::round(*amps / ampsPerDigit), *ms, word);
+        const auto stage = stageOf(*rpm, *amps, *ms, ampsPerDigit, word);
         if (!stage)
             return tl::make_unexpected(stage.error());
         stages.push_back(*stage);
@@ -151,12 +160,15 @@ void printRounding(Output &out, const RevUp &wanted)
 Outcome<int> writeStages(
     Desk &desk, drive::RegisterId id, const RevUp &stages, const drive::MotorFacts &facts)
 {
-    for (const RevUpFinding &finding : findingsOf(stages, facts))
-        if (finding.mistake == RevUpMistake::TooMuchCurrent
-            || finding.mistake == RevUpMistake::SpeedBeyondLimit)
+    for (const RevUpFinding &finding : findingsOf(stages, facts)) {
+        const bool current = finding.mistake == RevUpMistake::TooMuchCurrent;
+        if (current || finding.mistake == RevUpMistake::SpeedBeyondLimit)
             return failure(kRefused,
-                QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
-                    .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
+                QStringLiteral("The %1 of stage %2 is beyond the limit of %3; nothing was written.")
+                    .arg(QLatin1String(current ? "current" : "speed"),
+                        QString::number(finding.stage + 1),
+                        QString::number(finding.limit) + QLatin1String(current ? " A" : " rpm")));
+    }
     const RevUp all = motor::keptByFirmware(motor::completed(stages));
     const drive::Write write{{{id, motor::bytesOf(all)}}, drive::Reach::Parameters};
     const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));

@@ -5,6 +5,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <filesystem>
+#include <type_traits>
+
 namespace cli {
 
 namespace {
@@ -82,8 +86,24 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
     return arguments.command->run(desk);
 }
 
-Outcome<int> run(const QStringList &line)
+/// Bytes that are no text would become the name of another file. Only where names of files are bytes: elsewhere Qt does
+/// not take the arguments from here.
+Outcome<bool> checkTyped(std::span<char *const> typed)
 {
+    if constexpr (std::is_same_v<std::filesystem::path::value_type, char>)
+        for (const char *word : typed)
+            if (const QString text = QString::fromLocal8Bit(word); text.toLocal8Bit() != word)
+                return usage(
+                    QStringLiteral("\"%1\" is not UTF-8 as it was typed; write it so, or rename "
+                                   "what is called so.")
+                        .arg(text));
+    return true;
+}
+
+Outcome<int> run(const QStringList &line, std::span<char *const> typed)
+{
+    if (const auto text = checkTyped(typed); !text)
+        return tl::make_unexpected(text.error());
     auto arguments = parseArguments(line, kCommands);
     if (!arguments)
         return tl::make_unexpected(arguments.error());
@@ -112,7 +132,8 @@ int main(int argc, char *argv[])
     QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("rotorscope-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));
-    const auto status = cli::run(QCoreApplication::arguments());
+    const auto status =
+        cli::run(QCoreApplication::arguments(), {argv + std::min(argc, 1), argv + argc});
     if (status)
         return *status;
     cli::Output::error(status.error().sentence);

@@ -17,6 +17,11 @@ bool Given::has(const char *option) const
     return m_parser.optionNames().contains(QLatin1String(option));
 }
 
+bool Given::hasValue(const char *option) const
+{
+    return !m_parser.values(QString::fromLatin1(option)).isEmpty();
+}
+
 QString Given::value(const char *option) const
 {
     return m_parser.value(QString::fromLatin1(option));

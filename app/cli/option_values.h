@@ -26,7 +26,9 @@ public:
     }
 
     QStringList words() const { return m_parser.positionalArguments(); }
-    bool has(const char *option) const; ///< false, too, if the command has no such option
+    /// By that name. False, too, if the command has no such option.
+    bool has(const char *option) const;
+    bool hasValue(const char *option) const; ///< also an empty one; by whichever of its names
     QString value(const char *option) const; ///< empty if it was not given
     QStringList list(const char *option) const; ///< separated by commas
 

@@ -6,6 +6,7 @@
 #include "session/files/snapshot_json.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
@@ -32,6 +33,17 @@ capture::Capture::Config roomForAFile()
     archive->setBudget(session::usualArchiveBudget(folder));
     return {.maxBytes = kMostMemory, .archive = std::move(archive), .patient = true};
 }
+
+/// About samples that there was no room for.
+QString roomText(const capture::Capture &capture)
+{
+    const auto span = capture.timeSpan();
+    if (capture.released() == 0 || !span)
+        return {};
+    return QStringLiteral("%1 samples before %2 s are left out, because there is no room for them; "
+                          "make some in %3")
+        .arg(QString::number(capture.released()), numberText(span->from), session::archiveFolder());
+}
 } // namespace
 
 Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
@@ -46,7 +58,7 @@ Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
     return opened;
 }
 
-Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
+Outcome<std::unique_ptr<ImportedCsv>> importCsv(const QString &path)
 {
     QFile file(path);
     const auto refused = [&path](const QString &why) {
@@ -54,8 +66,8 @@ Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
     };
     if (!file.open(QIODevice::ReadOnly))
         return refused(file.errorString());
-    auto capture = std::make_unique<capture::Capture>(roomForAFile());
-    capture::CsvImport import(*capture);
+    auto csv = std::make_unique<ImportedCsv>(ImportedCsv{capture::Capture(roomForAFile())});
+    capture::CsvImport import(csv->capture);
     bool goesOn = true;
     while (goesOn && !file.atEnd()) {
         const QByteArray piece = file.read(1 << 20);
@@ -63,24 +75,27 @@ Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
     }
     if (!import.finish())
         return refused(session::csvProblemText(*import.error()));
-    return capture;
+    csv->leftOut = import.leftOut();
+    return csv;
 }
 
-QString lackText(const capture::Capture &capture)
+QString lackText(const ImportedCsv &csv)
 {
-    const auto span = capture.timeSpan();
-    if (capture.released() == 0 || !span)
-        return {};
-    return QStringLiteral("%1 samples before %2 s are left out, because there is no room for them; "
-                          "make some in %3")
-        .arg(QString::number(capture.released()), numberText(span->from), session::archiveFolder());
+    QStringList lacks{roomText(csv.capture)};
+    if (csv.leftOut == 1)
+        lacks.append(QStringLiteral("1 row has the time of the row before and was left out"));
+    else if (csv.leftOut > 0)
+        lacks.append(QStringLiteral("%1 rows have the time of the row before and were left out")
+                         .arg(csv.leftOut));
+    lacks.removeAll(QString());
+    return lacks.join(QStringLiteral("; "));
 }
 
 QString lackText(const OpenedRecording &recording)
 {
     const session::RecordingReport &report = recording.report;
     QStringList lacks;
-    if (const QString room = lackText(recording.capture); !room.isEmpty())
+    if (const QString room = roomText(recording.capture); !room.isEmpty())
         lacks.append(room);
     if (!report.damage.empty()) {
         QString first = session::damageText(report.damage.front());
@@ -101,10 +116,26 @@ QString lackText(const OpenedRecording &recording)
     return lacks.join(QStringLiteral("; "));
 }
 
-ConversationRecording::ConversationRecording(Conversation &talk, const QString &path, bool withLink)
+Outcome<bool> checkRecordingName(const QString &path)
+{
+    if (path.endsWith(QLatin1String(".pcapng"), Qt::CaseInsensitive))
+        return true;
+    return failure(kUsage,
+        QStringLiteral("Let the name of the recording end in .pcapng, not as in \"%1\".")
+            .arg(path));
+}
+
+QString recordingName(const QString &path, bool kept)
+{
+    return kept ? path : QStringLiteral("The recording");
+}
+
+ConversationRecording::ConversationRecording(
+    Conversation &talk, const QString &path, bool withLink, bool kept)
     : m_talk(talk)
     , m_path(path)
     , m_withLink(withLink)
+    , m_kept(kept)
     , m_recording(talk.tap())
 {
     using session::Recording;
@@ -132,12 +163,17 @@ Outcome<int> ConversationRecording::start(const QString &source)
         return tl::make_unexpected(waited.error());
     if (m_started)
         return kDone;
-    const QString todo = QFileInfo(QFileInfo(m_path).path()).isDir()
-        ? QStringLiteral("choose a name that is not there yet")
-        : QStringLiteral("its folder is not there, make it first or choose another one");
+    QString todo = QStringLiteral("choose a name that is not there yet");
+    if (!m_kept)
+        todo =
+            QStringLiteral("make room in %1, or set TMPDIR to another place").arg(QDir::tempPath());
+    else if (m_result && m_result->outcome != RecordingOutcome::CannotOpen)
+        todo = QStringLiteral("choose another place");
+    else if (!QFileInfo(QFileInfo(m_path).path()).isDir())
+        todo = QStringLiteral("its folder is not there, make it first or choose another one");
     return failure(kFileError,
         QStringLiteral("%1 cannot be recorded: %2; %3.")
-            .arg(m_path,
+            .arg(m_kept ? m_path : QStringLiteral("The experiment"),
                 m_result ? m_result->systemText : QStringLiteral("the disk does not answer"),
                 todo));
 }
@@ -163,16 +199,19 @@ Outcome<int> ConversationRecording::finish()
     QTimer::singleShot(kCloseWithin, &loop, &QEventLoop::quit);
     if (!m_result)
         loop.exec();
+    const QString name = recordingName(m_path, m_kept);
     if (!m_result)
-        return failure(kFileError, QStringLiteral("%1: the disk does not answer.").arg(m_path));
+        return failure(kFileError, QStringLiteral("%1: the disk does not answer.").arg(name));
     if (m_result->outcome != RecordingOutcome::Stopped)
         return failure(kFileError,
-            QStringLiteral("%1 ends early: %2; what was recorded until then is in it.")
-                .arg(m_path, m_result->systemText));
+            QStringLiteral("%1 ends early: %2%3.")
+                .arg(name, m_result->systemText,
+                    m_kept ? QStringLiteral("; what was recorded until then is in it")
+                           : QString()));
     if (m_last.lost != recorded::Lost{})
         return failure(kDataLost,
-            QStringLiteral("%1 samples are not in %2, because the disk was too slow.")
-                .arg(QString::number(m_last.lost.samples), m_path));
+            QStringLiteral("%1 lacks %2 samples, because the disk was too slow.")
+                .arg(name, QString::number(m_last.lost.samples)));
     return kDone;
 }
 

@@ -16,19 +16,30 @@ struct OpenedRecording {
 /// The whole recording, on a disk what memory has no room for; a failure if the file holds none.
 Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path);
 
-/// A CSV file of ours, of PlotJuggler or of VESC Tool; a failure that names line and column if it is none.
-Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path);
+struct ImportedCsv {
+    capture::Capture capture;
+    std::uint64_t leftOut = 0; ///< rows that have the time of the row before
+};
 
-/// The sentence about samples that there was no room for; empty if all are there.
-QString lackText(const capture::Capture &capture);
+/// A CSV file of ours, of PlotJuggler or of VESC Tool; a failure that names line and column if it is none.
+Outcome<std::unique_ptr<ImportedCsv>> importCsv(const QString &path);
+
+/// The sentence about what of it is left out; empty if all is there.
+QString lackText(const ImportedCsv &csv);
 
 /// And about what a damaged or interrupted recording lacks; empty if it is whole.
 QString lackText(const OpenedRecording &recording);
 
+/// A failure if the name is not that of a recording: what is called .csv is taken for a table by whoever finds it.
+Outcome<bool> checkRecordingName(const QString &path);
+
+/// What sentences call a recording. @param kept  else its file goes with the program, and its path says nothing
+QString recordingName(const QString &path, bool kept);
+
 /// A recording of a conversation, as capture --record makes it.
 class ConversationRecording {
 public:
-    ConversationRecording(Conversation &talk, const QString &path, bool withLink);
+    ConversationRecording(Conversation &talk, const QString &path, bool withLink, bool kept = true);
 
     Outcome<int> start(const QString &source);
     /// What the board holds.
@@ -42,7 +53,7 @@ public:
 private:
     Conversation &m_talk;
     QString m_path;
-    bool m_withLink;
+    bool m_withLink, m_kept;
     session::Recording m_recording;
     bool m_started = false;
     std::optional<session::RecordingResult> m_result;

@@ -114,9 +114,12 @@ Outcome<int> writeAndReport(
     QJsonArray list;
     if (asked.ended) {
         for (const drive::WriteResult &result : asked.ended->writes) {
+            // Of one that was refused before anything was read the verdict says all there is.
+            const bool known =
+                result.before || result.readBack || result.outcome != drive::Outcome::Refused;
             if (desk.out.json())
                 list.append(jsonOf(desk, result, digits));
-            else
+            else if (known)
                 desk.out.line(lineOf(desk, result, digits));
         }
     }

@@ -414,8 +414,10 @@ bool CsvImport::parseRow(std::string_view line)
     }
     if (m_rows > 0 && time < m_last)
         return fail(CsvError::What::TimeRunsBack, m_timeColumn + 1, m_fields[m_timeColumn]);
-    if (m_rows > 0 && time == m_last)
+    if (m_rows > 0 && time == m_last) {
+        m_leftOut += m_wrapsAtMidnight ? 0 : 1; // which only VESC Tool's do
         return true;
+    }
     Row &row = m_ahead[m_rows % m_ahead.size()];
     row.time = time;
     row.values.clear();

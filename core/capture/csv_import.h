@@ -53,6 +53,8 @@ public:
 
     const std::optional<CsvError> &error() const { return m_error; }
     std::uint64_t rows() const { return m_rows; }
+    /// Rows that are not in the capture, because they have the time of the row before; those of VESC Tool do not count.
+    std::uint64_t leftOut() const { return m_leftOut; }
     const std::vector<ChannelId> &channels() const { return m_channels; } ///< in the file's order
 
 private:
@@ -102,6 +104,7 @@ private:
     std::uint64_t m_settled = 0; ///< rows in the capture, or pending
     std::uint64_t m_line = 0;
     std::uint64_t m_rows = 0;
+    std::uint64_t m_leftOut = 0;
     std::optional<CsvError> m_error;
     std::string m_scratch;
 };

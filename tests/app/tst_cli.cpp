@@ -177,8 +177,8 @@ void TestCli::aStructureOfAnotherLengthIsNotWritten()
     // Firmware would fill the missing bytes with what lies in its buffer, and ramp to any speed.
     const CliRun result = typed("--port sim set SPEED_RAMP=00 SPEED_KP=5");
     COMPARE_STATUS(result, 1);
-    QCOMPARE(result.lines().size(), 2);
-    QVERIFY2(result.lines()[1].endsWith(QLatin1String("-> 5")), qPrintable(result.out));
+    QCOMPARE(result.lines().size(), 1); // of what was not even asked for there is nothing to tell
+    QVERIFY2(result.lines()[0].endsWith(QLatin1String("-> 5")), qPrintable(result.out));
     QVERIFY2(
         result.err.contains(QLatin1String("SPEED_RAMP (takes 6 bytes)")), qPrintable(result.err));
 }

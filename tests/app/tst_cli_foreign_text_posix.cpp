@@ -5,6 +5,7 @@
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
 
+#include <QDir>
 #include <QtTest>
 
 using support::CliRun;
@@ -95,6 +96,35 @@ private Q_SLOTS:
         QCOMPARE(run.status, 2);
         QVERIFY(run.oneLineOfError());
         QVERIFY2(isHarmless(run.err), qPrintable(run.err));
+    }
+
+    /// Else they would name another file.
+    void wordsThatAreNoUtf8AreRefused()
+    {
+        const QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("a.csv"));
+        QFile file(from);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("time [s],A\n0,1\n") > 0);
+        file.close();
+        for (const char *name : {R"(b\377.csv)", R"(b\303.csv)", R"(b\355\240\200.csv)"}) {
+            QProcess shell;
+            shell.start(QStringLiteral("/bin/sh"),
+                {QStringLiteral("-c"),
+                    QStringLiteral(R"sh(exec "$0" export "$1" -o "$2/$(printf "$3")")sh"),
+                    support::programFile(QStringLiteral("rotorscope-cli")), from, folder.path(),
+                    QLatin1String(name)});
+            QVERIFY(shell.waitForFinished(support::kProgramTime_ms));
+            const CliRun run = support::resultOf(shell);
+            COMPARE_STATUS(run, 2);
+            QVERIFY2(run.oneLineOfError() && run.err.contains(QStringLiteral("not UTF-8")),
+                qPrintable(run.err));
+            QCOMPARE(
+                QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("a.csv")});
+        }
+        const QString other = folder.filePath(QStringLiteral("b\u00e4\U0001f600.csv"));
+        COMPARE_STATUS(
+            support::runCli({QStringLiteral("export"), from, QStringLiteral("-o"), other}), 0);
+        QVERIFY(QFile::exists(other));
     }
 
     void theSimulatorsErrorsAreHarmless()

@@ -29,11 +29,17 @@ private Q_SLOTS:
     void captureRecordsWhatItWrites();
     void showSaysWhatIsInIt();
     void exportAndImportGiveTheSameFile();
+    void aRangeBeyondNanosecondsIsWhatThereIsOfIt_data();
+    void aRangeBeyondNanosecondsIsWhatThereIsOfIt();
+    void rowsOfOneTimeAreLeftOutAndTold();
     void aWavFileIsReadByOthers();
     void aMatlabFileIsReadByOthers();
     void aDamagedRecordingIsExportedAndTold();
     void aFileThatIsThereIsNotRecordedOver();
+    void aRecordingIsCalledPcapng_data();
+    void aRecordingIsCalledPcapng();
     void eachOfSeveralExperimentsIsTold();
+    void anExperimentThatIsCutOffIsEvaluatedAndTold();
     void otherFilesAreExitStatus5();
     void wrongUsageIsExitStatus2_data();
     void wrongUsageIsExitStatus2();
@@ -161,6 +167,51 @@ void TestCliRecording::exportAndImportGiveTheSameFile()
     QVERIFY(contents(path("part.csv")).count('\n') <= 1601);
 }
 
+void TestCliRecording::aRangeBeyondNanosecondsIsWhatThereIsOfIt_data()
+{
+    QTest::addColumn<QString>("range");
+    QTest::addColumn<bool>("all");
+    QTest::newRow("to") << QStringLiteral("--to 1e10") << true;
+    QTest::newRow("from") << QStringLiteral("--from -1e300") << true;
+    QTest::newRow("both") << QStringLiteral("--from -1e10 --to 1e300") << true;
+    QTest::newRow("behind it") << QStringLiteral("--from 1e10") << false;
+    QTest::newRow("before it") << QStringLiteral("--to -1e300") << false;
+}
+
+void TestCliRecording::aRangeBeyondNanosecondsIsWhatThereIsOfIt()
+{
+    QFETCH(QString, range);
+    QFETCH(bool, all);
+    const auto rows = [this](const QString &options) {
+        const CliRun run = typed(QStringList{QStringLiteral("--json"), QStringLiteral("export"),
+                                     path("a.pcapng"), QStringLiteral("-o"), path("range.csv")}
+            + wordsOf(options));
+        return run.status == 0 ? run.object().value(QLatin1String("rows")).toInt(-1) : -1;
+    };
+    const int whole = rows({});
+    QVERIFY(whole >= 8000);
+    QCOMPARE(rows(range), all ? whole : 0);
+}
+
+void TestCliRecording::rowsOfOneTimeAreLeftOutAndTold()
+{
+    const auto exported = [this](const QByteArray &text) {
+        put(path("same.csv"), text);
+        return typed({QStringLiteral("--json"), QStringLiteral("export"), path("same.csv"),
+            QStringLiteral("-o"), path("once.csv")});
+    };
+    const CliRun some = exported("time [s],A\n0,1\n0,2\n1,3\n1,4\n");
+    COMPARE_STATUS(some, 4);
+    QVERIFY2(some.err.contains(
+                 QLatin1String("2 rows have the time of the row before and were left out")),
+        qPrintable(some.err));
+    QVERIFY(!some.object().value(QLatin1String("complete")).toBool(true));
+    QCOMPARE(contents(path("once.csv")), QByteArray("time [s],A\n0,1\n1,3\n"));
+    const CliRun vesc = exported("ms_today;A;\n0;1;\n0;1;\n50;2;\n");
+    COMPARE_STATUS(vesc, 0);
+    QVERIFY(vesc.object().value(QLatin1String("complete")).toBool());
+}
+
 /// Python's own reader sees every frame.
 void TestCliRecording::aWavFileIsReadByOthers()
 {
@@ -242,6 +293,27 @@ void TestCliRecording::aFileThatIsThereIsNotRecordedOver()
     QVERIFY(!result.err.contains(QLatin1String("motor was stopped"))); // it was never started
 }
 
+void TestCliRecording::aRecordingIsCalledPcapng_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char *line :
+        {"step speed --from 1000 --to 1500 -o", "identify electrical -o", "response speed -o",
+            "experiment plan.json -o", "capture --hf I_A --seconds 0.1 --record"})
+        QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCliRecording::aRecordingIsCalledPcapng()
+{
+    QFETCH(QString, line);
+    for (const QString &name : {path("foo.csv"), path("foo"), QString()}) {
+        const CliRun run = typed(wordsOf(QStringLiteral("--port sim ") + line) << name);
+        COMPARE_STATUS(run, 2);
+        QVERIFY2(
+            run.oneLineOfError() && run.err.contains(QLatin1String("pcapng")), qPrintable(run.err));
+        QVERIFY(!QFile::exists(name));
+    }
+}
+
 /// As the window keeps a long day: each says what it said by itself, byte for byte.
 void TestCliRecording::eachOfSeveralExperimentsIsTold()
 {
@@ -299,6 +371,48 @@ void TestCliRecording::eachOfSeveralExperimentsIsTold()
     QVERIFY2(none.err.contains(QLatin1String("has no run 4, only 3.")), qPrintable(none.err));
 }
 
+/// As of a program that was killed. What is not known of a step is not 0, and a file that is torn is not whole.
+void TestCliRecording::anExperimentThatIsCutOffIsEvaluatedAndTold()
+{
+    support::LabBench bench;
+    QString why;
+    session::RecordingFile file(
+        session::makeDiskSink(path("killed.pcapng"), why), {1'700'000'000, "test", "sim"});
+    QVERIFY(file.open());
+    bench.eachEntry = [&file](recorded::Nanos at, const recorded::Entry &entry) {
+        QVERIFY(file.add(at, entry));
+    };
+    bench.steps = {.fromRpm = 1000, .toRpm = 1500};
+    bench.begin();
+    constexpr std::size_t kAskedDown = 4; // at rest, to the first speed, up, down
+    QVERIFY(bench.runUntil([&] { return bench.asked<drive::SpeedRamp>().size() >= kAskedDown; }));
+    bench.pair.runFor(60ms);
+    QVERIFY(file.end());
+
+    const auto evaluated = [this](const char *name, const QStringList &options) {
+        return typed(QStringList{QStringLiteral("evaluate"), path(name)} + options);
+    };
+    const QStringList json{QStringLiteral("--json")};
+    const CliRun killed = evaluated("killed.pcapng", json);
+    COMPARE_STATUS(killed, 0);
+    QVERIFY2(killed.err.contains(QLatin1String("The recording ends before the series does.")),
+        qPrintable(killed.err));
+    QVERIFY2(
+        killed.out.count(QLatin1String("\"instant_error_s\":null")) == 1, qPrintable(killed.out));
+    const CliRun text = evaluated("killed.pcapng", {});
+    const QStringList cut = wordsOf(text.lines().value(2));
+    QVERIFY2(cut.size() == 7 && cut.mid(2).count(QStringLiteral("-")) == 5, qPrintable(text.out));
+
+    QByteArray bytes = contents(path("killed.pcapng"));
+    bytes.chop(20);
+    put(path("torn.pcapng"), bytes);
+    const CliRun torn = evaluated("torn.pcapng", json);
+    COMPARE_STATUS(torn, 4);
+    QCOMPARE(torn.out, killed.out);
+    QVERIFY2(torn.err.contains(QLatin1String("torn.pcapng is not whole: it ends within a block")),
+        qPrintable(torn.err));
+}
+
 void TestCliRecording::otherFilesAreExitStatus5()
 {
     put(path("text.pcapng"), "hello\n");
@@ -321,6 +435,7 @@ void TestCliRecording::wrongUsageIsExitStatus2_data()
     for (const char *line :
         {"show", "export x.pcapng", "export x.pcapng -o x.xls", "export -o x.csv",
             "export x.pcapng -o x.csv --from 2 --to 1", "export x.pcapng -o x.csv --from 1,5",
+            "export x.pcapng -o x.csv --from nan", "export x.pcapng -o x.csv --to inf",
             "--port sim capture --hf I_A --seconds 1 -o x.csv --link", "evaluate",
             "evaluate x.pcapng --run 0", "evaluate x.pcapng --run last"})
         QTest::newRow(line) << QString::fromLatin1(line);

@@ -2,6 +2,7 @@
 // are is for the tests of their evaluations, on virtual time: here the machine may stand still.
 #include "session/recording/lent_note.h"
 #include "support/programs/experiment_program_posix.h"
+#include "support/programs/size_limit_posix.h"
 
 #include <QDir>
 #include <QFile>
@@ -316,6 +317,9 @@ private Q_SLOTS:
         QTest::newRow("too fast") << QStringLiteral("step speed --from 1000 --to 9000") << 1;
         QTest::newRow("beyond one's own")
             << QStringLiteral("step speed --from 1000 --to 1500 --max-rpm 1400") << 1;
+        // 3 % of it, and not of the speed that is usual.
+        QTest::newRow("a swing beyond one's own")
+            << QStringLiteral("response speed --speed 3500 --max-rpm 3600") << 1;
         QTest::newRow("too long") << QStringLiteral(
             "step speed --from 1000 --to 1500 --repeat 30 --hold 2000")
                                   << 1;
@@ -371,6 +375,38 @@ private Q_SLOTS:
         COMPARE_STATUS(kept, 1);
         QVERIFY2(kept.err.contains(QStringLiteral("The experiment ended early: ") + why),
             qPrintable(kept.err));
+    }
+
+    /// It is gone when that is read.
+    void aFileThatIsNotKeptIsNotNamed()
+    {
+        ExperimentProgram program(kServo, "experiment");
+        QVERIFY(program.board().ready());
+        QFile plan(program.board().file("plan.json"));
+        QVERIFY(plan.open(QIODevice::WriteOnly));
+        plan.write(R"({"experiment":"spin","length_ms":1000})"); // too short for a number
+        plan.close();
+        program.begin({plan.fileName()});
+        COMPARE_OUTCOME(program, 1, "The recording: ");
+        QVERIFY2(
+            !program.run().err.contains(QStringLiteral(".pcapng")), qPrintable(program.run().err));
+    }
+
+    void aFullDiskIsSaidOfAFileThatIsNotKept()
+    {
+        ExperimentProgram program(kServo, "step speed --from 1000 --to 1300 --repeat 1 --hold 200");
+        QVERIFY(program.board().ready());
+        constexpr rlim_t kLittleRoom = 100'000;
+        const auto withLittleRoom = [&program] {
+            const support::SizeLimit limit(kLittleRoom);
+            program.begin();
+        };
+        withLittleRoom();
+        COMPARE_OUTCOME(program, 5, "The recording ends early: ", withLittleRoom);
+        const QString &said = program.run().err;
+        QVERIFY2(!said.contains(QStringLiteral(".pcapng"))
+                && !said.contains(QStringLiteral("recorded until then")),
+            qPrintable(said));
     }
 
     void aFileThatIsThereStays()

@@ -24,6 +24,9 @@ private Q_SLOTS:
     void theSpeedLoopNeedsAnInertia();
     void revUpStagesComeBackFromTheirFile();
     void revUpBeyondALimitIsNotWritten();
+    void aRevUpOfJustTheLimitIsWritten();
+    void aRefusedRevUpSaysWhatIsTooMuch_data();
+    void aRefusedRevUpSaysWhatIsTooMuch();
     void torqueIsBoundedLikeACommand();
     void theHeaderHasTheNamesOfTheSdk();
     void filesThatAreNoneAreExitStatus5_data();
@@ -343,6 +346,47 @@ void TestCliTuning::revUpBeyondALimitIsNotWritten()
         COMPARE_STATUS(board.cli(line), 2);
     COMPARE_STATUS(board.cli("revup --set /etc/passwd"), 5);
     QCOMPARE(board.cli("revup").out, before);
+}
+
+void TestCliTuning::aRevUpOfJustTheLimitIsWritten()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    COMPARE_STATUS(board.cli("revup --set 0,2.5,800 1200,5,1500"), 0);
+    const QJsonArray stages = board.cli("--json revup").object()[QLatin1String("stages")].toArray();
+    QVERIFY(std::abs(stages[1][QLatin1String("current_a")].toDouble() - 5.0) < 1e-3);
+}
+
+void TestCliTuning::aRefusedRevUpSaysWhatIsTooMuch_data()
+{
+    QTest::addColumn<QString>("stages");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char *stages, int status, const char *said) {
+        QTest::newRow(stages) << QString::fromLatin1(stages) << status << QString::fromLatin1(said);
+    };
+    row("1000,6,100", 1, "The current of stage 1 is beyond the limit of 5 A; nothing was written.");
+    row("0,1,100 9000,1,100", 1,
+        "The speed of stage 2 is beyond the limit of 4000 rpm; nothing was written.");
+    row("1000,99,100", 2, "The current of \"1000,99,100\" is larger than a stage holds, 60.");
+    row("1000,-99,100", 2, "The current of \"1000,-99,100\" is larger than a stage holds, 60.");
+    row("1000,1,70000", 2, "The time of \"1000,1,70000\" is larger than a stage holds, 65535 ms.");
+    row("1000,1,0.5", 2, "\"1000,1,0.5\" is no stage");
+    // One that takes no time: the drive refuses it, before anything was read.
+    row("0,1,100 1200,6,0", 1, "Not written: REVUP_DATA (beyond the limit of 5 A)");
+}
+
+void TestCliTuning::aRefusedRevUpSaysWhatIsTooMuch()
+{
+    QFETCH(const QString, stages);
+    QFETCH(const int, status);
+    QFETCH(const QString, said);
+    const Simulator board;
+    QVERIFY(board.ready());
+    const CliRun refused = board.cli("revup --set", stages.split(QLatin1Char(' ')));
+    COMPARE_STATUS(refused, status);
+    QVERIFY2(refused.err.contains(said) && refused.oneLineOfError(), qPrintable(refused.err));
+    QCOMPARE(refused.out, QString());
 }
 
 void TestCliTuning::torqueIsBoundedLikeACommand()

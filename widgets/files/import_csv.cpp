@@ -22,6 +22,7 @@ struct Imported {
     capture::Capture capture;
     QString wrong; ///< empty: nothing
     bool cancelled = false;
+    std::uint64_t leftOut = 0; ///< rows
 };
 
 void readFile(const QString &path, const FileJob::Proceed &proceed, Imported &imported)
@@ -45,13 +46,14 @@ void readFile(const QString &path, const FileJob::Proceed &proceed, Imported &im
         imported.wrong = file.errorString();
     else if (!imported.cancelled && !import.finish())
         imported.wrong = session::csvProblemText(*import.error(), translatedFileProblem);
+    imported.leftOut = import.leftOut();
 }
 
 } // namespace
 
 FileJob *importCsv(const QString &path, QWidget *window,
-    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail,
-    capture::Capture::Config config)
+    std::function<void(capture::Capture &, std::uint64_t leftOut)> take,
+    std::function<void(const QString &)> fail, capture::Capture::Config config)
 {
     return new FileJob(
         Imports::tr("Importing %1").arg(fileNameText(path)),
@@ -67,7 +69,7 @@ FileJob *importCsv(const QString &path, QWidget *window,
                     fail(Imports::tr("%1 cannot be imported (%2).")
                              .arg(deviceText(path), deviceText(why)));
                 };
-            return [imported, take] { take(imported->capture); };
+            return [imported, take] { take(imported->capture, imported->leftOut); };
         },
         window);
 }

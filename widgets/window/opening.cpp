@@ -15,6 +15,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace widgets {
@@ -54,7 +56,8 @@ void Opening::whenDisconnected(std::function<void()> goOn)
         goOn();
 }
 
-/// What is connected goes first, if that is wanted; then it begins again.
+/// What is connected goes first, if that is wanted; then it begins again. What its samples are worth is asked before:
+/// who stays has the board still.
 /// @param lay  what can be done beside it; none: nothing
 bool Opening::isFree(const QString &title, const QString &text, const std::function<void()> &again,
     const std::function<void()> &lay)
@@ -62,10 +65,19 @@ bool Opening::isFree(const QString &title, const QString &text, const std::funct
     m_next = nullptr;
     if (!m_parts.connecting())
         return true;
+    m_agreed = false; // to what was held then
     if (m_parts.prompt.asks("disconnectQuestion"))
         return false;
-    QList<Answer> answers{{Answer::Kind::Go, tr("&Disconnect and go on"),
-        [this, again] { Q_EMIT disconnectWanted(again); }, "disconnectAndGoOn"}};
+    const auto leave = [this, again] {
+        m_parts.replacing.before([this, again] {
+            Q_EMIT disconnectWanted([this, again] {
+                m_agreed = true;
+                again();
+            });
+        });
+    };
+    QList<Answer> answers{
+        {Answer::Kind::Go, tr("&Disconnect and go on"), leave, "disconnectAndGoOn"}};
     if (lay && m_parts.lay)
         answers.append({Answer::Kind::Go, tr("Open as a &reference"), lay, "layAsReference"});
     answers.append(Answer());
@@ -84,6 +96,14 @@ void Opening::leaveThen(std::function<void()> go)
         tr("Open it all the same\u2026"), std::move(go)});
 }
 
+/// The same, and what the scope holds goes, which is asked once: here, or before the connection was left.
+void Opening::replaceThen(std::function<void()> go)
+{
+    leaveThen([this, agreed = std::exchange(m_agreed, false), go = std::move(go)] {
+        agreed ? go() : m_parts.replacing.before(go);
+    });
+}
+
 /// Markers of a connection stay for the next one.
 void Opening::beforeConnecting(std::function<void()> goOn)
 {
@@ -97,9 +117,8 @@ void Opening::beforeConnecting(std::function<void()> goOn)
 
 void Opening::ask(const OpenQuestion &question, Opened open)
 {
-    leaveThen([this, question, open = std::move(open)] {
-        m_parts.replacing.before(
-            [this, question, open] { m_parts.files.askOpen(m_parts.window, question, open); });
+    replaceThen([this, question, open = std::move(open)] {
+        m_parts.files.askOpen(m_parts.window, question, open);
     });
 }
 
@@ -163,9 +182,7 @@ void Opening::openPath(const QString &path)
             tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
             [this, path] { openPath(path); }, beside))
         return;
-    leaveThen([this, path, csv] {
-        m_parts.replacing.before([this, path, csv] { csv ? import(path) : open(path); });
-    });
+    replaceThen([this, path, csv] { csv ? import(path) : open(path); });
 }
 
 /// A large one has an outline of itself at its end, which is there at once.
@@ -230,7 +247,9 @@ void Opening::import(const QString &path)
 {
     importCsv(
         path, m_parts.window,
-        [this, path](capture::Capture &imported) { showImported(path, imported); },
+        [this, path](capture::Capture &imported, std::uint64_t leftOut) {
+            showImported(path, imported, leftOut);
+        },
         [this](const QString &sentence) { warn(sentence); }, forFiles());
 }
 
@@ -263,27 +282,31 @@ void Opening::show(OpenedRecording &opened)
     Q_EMIT said(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
 }
 
-void Opening::showImported(const QString &path, capture::Capture &imported)
+void Opening::showImported(const QString &path, capture::Capture &imported, std::uint64_t leftOut)
 {
     if (m_parts.connecting()) // meanwhile: what lives goes first
         return;
     if (m_parts.markers.changedSinceLeft()) { // while it was read
         m_parts.replacing.beforeMarkersGo(
-            [this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
-                showImported(path, *kept);
+            [this, path, leftOut, kept = std::make_shared<capture::Capture>(std::move(imported))] {
+                showImported(path, *kept, leftOut);
             });
         return;
     }
     m_shown = path;
-    const QString released = releasedText(imported);
+    QStringList lacks{releasedText(imported)};
+    if (leftOut > 0)
+        lacks.append(tr("%n row(s) have the time of the row before and were left out.", nullptr,
+            static_cast<int>(std::min<std::uint64_t>(leftOut, std::numeric_limits<int>::max()))));
+    lacks.removeAll(QString());
     const int left = m_parts.selection.showFile(std::move(imported));
     m_parts.workbench.events().clear();
     Q_EMIT used(path);
     const QString sentence = tr("Imported %1.").arg(deviceText(path)) + leftText(left);
-    if (released.isEmpty())
+    if (lacks.isEmpty())
         Q_EMIT said(Banner::Kind::Note, sentence);
     else
-        warn(sentence + QLatin1Char(' ') + released);
+        warn(sentence + QLatin1Char(' ') + lacks.join(QLatin1Char(' ')));
 }
 
 } // namespace widgets

@@ -76,13 +76,14 @@ private:
     bool isFree(const QString &title, const QString &text, const std::function<void()> &again,
         const std::function<void()> &lay = {});
     void leaveThen(std::function<void()> go);
+    void replaceThen(std::function<void()> go);
     void open(const QString &path);
     void read(const QString &path);
     void showOutline(const QString &path, capture::Capture &outline);
     void replay(const QString &path);
     void import(const QString &path);
     void show(OpenedRecording &opened);
-    void showImported(const QString &path, capture::Capture &imported);
+    void showImported(const QString &path, capture::Capture &imported, std::uint64_t leftOut);
     capture::Capture::Config forFiles() const;
     void warn(const QString &sentence);
 
@@ -91,6 +92,7 @@ private:
     QString m_shown;
     bool m_outline = false; ///< is shown, of what is being read
     std::function<void()> m_next; ///< once the connection is closed
+    bool m_agreed = false; ///< before that: what the scope holds may go
 };
 
 } // namespace widgets

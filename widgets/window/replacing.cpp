@@ -32,8 +32,8 @@ void Replacing::before(std::function<void()> goOn)
     }
     Question question{.name = "replaceQuestion",
         .title = tr("Replace what was recorded?"),
-        .text = tr("The scope holds samples of the last connection that were not exported. A file "
-                   "that is opened takes their place."),
+        .text = tr("The scope holds samples that were not exported. A file that is opened takes "
+                   "their place."),
         .more = tr("What was recorded to a disk stays there. The scope's own samples cannot be "
                    "brought back."),
         .answers = {{Kind::Lose, tr("&Replace"),

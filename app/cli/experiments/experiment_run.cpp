@@ -154,7 +154,7 @@ Failure ExperimentRun::stopped(Failure why)
 
 Outcome<bool> readRunFile(const Given &given, Arguments &arguments)
 {
-    if (!given.has("output"))
+    if (!given.hasValue("output"))
         return true;
     const QString path = arguments.runFile = given.value("output");
     if (const auto named = checkRecordingName(path); !named || !QFileInfo::exists(path))

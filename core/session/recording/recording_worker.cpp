@@ -1,5 +1,7 @@
 #include "session/recording/recording_worker.h"
 
+#include <QFile>
+
 #include <algorithm>
 #include <utility>
 
@@ -167,6 +169,8 @@ void RecordingWorker::finish()
     result.complete = result.outcome == RecordingOutcome::Stopped && m_lost == recorded::Lost{}
         && m_file->leftOut() == 0;
     m_file.reset();
+    if (result.last.counts.bytes == 0)
+        QFile::remove(m_path); // without its head it is none, and only in the way of the next one
     processAll(); // what was told meanwhile is in no file and holds no memory
     Q_EMIT finished(result);
 }

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aTimeColumnHasItsUnitWhateverItsName();
     void filesOfPlotJugglerAreRead();
     void filesOfVescToolAreReadAcrossMidnight();
+    void rowsWithTheTimeOfTheRowBeforeAreCounted();
     void timesAreExact();
     void whatIsNoCsvIsAnErrorWithItsPlace_data();
     void whatIsNoCsvIsAnErrorWithItsPlace();
@@ -337,6 +338,21 @@ void TestCsvImport::filesOfVescToolAreReadAcrossMidnight()
     QCOMPARE(current->at(1), -1.25);
     QCOMPARE(current->timeOf(0), Nanos(86'399'900'000'000));
     QCOMPARE(current->timeOf(2), Nanos(86'400'050'000'000));
+}
+
+void TestCsvImport::rowsWithTheTimeOfTheRowBeforeAreCounted()
+{
+    const auto leftOut = [](std::string_view text, std::uint64_t rows) {
+        Capture read;
+        CsvImport import(read);
+        const bool whole = import.feed(text) && import.finish() && import.rows() == rows;
+        return whole ? std::optional(import.leftOut()) : std::nullopt;
+    };
+    QCOMPARE(leftOut("time [s],A\n0,1\n0,2\n1,3\n1,4\n1.0,5\n2,6\n", 3),
+        std::optional(std::uint64_t(3)));
+    QCOMPARE(leftOut("time [s],A\n0,1\n1,1\n", 2), std::optional(std::uint64_t(0)));
+    // Its way.
+    QCOMPARE(leftOut("ms_today;A;\n0;1;\n0;1;\n50;2;\n", 2), std::optional(std::uint64_t(0)));
 }
 
 void TestCsvImport::timesAreExact()

@@ -452,6 +452,20 @@ private Q_SLOTS:
         QVERIFY(scope()->plotOf(all.back().id) >= 0);
     }
 
+    void rowsOfOneTimeThatAreLeftOutAreSaid()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("same.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time [s],A\n0,1\n0,2\n0.1,3\n0.1,4\n");
+        file.close();
+        m_rig->files.answer = path;
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Imported ")));
+        QVERIFY2(banner()->text().contains(QStringLiteral("2 row")), qPrintable(banner()->text()));
+        QCOMPARE(banner()->kind(), Banner::Kind::Warning);
+    }
+
     void aPlaceThatTakesNoFileIsOneSentence()
     {
         exportAs("mat", kEverything, m_folder.filePath(QStringLiteral("no/such/folder/a.mat")));

@@ -185,6 +185,50 @@ private Q_SLOTS:
         QVERIFY(plan().showsFile());
     }
 
+    /// Who says no to the second question has the board still.
+    void whatItHoldsIsAskedAboutBeforeAConnectionIsLeft()
+    {
+        sample();
+        m_flows->connecting = true;
+        std::vector<std::function<void()>> left;
+        connect(&m_flows->opening, &widgets::Opening::disconnectWanted, this,
+            [&left](const std::function<void()> &next) { left.push_back(next); });
+        for (const auto ask : {&widgets::Opening::askForRecording, &widgets::Opening::askForReplay,
+                 &widgets::Opening::askForCsv}) {
+            (m_flows->opening.*ask)();
+            QVERIFY(m_flows->questions.answer(QStringLiteral("&Disconnect and go on")));
+            QVERIFY(m_flows->questions.asks("replaceQuestion"));
+            QVERIFY(m_flows->questions.answer({}));
+            QVERIFY(left.empty());
+        }
+        m_flows->opening.openPath(m_path);
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Disconnect and go on")));
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Replace")));
+        QCOMPARE(left.size(), std::size_t{1});
+        m_flows->connecting = false;
+        m_flows->opening.whenDisconnected(left.front());
+        QVERIFY(m_flows->questions.open.empty()); // it was answered
+        QTRY_VERIFY(plan().showsFile());
+    }
+
+    void anAnswerIsForOneTimeOnly()
+    {
+        sample();
+        m_flows->connecting = true;
+        std::function<void()> goOn;
+        connect(&m_flows->opening, &widgets::Opening::disconnectWanted, this,
+            [&goOn](const std::function<void()> &next) { goOn = next; });
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Disconnect and go on")));
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Replace")));
+        m_flows->files.answer.clear(); // no file is chosen
+        m_flows->connecting = false;
+        m_flows->opening.whenDisconnected(goOn);
+        QVERIFY(m_flows->questions.open.empty());
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.asks("replaceQuestion"));
+    }
+
     void aConnectionThatCameMeanwhileStays()
     {
         m_flows->opening.askForRecording();

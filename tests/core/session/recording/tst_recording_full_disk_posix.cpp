@@ -1,9 +1,12 @@
 // A real file on a disk that is full after so many bytes: a limit on the file's size gives the same short write as a
 // full disk, without one.
+#include "session/recording/recording.h"
 #include "session/recording/recording_file.h"
 #include "support/programs/size_limit_posix.h"
 #include "support/recording_facts.h"
 
+#include <QDir>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -14,6 +17,8 @@ class TestRecordingFullDisk : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void whereverItFillsAllThatWasWrittenReadsBack();
+    void aDiskWithoutRoomForTheHeadIsLeftWithoutAFile_data();
+    void aDiskWithoutRoomForTheHeadIsLeftWithoutAFile();
 };
 
 namespace {
@@ -61,6 +66,30 @@ void TestRecordingFullDisk::whereverItFillsAllThatWasWrittenReadsBack()
             QCOMPARE(damage.kind, recorded::Damage::Kind::Missing); // the block that was refused
     }
     QVERIFY(inPlace > 0); // at some lengths there was no room for the mark either
+}
+
+void TestRecordingFullDisk::aDiskWithoutRoomForTheHeadIsLeftWithoutAFile_data()
+{
+    QTest::addColumn<int>("room");
+    QTest::newRow("nothing") << 0;
+    QTest::newRow("an end, but no head") << 200;
+}
+
+void TestRecordingFullDisk::aDiskWithoutRoomForTheHeadIsLeftWithoutAFile()
+{
+    QFETCH(int, room);
+    const QTemporaryDir folder;
+    Recording recording(std::make_shared<RecordingTap>());
+    QSignalSpy finished(&recording, &Recording::finished);
+    {
+        const SizeLimit limit(static_cast<rlim_t>(room));
+        recording.start(folder.filePath(QStringLiteral("r.pcapng")), RecordingTap::Content::Samples,
+            QStringLiteral("test"), {});
+        finished.wait();
+    }
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished[0][0].value<RecordingResult>().outcome, RecordingOutcome::DiskFull);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestRecordingFullDisk)
