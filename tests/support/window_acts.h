@@ -128,7 +128,8 @@ private:
     }
     void press(const QWidget &widget)
     {
-        const QString name = widget.objectName();
+        QString name = widget.objectName();
+        name.remove(QLatin1String("OnTop")); // a Stop over a dialog is the one below it
         m_restores = name == QLatin1String("snapshotRestore")
             || (m_restores && name == QLatin1String("writeAnyway"));
         input(m_restores ? Kind::Restore : inputOn(widget));

@@ -11,11 +11,19 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace widgets {
 namespace {
 
 constexpr int kLeastWidth = 300; ///< of the text
+
+QString styleOf(bool calm)
+{
+    return QStringLiteral("widgets--StopAlarm { background: %1; } QLabel { color: white; }")
+        .arg(calm ? QStringLiteral("#37474f") : QStringLiteral("#b71c1c"));
+}
 
 } // namespace
 
@@ -31,8 +39,7 @@ void StopAlarm::make()
 {
     m_text = wrappedLabel("stopAlarmText", this);
     m_detail = wrappedLabel("stopAlarmDetail", this);
-    setStyleSheet(
-        QStringLiteral("widgets--StopAlarm { background: #b71c1c; } QLabel { color: white; }"));
+    setStyleSheet(styleOf(m_calm));
 
     m_text->setFont(inBold(font(), 1.8));
     m_text->setAlignment(Qt::AlignCenter);
@@ -62,38 +69,47 @@ void StopAlarm::raiseWith(const QString &text)
 {
     if (!m_text)
         make();
-    m_takeBack->setVisible(!m_ports.isEmpty());
     if (!isVisible()) {
-        showHeadline();
+        fitHeadline();
         m_detail->setMinimumHeight(0); // room for what was told another time
     }
-    showDetail(text);
+    showText(text);
     if (!isVisible())
         place();
     open();
     raise();
 }
 
-/// In one line where that leaves what has to be seen free, else in as many as it takes.
-void StopAlarm::showHeadline()
+/// In one line where that leaves what has to be seen free, else in as many as it takes; with room for the other one.
+void StopAlarm::fitHeadline()
 {
-    m_text->setText(stopNotConfirmedText());
     const QFontMetrics metrics = m_text->fontMetrics();
     const QMargins around = layout()->contentsMargins();
-    int width = metrics.horizontalAdvance(m_text->text()) + 2;
+    const QStringList both{stopNotConfirmedText(), lateText()};
+    int width = 0, height = 0;
+    for (const QString &text : both)
+        width = std::max(width, metrics.horizontalAdvance(text) + 2);
     if (m_keepFree && m_keepFree->isVisible()) {
         const int left = m_keepFree->mapTo(parentWidget(), QPoint()).x();
         const int right = parentWidget()->width() - left - m_keepFree->width();
         width = std::clamp(std::max(left, right) - around.left() - around.right(), kLeastWidth,
             std::max(kLeastWidth, width));
     }
-    m_text->setFixedSize(width,
-        metrics.boundingRect(QRect(0, 0, width, 1), Qt::TextWordWrap, m_text->text()).height());
+    for (const QString &text : both)
+        height = std::max(
+            height, metrics.boundingRect(QRect(0, 0, width, 1), Qt::TextWordWrap, text).height());
+    m_text->setFixedSize(width, height);
 }
 
 /// With room for whatever the evidence may make of it, and never less than it has.
-void StopAlarm::showDetail(const QString &text)
+void StopAlarm::showText(const QString &text)
 {
+    const bool calm = stand(m_motors);
+    if (std::exchange(m_calm, calm) != calm)
+        setStyleSheet(styleOf(calm));
+    // After the style, with which a box of buttons shows all that it has.
+    m_takeBack->setVisible(!m_ports.isEmpty());
+    m_text->setText(calm ? lateText() : stopNotConfirmedText());
     m_detail->setText(text);
     const int width = m_text->width();
     m_detail->setFixedWidth(width);
@@ -144,16 +160,25 @@ void StopAlarm::place()
     move(mine.topLeft());
 }
 
+void StopAlarm::begin()
+{
+    if (isVisible())
+        return;
+    m_motors.clear();
+    m_ofAll = false;
+}
+
 void StopAlarm::raiseAlarm(int motor)
 {
-    if (!isVisible())
-        m_motors.clear();
+    begin();
     m_motors[motor] = drive::StopWord::NotConfirmed;
     raiseWith(detail());
 }
 
 void StopAlarm::raiseNotSent()
 {
+    begin();
+    m_ofAll = true;
     raiseWith(tr("There is no connection that could carry the stop, and the motor was not at rest "
                  "when it was last heard. Closing this message starts nothing again."));
 }
@@ -163,27 +188,46 @@ void StopAlarm::showWanted(const QStringList &ports)
     const bool more = ports.size() > m_ports.size();
     m_ports = ports;
     if (more) {
-        if (!isVisible())
-            m_motors.clear();
+        begin();
+        m_ofAll = true;
         raiseWith(detail());
     } else if (isVisible()) {
-        m_takeBack->setVisible(!ports.isEmpty());
-        showDetail(detail());
+        // A port is open again: what was heard before may be of another board.
+        m_count = 0;
+        std::erase_if(
+            m_motors, [](const auto &one) { return one.second != drive::StopWord::NotConfirmed; });
+        showText(detail());
     }
+}
+
+void StopAlarm::setMotors(int motors)
+{
+    m_count = motors;
+    if (isVisible() && !m_motors.empty())
+        showText(detail());
 }
 
 void StopAlarm::accept(const drive::StopProgress &progress)
 {
-    const auto known = m_motors.find(progress.motor);
     const bool confirms = progress.word == drive::StopWord::DriveIdle
         || progress.word == drive::StopWord::Standstill
         || progress.word == drive::StopWord::MayCoast;
-    if (known != m_motors.end() && confirms)
-        known->second = progress.word;
-    else if (confirms && isVisible()) // of a port that is back
-        m_motors[progress.motor] = progress.word;
-    if (isVisible() && confirms)
-        showDetail(detail());
+    if (!isVisible() || !confirms)
+        return;
+    // It may be the first that is heard of it: of a port that is back.
+    drive::StopWord &word = m_motors.try_emplace(progress.motor, progress.word).first->second;
+    if (word != drive::StopWord::Standstill) // which stays true when it is stopped once more
+        word = progress.word;
+    showText(detail());
+}
+
+/// All that it is about: by measurement, not because nothing drives them.
+bool StopAlarm::stand(const Words &motors) const
+{
+    const bool all = !m_ofAll || (m_count > 0 && std::ssize(motors) >= m_count);
+    return all && m_ports.isEmpty() && !motors.empty()
+        && std::all_of(motors.begin(), motors.end(),
+            [](const auto &one) { return one.second == drive::StopWord::Standstill; });
 }
 
 QString StopAlarm::detail(const Words &motors) const
@@ -199,7 +243,7 @@ QString StopAlarm::detail(const Words &motors) const
 }
 
 /// Each motor for itself: that one stands says nothing of another.
-QString StopAlarm::ofMotors(const Words &motors)
+QString StopAlarm::ofMotors(const Words &motors) const
 {
     QStringList lines;
     bool trying = false;
@@ -222,8 +266,13 @@ QString StopAlarm::ofMotors(const Words &motors)
     }
     if (trying)
         lines.append(tr("Rotorscope goes on trying. Closing this message starts nothing again."));
+    else if (stand(motors))
+        lines.append(tr("At first nothing confirmed the stop. Closing this message starts nothing "
+                        "again."));
     return lines.join(QLatin1Char('\n'));
 }
+
+QString StopAlarm::lateText() { return tr("Confirmed late: standstill was measured."); }
 
 QString StopAlarm::ofPorts() const
 {

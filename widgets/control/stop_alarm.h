@@ -1,7 +1,8 @@
 // StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. It lies
 // over the picture and off the panel that controls the motors, and has room from the start for the evidence that may
-// still come: neither its buttons nor itself move then. What is in it is made when it is first raised, which takes a
-// few milliseconds that a start of the program has no use for.
+// still come: neither its buttons nor itself move then. Once standstill was measured of all motors that it is about, it
+// says so in calm colours, and waits to be read. What is in it is made when it is first raised, which takes a few
+// milliseconds that a start of the program has no use for.
 #pragma once
 
 #include "drive/event.h"
@@ -26,6 +27,8 @@ public:
     void raiseNotSent(); ///< the same, for a stop that nothing could carry
     /// Ports that are gone with a stop which nothing confirmed; the same while there is one more than before.
     void showWanted(const QStringList &ports);
+    /// How many the board has, as it tells; 0: it has not told.
+    void setMotors(int motors);
     /// Evidence that came after all, for each motor of its own; the text says so and stays until it is closed.
     void accept(const drive::StopProgress &progress);
 
@@ -35,18 +38,25 @@ Q_SIGNALS:
 
 private:
     void make();
+    void begin();
     void raiseWith(const QString &text);
     using Words = std::map<int, drive::StopWord>;
-    void showHeadline();
-    void showDetail(const QString &text);
+    void fitHeadline();
+    void showText(const QString &detail);
     void place();
+    bool stand(const Words &motors) const;
     QString detail() const { return detail(m_motors); }
     QString detail(const Words &motors) const;
-    static QString ofMotors(const Words &motors);
+    QString ofMotors(const Words &motors) const;
     QString ofPorts() const;
+    static QString lateText();
 
     Words m_motors; ///< what is known of those that the alarm was raised for
     QStringList m_ports; ///< that are gone
+    int m_count = 0; ///< motors of the board
+    /// It is about a stop of which nothing was heard: every motor of the board has to stand.
+    bool m_ofAll = false;
+    bool m_calm = false; ///< as it is painted
     const QWidget *m_over = nullptr;
     const QWidget *m_keepFree = nullptr;
     QLabel *m_text = nullptr;

@@ -16,6 +16,7 @@
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/stop_alarm.h"
+#include "widgets/control/stop_on_top.h"
 #include "widgets/files/lay_reference.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"
@@ -112,6 +113,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Rotorscope"));
     new ShortcutGuard(this);
+    new StopOnTop(*this);
     m_workbench.registers().setPinned(settings.pinned);
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setTyped(settings.typedPorts);
@@ -455,6 +457,10 @@ void MainWindow::connectAlarm()
     connect(&m_device, &Device::stopsWanted, this, [this](const QStringList &ports) {
         if (!m_leaving->underWay())
             m_alarm->showWanted(ports);
+    });
+    connect(&m_device, &Device::identityChanged, m_alarm, [this] {
+        const auto &board = m_device.identified();
+        m_alarm->setMotors(board ? board->identity.motors : 0);
     });
     connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStopWished);
     connect(&m_device, &Device::stopImpossible, this, [this] {

@@ -16,7 +16,9 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
+#include <QWindow>
 
 #include <algorithm>
 
@@ -98,6 +100,95 @@ private Q_SLOTS:
         QTest::keyClick(QGuiApplication::focusWindow(), Qt::Key_Escape);
         QCOMPARE(m_stops->size(), 1);
         QVERIFY(!box.isVisible());
+    }
+
+    void theStopButtonsActWhileADialogIsOpen_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"stopMotors", "stop"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void theStopButtonsActWhileADialogIsOpen()
+    {
+        QFETCH(QString, name);
+        widgets::MainWindow &window = m_rig->window;
+        const auto *button = window.findChild<widgets::StopButton *>(name);
+        QVERIFY(button);
+        onScreen(window);
+        QDialog dialog(&window);
+        auto *edit = new QLineEdit(&dialog);
+        edit->setFocus();
+        dialog.open();
+        // In the window itself Qt throws it away.
+        const QPoint inWindow = button->mapTo(&window, button->rect().center());
+        QTest::mouseClick(window.windowHandle(), Qt::LeftButton, Qt::NoModifier, inWindow);
+        QCOMPARE(m_stops->size(), 0);
+        QTRY_VERIFY(onTop(name));
+        QCOMPARE(onTop(name)->text(), button->text());
+        pressAt(centreOf(*button));
+        QCOMPARE(m_stops->size(), 1);
+        QTRY_COMPARE(QApplication::activeWindow(), &dialog);
+        QVERIFY(edit->hasFocus());
+
+        window.move(window.pos() + QPoint(40, 30));
+        QTRY_COMPARE(onTop(name)->geometry().topLeft(), button->mapToGlobal(QPoint()));
+        pressAt(centreOf(*button));
+        QCOMPARE(m_stops->size(), 2);
+        dialog.close();
+        QVERIFY(!onTop(name));
+        pressAt(centreOf(*button)); // the button itself
+        QCOMPARE(m_stops->size(), 3);
+    }
+
+    void theStopButtonsActUnderADialogOfADialog()
+    {
+        onScreen(m_rig->window);
+        const QPoint place = centreOf(*m_rig->find<QWidget>("stop"));
+        QFileDialog files(&m_rig->window);
+        files.setOption(QFileDialog::DontUseNativeDialog);
+        files.move(m_rig->window.pos()); // not over the button
+        files.open();
+        QMessageBox box(QMessageBox::Question, QStringLiteral("Title"), QStringLiteral("Text"),
+            QMessageBox::Ok, &files);
+        box.open();
+        const auto belongsTo = [](const QWidget &dialog) {
+            const QWidget *stop = onTop(QStringLiteral("stop"));
+            return stop && stop->windowHandle()->transientParent() == dialog.windowHandle();
+        };
+        QTRY_VERIFY(belongsTo(box));
+        // A stop may withdraw what is asked, and with it the button that is being pressed.
+        connect(&device(), &widgets::Device::stopWished, &box, &QDialog::reject);
+        pressAt(place);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!box.isVisible());
+        QTRY_VERIFY(belongsTo(files));
+        pressAt(place);
+        QCOMPARE(m_stops->size(), 2);
+    }
+
+    void noStopButtonIsLaidOverADialogNorWhereThereIsNoneToPress()
+    {
+        auto *top = m_rig->find<QWidget>("stopMotors");
+        auto *other = m_rig->find<QWidget>("stop");
+        auto *menu = m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions().at(0)->menu();
+        menu->popup(m_rig->window.mapToGlobal(QPoint(5, 5)));
+        QCoreApplication::processEvents();
+        QVERIFY(!onTop(QStringLiteral("stop"))); // a menu is closed by a press
+        menu->close();
+        QDialog dialog(&m_rig->window);
+        dialog.open();
+        dialog.setGeometry(QRect(other->mapToGlobal(QPoint()), other->size()));
+        QTRY_VERIFY(onTop(QStringLiteral("stopMotors")));
+        QTRY_VERIFY(!onTop(QStringLiteral("stop")));
+        dialog.move(dialog.pos() + QPoint(other->width() / 2, 0));
+        QTRY_VERIFY(onTop(QStringLiteral("stop"))); // the half of it that is seen
+        QVERIFY(!onTop(QStringLiteral("stop"))->mask().contains(QPoint(other->width() - 1, 5)));
+        top->setEnabled(false);
+        QTRY_VERIFY(!onTop(QStringLiteral("stopMotors")));
+        top->setEnabled(true);
+        QTRY_VERIFY(onTop(QStringLiteral("stopMotors")));
+        top->hide();
+        QTRY_VERIFY(!onTop(QStringLiteral("stopMotors")));
     }
 
     void escapeStopsWhileAMenuIsOpenAndStillClosesIt()
@@ -217,6 +308,56 @@ private Q_SLOTS:
                 drive::StopProgress{1, StopWord::Standstill, {}}});
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1: meanwhile standstill")));
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 2 was told to stop")));
+    }
+
+    void anAlarmSaysWhenAllItsMotorsWereMeasuredStanding()
+    {
+        using drive::StopWord;
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        facts::feed(device(),
+            {drive::StopProgress{1, StopWord::NotConfirmed, {}},
+                drive::StopProgress{2, StopWord::NotConfirmed, {}}});
+        auto *headline = m_rig->find<QLabel>("stopAlarmText");
+        const QString alarming = headline->text();
+        for (const drive::StopProgress &progress : {drive::StopProgress{1, StopWord::DriveIdle, {}},
+                 drive::StopProgress{1, StopWord::Standstill, {}},
+                 drive::StopProgress{2, StopWord::DriveIdle, {}},
+                 drive::StopProgress{2, StopWord::MayCoast, {}}}) {
+            facts::feed(device(), {progress});
+            QCOMPARE(headline->text(), alarming); // for one of them nothing was measured
+        }
+        facts::feed(device(), {drive::StopProgress{2, StopWord::Standstill, {}}});
+        QCOMPARE(headline->text(), QStringLiteral("Confirmed late: standstill was measured."));
+        QVERIFY(alarm->isVisible()); // it is to be read
+        QVERIFY(!m_rig->find<QPushButton>("takeStopBack")->isVisible());
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1: meanwhile standstill")));
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("At first nothing confirmed the stop.")));
+        QVERIFY(allTextFits(*alarm));
+        facts::feed(device(), {drive::StopProgress{1, StopWord::DriveIdle, {}}}); // stopped again
+        QVERIFY(headline->text() != alarming);
+        facts::feed(device(), {drive::StopProgress{1, StopWord::NotConfirmed, {}}});
+        QCOMPARE(headline->text(), alarming);
+    }
+
+    void whereNothingWasHeardOfAStopAllMotorsOfTheBoardHaveToStand()
+    {
+        using drive::StopWord;
+        Q_EMIT device().stopsWanted({QStringLiteral("/dev/ttyACM0")});
+        auto *headline = m_rig->find<QLabel>("stopAlarmText");
+        const QString alarming = headline->text();
+        const drive::StopProgress first{1, StopWord::Standstill, {}};
+        facts::feed(device(), {first}); // of a board at another port
+        QCOMPARE(headline->text(), alarming);
+        Q_EMIT device().stopsWanted({});
+        QCOMPARE(headline->text(), alarming);
+        facts::feed(device(), {first}); // the board has not told how many it has
+        QCOMPARE(headline->text(), alarming);
+        drive::Identified two = facts::identified();
+        two.identity.motors = 2;
+        facts::feed(device(), {two});
+        QCOMPARE(headline->text(), alarming);
+        facts::feed(device(), {drive::StopProgress{2, StopWord::Standstill, {}}});
+        QVERIFY(headline->text() != alarming);
     }
 
     void theWordsAreToldOfEachMotor()
@@ -375,6 +516,31 @@ private Q_SLOTS:
     }
 
 private:
+    /// What is laid over that button, with its name.
+    static widgets::StopButton *onTop(const QString &name)
+    {
+        for (QWidget *window : QApplication::topLevelWidgets())
+            if (window->isVisible() && window->objectName() == name + QStringLiteral("OnTop"))
+                return qobject_cast<widgets::StopButton *>(window);
+        return nullptr;
+    }
+    /// Its right half, where the buttons are: the screen of the offscreen platform is smaller than it.
+    static void onScreen(QWidget &window)
+    {
+        const QRect screen = window.screen()->geometry();
+        window.move(screen.right() - 80 - window.width(), 0);
+    }
+    static QPoint centreOf(const QWidget &widget)
+    {
+        return widget.mapToGlobal(widget.rect().center());
+    }
+    /// In the window that is there, which may be blocked, as a pointer does it.
+    static void pressAt(QPoint place)
+    {
+        QWindow *window = QGuiApplication::topLevelAt(place);
+        QVERIFY(window);
+        QTest::mouseClick(window, Qt::LeftButton, Qt::NoModifier, window->mapFromGlobal(place));
+    }
     static QString textOf(const QWidget &dialog)
     {
         QString all;

@@ -1,5 +1,6 @@
 // Esc stops the motors while Qt runs one of its own loops, proved on a real X server with a real pointer and real keys:
-// a drag of a register over the scope, menus, lists and dialogs. The offscreen platform has no such drag.
+// a drag of a register over the scope, menus, lists and dialogs. The offscreen platform has no such drag. And so do the
+// Stop buttons under dialogs, where Qt throws away what is pressed in the window itself.
 #include "support/programs/x_server_posix.h"
 #include "support/window_rig.h"
 #include "widgets/window/connect_bar.h"
@@ -151,6 +152,39 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(
             !QApplication::activePopupWidget() && !QApplication::activeModalWidget(), kLong_ms);
         QCOMPARE(m_stops->size(), 1);
+    }
+
+    void theStopButtonsStopTheMotorWhileADialogIsOpen_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"stopMotors", "stop"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void theStopButtonsStopTheMotorWhileADialogIsOpen()
+    {
+        QFETCH(QString, name);
+        const auto *button = m_rig->window.findChild<QWidget *>(name);
+        QVERIFY(button);
+        start();
+        QDialog dialog(&m_rig->window);
+        dialog.resize(200, 100);
+        dialog.open();
+        const auto shown = [&name] {
+            for (const QWidget *window : QApplication::topLevelWidgets())
+                if (window->objectName() == name + QStringLiteral("OnTop"))
+                    return QTest::qWaitForWindowExposed(window->windowHandle(), kLong_ms);
+            return false;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(shown(), kLong_ms);
+        m_stops->clear();
+        QVERIFY(Hands::move(button->mapToGlobal(button->rect().center())));
+        QVERIFY(Hands::press());
+        QTRY_COMPARE_WITH_TIMEOUT(m_stops->size(), 1, kLong_ms); // before it is let go
+        QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Idle, kLong_ms);
+        QVERIFY(Hands::release());
+        QTRY_COMPARE_WITH_TIMEOUT(QGuiApplication::mouseButtons(), Qt::NoButton, kLong_ms);
+        QVERIFY(dialog.isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(QGuiApplication::focusWindow(), dialog.windowHandle(), kLong_ms);
     }
 
 private:
