@@ -11,7 +11,7 @@ import sys
 
 # Ways for a test to look into the program, and nothing else. At most twelve.
 PROBES = {
-    'drawnMeasured', 'energies', 'phases_a', 'redraws', 'setSessionClock', 'slave',
+    'drawnMeasured', 'energies', 'observerWords', 'phases_a', 'redraws', 'setSessionClock', 'slave',
     'takesWord', 'trueBus_v', 'valueRangeOf', 'waiting',
 }
 MOST_PROBES = 12

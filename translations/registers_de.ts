@@ -1395,18 +1395,6 @@
         <translation>Drehzahl, der der Drehzahlregler jetzt folgt, Rampen eingeschlossen</translation>
     </message>
     <message>
-        <source>Speed loop: proportional gain, to be divided by SPEED_KP_DIV</source>
-        <translation>Drehzahlregler: Proportionalverstärkung, durch SPEED_KP_DIV zu teilen</translation>
-    </message>
-    <message>
-        <source>Speed loop: integral gain, to be divided by SPEED_KI_DIV</source>
-        <translation>Drehzahlregler: Integralverstärkung, durch SPEED_KI_DIV zu teilen</translation>
-    </message>
-    <message>
-        <source>Speed loop: derivative gain</source>
-        <translation>Drehzahlregler: Differentialverstärkung</translation>
-    </message>
-    <message>
         <source>Reference of Iq in force; a write changes to torque control and waits until the motor runs</source>
         <translation>Geltender Sollwert von Iq; Schreiben wechselt zur Drehmomentregelung und wartet, bis der Motor läuft</translation>
     </message>
@@ -3093,6 +3081,18 @@
     <message>
         <source>Input of the negative homing switch</source>
         <translation>Eingang des negativen Referenzschalters</translation>
+    </message>
+    <message>
+        <source>Speed loop: proportional gain in s16A per unit of the speed, to be divided by SPEED_KP_DIV</source>
+        <translation>Drehzahlregler: Proportionalverstärkung in s16A je Einheit der Drehzahl, durch SPEED_KP_DIV zu teilen</translation>
+    </message>
+    <message>
+        <source>Speed loop: integral gain in s16A per unit of the speed, to be divided by SPEED_KI_DIV</source>
+        <translation>Drehzahlregler: Integralverstärkung in s16A je Einheit der Drehzahl, durch SPEED_KI_DIV zu teilen</translation>
+    </message>
+    <message>
+        <source>Speed loop: derivative gain in s16A per unit of the speed</source>
+        <translation>Drehzahlregler: Differentialverstärkung in s16A je Einheit der Drehzahl</translation>
     </message>
 </context>
 <context>

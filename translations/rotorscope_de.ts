@@ -24,144 +24,29 @@
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>Stop every motor, from any window</source>
-        <translation>Alle Motoren stoppen, aus jedem Fenster</translation>
-    </message>
-    <message>
-        <source>Start the motor (after Arm)</source>
-        <translation>Den Motor starten (nach dem Freigeben)</translation>
-    </message>
-    <message>
-        <source>Acknowledge faults</source>
-        <translation>Fehler quittieren</translation>
-    </message>
-    <message>
-        <source>Connect, disconnect</source>
-        <translation>Verbinden, trennen</translation>
-    </message>
-    <message>
-        <source>Find a register</source>
-        <translation>Ein Register suchen</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
         <source>In the list: add to the scope. In a set-point: send it</source>
         <translation>In der Liste: zum Oszilloskop hinzufügen. Im Sollwert: senden</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
     </message>
     <message>
         <source>Hold the picture, let it run (never starts a motor)</source>
         <translation>Das Bild anhalten oder laufen lassen (startet nie einen Motor)</translation>
     </message>
     <message>
-        <source>Show everything; fit the values only</source>
-        <translation>Alles zeigen; nur die Werte einpassen</translation>
-    </message>
-    <message>
-        <source>Zoom in, out; also the wheel</source>
-        <translation>Vergrößern, verkleinern; auch mit dem Mausrad</translation>
-    </message>
-    <message>
-        <source>Earlier, later</source>
-        <translation>Früher, später</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>Follow the newest samples</source>
-        <translation>Den neuesten Werten folgen</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Edit a register&apos;s value</source>
-        <translation>Wert eines Registers bearbeiten</translation>
-    </message>
-    <message>
-        <source>Write the edited registers (after Arm)</source>
-        <translation>Bearbeitete Register schreiben (nach Freigabe)</translation>
-    </message>
-    <message>
-        <source>Undo and redo what was written</source>
-        <translation>Geschriebenes zurücknehmen und wiederholen</translation>
-    </message>
-    <message>
-        <source>Cursors; 1 and 2 give one to the mouse</source>
-        <translation>Cursor; 1 und 2 geben einen an die Maus</translation>
-    </message>
-    <message>
         <source>Move the cursor by a sample, else the picture</source>
         <translation>Den Cursor um einen Messwert bewegen, sonst das Bild</translation>
     </message>
     <message>
-        <source>Set a marker</source>
-        <translation>Markierung setzen</translation>
+        <source>Beside the menus</source>
+        <translation>Neben den Menüs</translation>
     </message>
     <message>
-        <source>Take a single record; force a trigger</source>
-        <translation>Einmal aufnehmen; einen Trigger erzwingen</translation>
+        <source>Wheel</source>
+        <comment>of the mouse</comment>
+        <translation>Mausrad</translation>
     </message>
     <message>
-        <source>Page up, page down</source>
-        <translation>Bild auf, Bild ab</translation>
-    </message>
-    <message>
-        <source>Earlier and later records of the trigger</source>
-        <translation>Frühere und spätere Aufnahmen des Triggers</translation>
-    </message>
-    <message>
-        <source>Large numbers</source>
-        <translation>Große Zahlen</translation>
-    </message>
-    <message>
-        <source>Show the whole recording below</source>
-        <translation>Die ganze Aufzeichnung darunter zeigen</translation>
-    </message>
-    <message>
-        <source>Show the grid or hide it</source>
-        <translation>Das Gitter zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Math channels; XY picture</source>
-        <translation>Mathematik-Kanäle; XY-Bild</translation>
-    </message>
-    <message>
-        <source>Save the markers of an opened recording</source>
-        <translation>Markierungen einer geöffneten Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>Keep the traces as reference A, B; with Shift: back</source>
-        <translation>Kurven als Referenz A, B behalten; mit Umschalt: zurück</translation>
-    </message>
-    <message>
-        <source>Steps of the speed; run them</source>
-        <translation>Sprünge der Drehzahl; ausführen</translation>
-    </message>
-    <message>
-        <source>Identify the motor; its frequency response</source>
-        <translation>Motor identifizieren; sein Frequenzgang</translation>
-    </message>
-    <message>
-        <source>Tour from an unknown motor to proved gains</source>
-        <translation>Rundgang vom unbekannten Motor zu geprüften Verstärkungen</translation>
-    </message>
-    <message>
-        <source>Notes; motion log; run book</source>
-        <translation>Notizen; Bewegungsprotokoll; Versuchsbuch</translation>
+        <source>Zoom in, out</source>
+        <translation>Vergrößern, verkleinern</translation>
     </message>
 </context>
 <context>
@@ -985,12 +870,12 @@
         <translation>%1 ist nicht 0 und wäre es nachher: erst auf 0 bringen</translation>
     </message>
     <message>
-        <source>every motor is being stopped</source>
-        <translation>jeder Motor wird gestoppt</translation>
-    </message>
-    <message>
         <source>the set-point is %1 rpm now, it was %2 rpm</source>
         <translation>der Sollwert ist jetzt %1 rpm, er war %2 rpm</translation>
+    </message>
+    <message>
+        <source>the set-point may be %1 rpm or %2 rpm now, it was %3 rpm</source>
+        <translation>der Sollwert ist jetzt vielleicht %1 rpm oder %2 rpm, er war %3 rpm</translation>
     </message>
     <message>
         <source>the set-point may be %1 rpm now, it was %2 rpm</source>
@@ -1169,6 +1054,10 @@
         <translation>die Aufzeichnung endet vor der Reihe</translation>
     </message>
     <message>
+        <source>the recording ends before the experiment does</source>
+        <translation>die Aufzeichnung endet vor dem Versuch</translation>
+    </message>
+    <message>
         <source>it is no recording of an experiment</source>
         <translation>es ist keine Aufzeichnung eines Versuchs</translation>
     </message>
@@ -1329,8 +1218,8 @@
         <translation>über 10 Hz wird der Frequenzgang des Motors selbst nicht genannt: was ohne Encoder für den Winkel des Rotors gehalten wird, folgt auch seinem Strom</translation>
     </message>
     <message>
-        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
-        <translation>was ohne Encoder für den Winkel des Rotors gehalten wird, folgt seinem Strom, um %1 elektrische Grad je Ampere: das ist herausgerechnet, und über 25 Hz wird der Frequenzgang des Motors selbst nicht genannt</translation>
+        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere if all that turns is one inertia: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
+        <translation>was ohne Encoder für den Winkel des Rotors gehalten wird, folgt seinem Strom, um %1 elektrische Grad je Ampere, wenn alles, was sich dreht, eine Masse ist: das ist herausgerechnet, und über 25 Hz wird der Frequenzgang des Motors selbst nicht genannt</translation>
     </message>
     <message>
         <source>nothing in it follows the set-point</source>
@@ -1365,18 +1254,6 @@
         <translation>keine Verstärkungen halten den verlangten Abstand von der Instabilität</translation>
     </message>
     <message>
-        <source>run %1 (up) stands apart from the others by its %2; it is part of the mean</source>
-        <translation>Lauf %1 (hoch) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
-    </message>
-    <message>
-        <source>run %1 (down) stands apart from the others by its %2; it is part of the mean</source>
-        <translation>Lauf %1 (herunter) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
-    </message>
-    <message>
-        <source>the mean %1 is that of %2 of %3 runs</source>
-        <translation>Mittel aus %2 von %3 Läufen: %1</translation>
-    </message>
-    <message>
         <source>rise time</source>
         <translation>Anstiegszeit</translation>
     </message>
@@ -1397,28 +1274,12 @@
         <translation>der Sprung ist nur %1 Digits des Sollwerts; %2 rpm oder mehr sagen mehr</translation>
     </message>
     <message>
-        <source>%1 of %2 runs do not settle while their speed is held</source>
-        <translation>%1 von %2 Läufen regeln nicht aus, solange ihre Drehzahl gehalten wird</translation>
-    </message>
-    <message>
-        <source>%1 of %2 runs do not settle while their current is held</source>
-        <translation>%1 von %2 Läufen regeln nicht aus, solange ihr Strom gehalten wird</translation>
-    </message>
-    <message>
         <source>samples are missing in %1: nothing is told of its speed</source>
         <translation>in %1 fehlen Messwerte: von der Drehzahl wird nichts gesagt</translation>
     </message>
     <message>
         <source>samples are missing in %1: nothing is told of its current</source>
         <translation>in %1 fehlen Messwerte: vom Strom wird nichts gesagt</translation>
-    </message>
-    <message>
-        <source>the speed does not step in %1</source>
-        <translation>die Drehzahl springt nicht in %1</translation>
-    </message>
-    <message>
-        <source>the current does not step in %1</source>
-        <translation>der Strom springt nicht in %1</translation>
     </message>
     <message>
         <source>the instant of %1 is uncertain by %2 ms: its settling time is not told</source>
@@ -1431,14 +1292,6 @@
     <message>
         <source>%1 does not settle while its current is held</source>
         <translation>%1 regelt nicht aus, solange der Strom gehalten wird</translation>
-    </message>
-    <message>
-        <source>run %1 (up)</source>
-        <translation>Lauf %1 (hoch)</translation>
-    </message>
-    <message>
-        <source>run %1 (down)</source>
-        <translation>Lauf %1 (herunter)</translation>
     </message>
     <message>
         <source>the current was at its limit in %1 % of %2: it does not show the loop alone</source>
@@ -1551,6 +1404,58 @@
     <message>
         <source>the motor did not get to its first speed: the board reports a fault: %1</source>
         <translation>der Motor kam nicht auf seine erste Drehzahl: das Board meldet einen Fehler: %1</translation>
+    </message>
+    <message>
+        <source>every motor was told to stop</source>
+        <translation>jedem Motor wurde der Stopp befohlen</translation>
+    </message>
+    <message>
+        <source>step %1 (up) stands apart from the others by its %2; it is part of the mean</source>
+        <translation>Sprung %1 (hoch) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
+    </message>
+    <message>
+        <source>step %1 (down) stands apart from the others by its %2; it is part of the mean</source>
+        <translation>Sprung %1 (herunter) weicht von den anderen ab: %2; er gehört zum Mittel</translation>
+    </message>
+    <message>
+        <source>the mean %1 is that of %2 of %3 steps</source>
+        <translation>Mittel aus %2 von %3 Sprüngen: %1</translation>
+    </message>
+    <message>
+        <source>the mean %1, %2, %3 and %4 are those of %5 of %6 steps</source>
+        <translation>Mittel aus %5 von %6 Sprüngen: %1, %2, %3 und %4</translation>
+    </message>
+    <message>
+        <source>the mean %1, %2 and %3 are those of %4 of %5 steps</source>
+        <translation>Mittel aus %4 von %5 Sprüngen: %1, %2 und %3</translation>
+    </message>
+    <message>
+        <source>the mean %1 and %2 are those of %3 of %4 steps</source>
+        <translation>Mittel aus %3 von %4 Sprüngen: %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their speed is held</source>
+        <translation>%1 von %2 Sprüngen regeln nicht aus, solange ihre Drehzahl gehalten wird</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their current is held</source>
+        <translation>%1 von %2 Sprüngen regeln nicht aus, solange ihr Strom gehalten wird</translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the speed</source>
+        <translation>%1 ist in der Drehzahl nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the current</source>
+        <translation>%1 ist im Strom nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>step %1 (up)</source>
+        <translation>Sprung %1 (hoch)</translation>
+    </message>
+    <message>
+        <source>step %1 (down)</source>
+        <translation>Sprung %1 (herunter)</translation>
     </message>
 </context>
 <context>
@@ -5303,7 +5208,7 @@
     </message>
     <message>
         <source>Neither proved nor refuted: the loop&apos;s gain does not fall through 1 where it could be measured. &quot;Back to the old gains&quot; brings them back.</source>
-        <translation>Weder bestätigt noch widerlegt: Die Verstärkung des Regelkreises fällt nicht dort durch 1, wo sie gemessen werden konnte. „Zurück zu den alten“ holt die alten Verstärkungen zurück.</translation>
+        <translation>Weder bestätigt noch widerlegt: Die Verstärkung des Regelkreises fällt nicht dort durch 1, wo sie gemessen werden konnte. „Zurück zu den alten Verstärkungen“ holt die alten Verstärkungen zurück.</translation>
     </message>
     <message>
         <source>It swings with its gains. The next response is measured with %1, and the old gains come back afterwards.</source>
@@ -5311,11 +5216,11 @@
     </message>
     <message>
         <source>Worse than predicted: Ms %1, at most %2 promised. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
-        <translation>Schlechter als vorhergesagt: Ms %1, versprochen höchstens %2. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten“ holt die alten zurück.</translation>
+        <translation>Schlechter als vorhergesagt: Ms %1, versprochen höchstens %2. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten Verstärkungen“ holt die alten zurück.</translation>
     </message>
     <message>
         <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
-        <translation>Langsamer als vorhergesagt: Durchtritt %1 Hz statt %2 Hz. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten“ holt die alten zurück.</translation>
+        <translation>Langsamer als vorhergesagt: Durchtritt %1 Hz statt %2 Hz. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten Verstärkungen“ holt die alten zurück.</translation>
     </message>
 </context>
 <context>
@@ -6472,6 +6377,13 @@
         <source>Imported %1.</source>
         <translation>%1 ist importiert.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) have the time of the row before and were left out.</source>
+        <translation>
+            <numerusform>%n Zeile hat die Zeit der Zeile davor und wurde ausgelassen.</numerusform>
+            <numerusform>%n Zeilen haben die Zeit der Zeile davor und wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Disconnect and go on</source>
         <translation>&amp;Trennen und weiter</translation>
@@ -7436,10 +7348,6 @@
         <translation>Aufgezeichnetes ersetzen?</translation>
     </message>
     <message>
-        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
-        <translation>Das Oszilloskop hält Messwerte der letzten Verbindung, die nicht exportiert wurden. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
-    </message>
-    <message>
         <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
         <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort. Die Messwerte des Oszilloskops selbst sind nicht wiederzubringen.</translation>
     </message>
@@ -7506,6 +7414,10 @@
     <message>
         <source>The markers are not saved. They can be saved as a list of times and words (CSV).</source>
         <translation>Die Markierungen sind nicht gespeichert. Sie können als Liste von Zeiten und Texten (CSV) gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>The scope holds samples that were not exported. A file that is opened takes their place.</source>
+        <translation>Im Oszilloskop sind Messwerte, die nicht exportiert wurden. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
     </message>
 </context>
 <context>
@@ -7627,7 +7539,7 @@
     </message>
     <message>
         <source>&amp;Back to the old gains</source>
-        <translation>&amp;Zurück zu den alten</translation>
+        <translation>&amp;Zurück zu den alten Verstärkungen</translation>
     </message>
     <message>
         <source>Loops: measured, thought of, proposed, proved</source>
@@ -9633,6 +9545,10 @@ mN·m</translation>
         <source>Speed [rpm]</source>
         <translation>Drehzahl [rpm]</translation>
     </message>
+    <message>
+        <source>Not drawn: samples are missing.</source>
+        <translation>Nicht gezeichnet: es fehlen Messwerte.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepPage</name>
@@ -9808,6 +9724,14 @@ mN·m</translation>
     <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
         <translation>Es besteht keine Verbindung, die den Stopp übertragen könnte, und der Motor war nicht in Ruhe, als er zuletzt zu hören war. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
+    <message>
+        <source>At first nothing confirmed the stop. Closing this message starts nothing again.</source>
+        <translation>Zuerst hat nichts den Stopp bestätigt. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
+    <message>
+        <source>Confirmed late: standstill was measured.</source>
+        <translation>Spät bestätigt: Stillstand wurde gemessen.</translation>
     </message>
 </context>
 <context>
@@ -9997,7 +9921,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>&amp;Back to the old gains</source>
-        <translation>&amp;Zurück zu den alten</translation>
+        <translation>&amp;Zurück zu den alten Verstärkungen</translation>
     </message>
     <message>
         <source>The board sees its rotor and is armed.</source>

@@ -24,35 +24,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop every motor, from any window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start the motor (after Arm)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Acknowledge faults</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Connect, disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Find a register</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>In the list: add to the scope. In a set-point: send it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Space</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -60,107 +32,20 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show everything; fit the values only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zoom in, out; also the wheel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Earlier, later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Follow the newest samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit a register&apos;s value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write the edited registers (after Arm)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Undo and redo what was written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cursors; 1 and 2 give one to the mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Move the cursor by a sample, else the picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set a marker</source>
+        <source>Beside the menus</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take a single record; force a trigger</source>
+        <source>Wheel</source>
+        <comment>of the mouse</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Page up, page down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Earlier and later records of the trigger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Large numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the whole recording below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Math channels; XY picture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save the markers of an opened recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the grid or hide it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep the traces as reference A, B; with Shift: back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Steps of the speed; run them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Identify the motor; its frequency response</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tour from an unknown motor to proved gains</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Notes; motion log; run book</source>
+        <source>Zoom in, out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -985,11 +870,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every motor is being stopped</source>
+        <source>the set-point is %1 rpm now, it was %2 rpm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the set-point is %1 rpm now, it was %2 rpm</source>
+        <source>the set-point may be %1 rpm or %2 rpm now, it was %3 rpm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1169,6 +1054,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the recording ends before the experiment does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it is no recording of an experiment</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1325,7 +1214,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
+        <source>what is taken for the angle of a rotor without an encoder follows its current, by %1 electrical degrees an ampere if all that turns is one inertia: that is taken out, and above 25 Hz the motor&apos;s own response is not told</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1361,18 +1250,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>run %1 (up) stands apart from the others by its %2; it is part of the mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run %1 (down) stands apart from the others by its %2; it is part of the mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the mean %1 is that of %2 of %3 runs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>rise time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1393,27 +1270,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of %2 runs do not settle while their speed is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 runs do not settle while their current is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>samples are missing in %1: nothing is told of its speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>samples are missing in %1: nothing is told of its current</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the speed does not step in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the current does not step in %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1426,14 +1287,6 @@
     </message>
     <message>
         <source>%1 does not settle while its current is held</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run %1 (up)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>run %1 (down)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1550,6 +1403,58 @@
     </message>
     <message>
         <source>the speed did not come to rest before the first torque: its speed loop swings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every motor was told to stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 (up) stands apart from the others by its %2; it is part of the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 (down) stands apart from the others by its %2; it is part of the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean %1 is that of %2 of %3 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean %1, %2, %3 and %4 are those of %5 of %6 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean %1, %2 and %3 are those of %4 of %5 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean %1 and %2 are those of %3 of %4 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their speed is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their current is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 (up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step %1 (down)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6471,6 +6376,13 @@
         <source>Imported %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n row(s) have the time of the row before and were left out.</source>
+        <translation>
+            <numerusform>%n row has the time of the row before and was left out.</numerusform>
+            <numerusform>%n rows have the time of the row before and were left out.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Disconnect and go on</source>
         <translation type="unfinished"></translation>
@@ -7435,10 +7347,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7504,6 +7412,10 @@
     </message>
     <message>
         <source>The markers are not saved. They can be saved as a list of times and words (CSV).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope holds samples that were not exported. A file that is opened takes their place.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9626,6 +9538,10 @@ mN·m</source>
         <source>Speed [rpm]</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not drawn: samples are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepPage</name>
@@ -9800,6 +9716,14 @@ mN·m</source>
     <message>
         <source>%1 is not open any more, and no evidence of the stop had come. The motor may still be turning. As soon as a port is open again, what is found there is stopped before anything else. Closing this message starts nothing again and takes nothing back.</source>
         <comment>one or more ports</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At first nothing confirmed the stop. Closing this message starts nothing again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirmed late: standstill was measured.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

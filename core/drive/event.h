@@ -85,6 +85,9 @@ struct StreamLimits {
     std::size_t maxPacket = 0; ///< bytes
     double linkBytesPerSecond = 0.0;
     double readsPerSecond = 0.0; ///< registers that can be read one by one, at best; 0: not told
+    /// Bytes around the samples of a period where each is a frame of its own, with requests in it and samples as wide
+    /// as their registers. 0: packets gather samples.
+    std::size_t frameOverhead = 0;
 };
 
 enum class Feature : std::uint8_t {

@@ -67,15 +67,24 @@ void SteppedEdit::mouseReleaseEvent(QMouseEvent *event)
         selectAll();
 }
 
-void SteppedEdit::setFollowed(const QString &now)
+void followText(QLineEdit &edit, const QString &now)
 {
-    if (now == text())
+    if (now == edit.text())
         return;
-    const bool all = hasFocus() && hasSelectedText() && selectedText() == text();
-    setText(now);
+    // A field that nobody works in has no selection. In a window that is not active it is as in one that is.
+    const bool all = edit.hasSelectedText() && edit.selectedText() == edit.text();
+    const int from = edit.selectionStart(), length = edit.selectionLength();
+    const int cursor = edit.cursorPosition();
+    edit.setText(now);
     if (all)
-        selectAll();
+        edit.selectAll();
+    else if (from >= 0 && from < edit.text().size())
+        edit.setSelection(from, length);
+    else if (focusIsIn(edit))
+        edit.setCursorPosition(cursor);
 }
+
+bool focusIsIn(const QWidget &widget) { return widget.window()->focusWidget() == &widget; }
 
 QPalette problemPalette(const QString &problem)
 {

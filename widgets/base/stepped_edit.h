@@ -16,6 +16,11 @@ inline constexpr QColor kRefusedColor{0xff, 0x8f, 0x85};
 /// For a field, by what is wrong with its text; that of its parents if nothing is.
 QPalette problemPalette(const QString &problem);
 
+/// Shows in a field what it follows. Cursor and selection stay where the user has put them: what is typed next is to
+/// replace what is selected, however often the board is read meanwhile.
+void followText(QLineEdit &edit, const QString &now);
+bool focusIsIn(const QWidget &widget); ///< or will be once its window is the active one
+
 class SteppedEdit : public QLineEdit {
     Q_OBJECT
 public:
@@ -23,9 +28,7 @@ public:
 
     virtual QString problem() const { return {}; } ///< one sentence; empty if the text is good
 
-    /// Shows what it follows. Cursor and selection stay where the user has put them: what is typed next is to replace
-    /// what is selected, however often the board is read meanwhile.
-    void setFollowed(const QString &now);
+    void setFollowed(const QString &now) { followText(*this, now); }
 
 protected:
     virtual void stepBy(int steps) = 0; ///< -10, -1, 1 or 10; nothing where the text is no number

@@ -3,6 +3,7 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/setpoint_text.h"
+#include "widgets/base/stepped_edit.h"
 #include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
@@ -73,8 +74,8 @@ void ValueEdit::show()
     QString text =
         m_time ? exactTime(m_value, locale) : readingText(m_value, m_step, m_unit, locale);
     setModified(false);
-    if (hasFocus() && text == this->text())
-        return; // the cursor stays where the user has put it
+    if (focusIsIn(*this))
+        return followText(*this, text);
     setText(text);
     setCursorPosition(0);
 }

@@ -70,8 +70,17 @@ std::optional<double> SetpointEdit::sentValue() const
 
 void SetpointEdit::setValue(double value)
 {
-    if (std::isfinite(value))
-        setText(numberText(value, decimalsFor(m_step)));
+    if (!std::isfinite(value))
+        return;
+    setFollowed(numberText(value, decimalsFor(m_step)));
+    setModified(false);
+}
+
+void SetpointEdit::beginAnew()
+{
+    setValue(0.0);
+    if (focusIsIn(*this))
+        selectAll();
 }
 
 QString SetpointEdit::echo() const

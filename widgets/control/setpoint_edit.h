@@ -28,7 +28,9 @@ public:
     std::optional<double> value() const;
     /// value() as the device will take it: the nearest multiple of the step, never beyond the limit.
     std::optional<double> sentValue() const;
-    void setValue(double value);
+    void setValue(double value); ///< cursor and selection stay
+    /// Zero, all of it selected in a field with focus: what is typed, and what follows, takes its place.
+    void beginAnew();
     /// The understood value, or what is wrong with the text; one short sentence.
     QString echo() const;
     QString problem() const override; ///< of what was typed

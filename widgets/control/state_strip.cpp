@@ -12,10 +12,11 @@
 namespace widgets {
 namespace {
 
-constexpr int kStateColumns = 3;
+constexpr int kMostStates = 3; ///< in a row
 constexpr int kRows = 3; ///< that it has room for: no drive has more than eight steps
 constexpr int kCellGap = 3;
 constexpr int kPadding = 4; // above and below the text, together
+constexpr int kBeside = 4; // of the text, on each side
 constexpr double kSmaller = 0.86; // than the font around
 
 QFont smallFont(const QFont &font, bool bold)
@@ -84,17 +85,22 @@ void StateStrip::describe()
 QSize StateStrip::sizeHint() const
 {
     const int height = QFontMetrics(smallFont(font(), true)).height() + kPadding;
-    return {kStateColumns * 76, kRows * (height + kCellGap) - kCellGap};
+    return {kMostStates * 76, kRows * (height + kCellGap) - kCellGap};
+}
+
+/// As few as there is room for below each other: names are long.
+int StateStrip::columns() const
+{
+    return std::clamp((static_cast<int>(m_steps.size()) + kRows - 1) / kRows, 1, kMostStates);
 }
 
 QRect StateStrip::cellRect(std::size_t step) const
 {
-    const int rows =
-        std::max(kRows, (static_cast<int>(m_steps.size()) + kStateColumns - 1) / kStateColumns);
-    const int row = static_cast<int>(step) / kStateColumns,
-              column = static_cast<int>(step) % kStateColumns;
-    const int left = column * (width() + kCellGap) / kStateColumns;
-    const int right = (column + 1) * (width() + kCellGap) / kStateColumns - kCellGap;
+    const int across = columns();
+    const int rows = std::max(kRows, (static_cast<int>(m_steps.size()) + across - 1) / across);
+    const int row = static_cast<int>(step) / across, column = static_cast<int>(step) % across;
+    const int left = column * (width() + kCellGap) / across;
+    const int right = (column + 1) * (width() + kCellGap) / across - kCellGap;
     const int top = row * (height() + kCellGap) / rows;
     const int bottom = (row + 1) * (height() + kCellGap) / rows - kCellGap;
     return {left, top, right - left, bottom - top};
@@ -108,6 +114,14 @@ QString StateStrip::cellText(std::size_t step) const
     if (names.empty())
         return {};
     return deviceText(names.front()) + (names.size() > 2 ? QStringLiteral("\u2026") : QString());
+}
+
+/// Cut in its middle: names of states often begin alike.
+QString StateStrip::textIn(std::size_t step) const
+{
+    const bool lit = static_cast<int>(step) == m_current;
+    return QFontMetrics(smallFont(font(), lit))
+        .elidedText(cellText(step), Qt::ElideMiddle, cellRect(step).width() - 2 * kBeside);
 }
 
 void StateStrip::paintEvent(QPaintEvent *)
@@ -124,10 +138,7 @@ void StateStrip::paintEvent(QPaintEvent *)
         painter.setFont(smallFont(font(), lit));
         painter.setPen(lit ? palette().color(QPalette::Base)
                            : palette().color(QPalette::Disabled, QPalette::WindowText));
-        const QRectF inside = cell.adjusted(3, 0, -3, 0);
-        const QString text = painter.fontMetrics().elidedText(
-            cellText(i), Qt::ElideRight, static_cast<int>(inside.width()));
-        painter.drawText(inside, Qt::AlignCenter, text);
+        painter.drawText(cell, Qt::AlignCenter, textIn(i));
     }
 }
 

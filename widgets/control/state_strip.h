@@ -20,6 +20,7 @@ public:
     void show(const drive::MotorStatus &status, bool believed);
     /// The name that is lit; empty if none is.
     QString litName() const { return m_lit; }
+    QString textIn(std::size_t step) const; ///< of its cell, cut to its width
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -29,6 +30,7 @@ protected:
     bool event(QEvent *event) override; ///< tool tips with all names of a cell
 
 private:
+    int columns() const;
     QRect cellRect(std::size_t step) const;
     QString cellText(std::size_t step) const;
     void describe();

@@ -31,6 +31,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     , m_control(control)
     , m_table(new RecordTable(control, this))
     , m_list(new RowList("recordList", tr("Records of the trigger"), m_table, this))
+    , m_show(named(new QPushButton(tr("Sho&w"), this), "showRecord"))
     , m_persistence(named(new QSpinBox(this), "persistence"))
 {
     setObjectName(QStringLiteral("recordPanel"));
@@ -42,7 +43,6 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
                           "Page up and page down go through the records."));
     m_list->installEventFilter(this);
 
-    auto *show = named(new QPushButton(tr("Sho&w"), this), "showRecord");
     m_persistence->setRange(0, ScopeGhosts::kMost);
     m_persistence->setSpecialValueText(tr("off"));
     m_persistence->setToolTip(tr(
@@ -56,7 +56,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     label->setBuddy(m_persistence);
 
     auto *side = new QVBoxLayout;
-    side->addWidget(show);
+    side->addWidget(m_show);
     side->addWidget(makeReferences(scope));
     side->addWidget(label);
     auto *staying = new QHBoxLayout;
@@ -69,13 +69,18 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     layout->addLayout(side);
 
     connect(m_list, &QTreeView::doubleClicked, this, &RecordPanel::showChosen);
-    connect(show, &QPushButton::clicked, this, &RecordPanel::showChosen);
+    connect(m_show, &QPushButton::clicked, this, &RecordPanel::showChosen);
     connect(m_persistence, &QSpinBox::valueChanged, &control, &TriggerControl::setPersistence);
     connect(m_persistence, &QSpinBox::valueChanged, clear,
         [clear](int records) { clear->setEnabled(records > 0); });
     connect(clear, &QPushButton::clicked, &control, &TriggerControl::clearPersistence);
     connect(&control, &TriggerControl::stateChanged, this, &RecordPanel::followShown);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        &RecordPanel::enableShow);
+    enableShow();
 }
+
+void RecordPanel::enableShow() { m_show->setEnabled(m_list->currentIndex().isValid()); }
 
 /// A row for each reference: keep the traces of the picture, let them go.
 QWidget *RecordPanel::makeReferences(ScopeView &scope)
@@ -131,6 +136,7 @@ void RecordPanel::refresh(Milliseconds)
     const int row = current.isValid() ? m_table->rowOf(id) : -1;
     if (row >= 0 && m_list->currentIndex().row() != row)
         m_list->setCurrentIndex(m_table->index(row, RecordTable::TimeColumn));
+    enableShow(); // a list that was filled anew does not tell that none is chosen
 }
 
 /// What was shown by other means, such as page up, is the chosen one.

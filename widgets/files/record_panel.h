@@ -3,6 +3,7 @@
 
 #include "widgets/base/form.h"
 
+class QPushButton;
 class QSpinBox;
 class QTreeView;
 
@@ -29,11 +30,13 @@ protected:
 private:
     void showChosen();
     void followShown();
+    void enableShow();
     QWidget *makeReferences(ScopeView &scope);
 
     TriggerControl &m_control;
     RecordTable *m_table;
     QTreeView *m_list;
+    QPushButton *m_show;
     QSpinBox *m_persistence;
 };
 

@@ -49,8 +49,7 @@ void GainNumber::setValue(std::optional<double> value)
     const QString shown = good ? significantText(*value) : QString();
     m_set = good ? value : std::nullopt;
     m_setText = shown;
-    if (text() != shown)
-        setText(shown);
+    setFollowed(shown);
     showProblem();
 }
 
@@ -81,7 +80,7 @@ void GainNumber::stepBy(int steps)
     double next = std::round(*now * factor / digit) * digit;
     if (next == *now) // whole numbers of one digit
         next += factor > 1.0 ? digit : -digit;
-    setText(significantText(std::clamp(next, m_least, m_greatest)));
+    setFollowed(significantText(std::clamp(next, m_least, m_greatest)));
     Q_EMIT valueEdited();
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/stepped_edit.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include <algorithm>
 #include <cmath>
 
 namespace widgets {
@@ -94,7 +96,10 @@ QWidget *MotorConverter::makeField(
 
 void MotorConverter::suggest(const motor::MotorSheet &sheet)
 {
-    if (!m_typed)
+    const auto typing = [](const QLineEdit *edit) {
+        return edit->isModified() && focusIsIn(*edit);
+    };
+    if (!m_typed && std::none_of(m_edits.begin(), m_edits.end(), typing))
         accept(sheet);
 }
 
@@ -112,6 +117,7 @@ void MotorConverter::accept(const motor::MotorSheet &sheet)
     m_strength = Flux;
     convert(Flux);
     m_strength = Ke; // other pole pairs: the measurable figure stays
+    showNumbers();
     tell();
 }
 
@@ -125,7 +131,14 @@ void MotorConverter::put(Field field, double value)
     const bool good = std::isfinite(value) && value > 0.0;
     m_values[field] = good ? value : 0.0;
     m_shown[field] = good ? plainNumberText(value) : QString();
-    m_edits[field]->setText(m_shown[field]);
+}
+
+void MotorConverter::showNumbers()
+{
+    for (std::size_t field = 0; field < FieldCount; ++field) {
+        followText(*m_edits[field], m_shown[field]);
+        m_edits[field]->setModified(false);
+    }
 }
 
 bool MotorConverter::eventFilter(QObject *watched, QEvent *event)
@@ -166,6 +179,7 @@ void MotorConverter::commit(Field field)
     if (field >= Ke && field <= Kt)
         m_strength = field;
     convert(field);
+    showNumbers();
     tell();
 }
 

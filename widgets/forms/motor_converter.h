@@ -48,6 +48,7 @@ private:
     void convert(Field from);
     std::optional<double> number(Field field) const;
     void put(Field field, double value);
+    void showNumbers(); ///< that were put
     void tell();
 
     std::array<QLineEdit *, FieldCount> m_edits{};

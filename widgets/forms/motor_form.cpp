@@ -140,14 +140,13 @@ QWidget *MotorForm::makeRight()
     m_warnings = wrappedLabel("motorWarnings", right);
     auto *group = new QWidget(right);
     m_converter = new MotorConverter(group);
-    auto *board = makeButton(
-        tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
-    connect(board, &QPushButton::clicked, this,
+    m_fromBoard = makeButton(tr("From the &board"), "convertBoard", {});
+    connect(m_fromBoard, &QPushButton::clicked, this,
         [this] { m_converter->accept(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
     auto *inner = bare(new QVBoxLayout(group), kHalfGrid);
     inner->addWidget(new SectionHead(tr("Converter"), group));
     inner->addWidget(m_converter);
-    inner->addWidget(board, 0, Qt::AlignRight);
+    inner->addWidget(m_fromBoard, 0, Qt::AlignRight);
     auto *layout = bare(new QVBoxLayout(right), kGrid);
     layout->addWidget(m_warnings);
     layout->addWidget(group);
@@ -243,6 +242,9 @@ void MotorForm::enableButtons()
     m_save->setEnabled(m_facts.has_value() || m_description.holdsMeasured());
     m_close->setEnabled(m_model.hasFile());
     m_back->setEnabled(m_description.holdsMeasured());
+    m_fromBoard->setEnabled(m_facts.has_value());
+    m_fromBoard->setToolTip(
+        plainToolTip(m_facts ? tr("Begins again with the board's values.") : m_reason->text()));
 }
 
 void MotorForm::say(const QString &sentence, bool bad)

@@ -64,7 +64,7 @@ private:
     SteadyLabel *m_reason = nullptr;
     QLabel *m_told = nullptr, *m_warnings = nullptr;
     QPushButton *m_again = nullptr, *m_open = nullptr, *m_save = nullptr, *m_close = nullptr,
-                *m_back = nullptr;
+                *m_back = nullptr, *m_fromBoard = nullptr;
     MotorConverter *m_converter = nullptr;
     std::vector<catalog::RegisterId> m_ids; ///< what the board is asked for
     std::optional<drive::MotorFacts> m_facts; ///< once something has come

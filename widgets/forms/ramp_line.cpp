@@ -169,6 +169,14 @@ std::optional<double> RampLine::reference() const
 {
     if (m_kind == RampKind::Position)
         return ShaftMove::degreesNow(m_device, m_registers);
+    // The set-point of a motor that rests is a left-over, of an experiment for one: nothing follows it.
+    if (const int motor = m_device.motor(); m_device.statusIsNow(motor)) {
+        const drive::MotorStatus status = m_device.status(motor);
+        if (drive::rests(status.state))
+            return m_kind == RampKind::Speed && status.speedMeasured.value_or(false)
+                ? status.speedRpm.value_or(0.0)
+                : 0.0;
+    }
     const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF" : "I_Q_REF");
     return id ? m_registers.shownValue(*id) : std::nullopt;
 }
@@ -197,9 +205,9 @@ void RampLine::reset()
 {
     if (m_kind == RampKind::Position)
         return m_first->clear();
-    m_first->setValue(0.0);
+    m_first->beginAnew();
     if (m_kind == RampKind::Current)
-        m_second->setValue(0.0);
+        m_second->beginAnew();
 }
 
 double RampLine::ampsPerDigit() const

@@ -39,7 +39,7 @@ public:
 
     /// What would be sent to the device's motor; empty if a field is not understood or out of its limits.
     std::optional<drive::WishContent> content() const;
-    RampPicture picture() const; ///< from the present set-point; empty without content()
+    RampPicture picture() const; ///< from where it begins; empty without content()
     RampPreset preset(const QString &name) const; ///< only with content()
     void accept(const RampPreset &preset);
 
@@ -62,7 +62,7 @@ private:
     QString torqueNote() const;
     QString currentNote() const;
     QString positionNote() const;
-    std::optional<double> reference() const; ///< the board's own set-point
+    std::optional<double> reference() const; ///< where a ramp begins: the board's own set-point
     double ampsPerDigit() const; ///< 0: not known
 
     RampKind m_kind;

@@ -17,7 +17,9 @@ void RampProgress::begin(
     m_target = target;
     m_duration = duration;
     m_step = step;
-    m_from = sight.reference.value_or(sight.measured.value_or(0.0));
+    m_from = sight.measured.value_or(0.0); // the set-point of a motor that rests is a left-over
+    if (sight.moving())
+        m_from = sight.reference.value_or(m_from);
     m_fromKnown = sight.reference.has_value();
     m_begun = now;
     m_elapsed = {};

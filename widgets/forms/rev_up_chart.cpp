@@ -27,6 +27,7 @@ constexpr double kReach = 14.0; ///< px from a point within which it is meant
 constexpr double kDeadZone = 3.0; ///< px that a hand trembles
 constexpr double kRadius = 5.0;
 constexpr double kRoom = 1.15; ///< beside and above the curves: to drag into
+constexpr double kGap = 4.0; ///< px beside words in the picture
 constexpr double kMs = 1e3;
 
 std::size_t at(Quantity quantity) { return static_cast<std::size_t>(quantity); }
@@ -141,6 +142,26 @@ double RevUpChart::beginOf(int stage) const
     return begin;
 }
 
+QString RevUpChart::titleOf(Quantity quantity) const
+{
+    if (quantity == Quantity::Speed)
+        return QStringLiteral("\u25cf ") + tr("Speed, rpm");
+    return QStringLiteral("\u25a0 ")
+        + (m_model.currentUnit().isEmpty() ? tr("%1, digits").arg(m_model.currentName())
+                                           : tr("%1, A").arg(m_model.currentName()));
+}
+
+/// The titles at its sides are read whole, and below it there is room for the time and its title.
+QSize RevUpChart::minimumSizeHint() const
+{
+    constexpr int kLeastWidth = 230, kAround = 40; // px; what the axes keep free
+    const QFontMetrics metrics(font());
+    return {kLeastWidth,
+        std::max(metrics.horizontalAdvance(titleOf(Quantity::Speed)),
+            metrics.horizontalAdvance(titleOf(Quantity::Current)))
+            + 2 * metrics.height() + kAround};
+}
+
 QPointF RevUpChart::valueOf(const Point &point) const
 {
     const RevUpStage &stage = m_model.stages()[static_cast<std::size_t>(point.stage)];
@@ -163,10 +184,11 @@ void RevUpChart::showStages()
             corners.append(valueOf({i, quantity}));
         m_plan[at(quantity)]->replace(corners);
     }
-    m_axes[0]->setTitleText(QStringLiteral("\u25cf ") + tr("Speed, rpm"));
-    m_axes[1]->setTitleText(QStringLiteral("\u25a0 ")
-        + (m_model.currentUnit().isEmpty() ? tr("%1, digits").arg(m_model.currentName())
-                                           : tr("%1, A").arg(m_model.currentName())));
+    for (const Quantity quantity : {Quantity::Speed, Quantity::Current})
+        if (const QString title = titleOf(quantity); title != m_axes[at(quantity)]->titleText()) {
+            m_axes[at(quantity)]->setTitleText(title);
+            updateGeometry(); // it may be longer
+        }
     m_time->setTitleText(tr("Time, s"));
     if (m_drag && (!m_model.editable() || m_drag->point.stage >= used))
         m_drag.reset();
@@ -467,6 +489,8 @@ void RevUpChart::changeEvent(QEvent *event)
     QChartView::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         restyle();
+    if (event->type() == QEvent::FontChange)
+        updateGeometry();
 }
 
 void RevUpChart::resizeEvent(QResizeEvent *event)
@@ -483,16 +507,8 @@ void RevUpChart::drawForeground(QPainter *painter, const QRectF &)
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setFont(font());
     if (m_model.used() > 0) {
-        const auto &limits = m_model.facts().limits;
-        const bool backwards = m_axes[0]->max() <= 0.0;
-        if (limits.minimumSpeed_rpm > 0.0)
-            drawLimit(*painter, Quantity::Speed,
-                backwards ? -limits.minimumSpeed_rpm : limits.minimumSpeed_rpm,
-                tr("observer sees from %1\u202frpm").arg(numberText(limits.minimumSpeed_rpm, 0)));
-        const motor::RevUpBounds bounds = m_model.bounds();
-        if (!m_model.currentUnit().isEmpty())
-            drawLimit(*painter, Quantity::Current, bounds.digits * m_model.shownPerDigit(),
-                tr("limit %1").arg(amps(bounds.digits * m_model.shownPerDigit(), 2)));
+        drawLimit(*painter, Quantity::Speed, observerSpeed(), wordsOfObserver());
+        drawLimit(*painter, Quantity::Current, currentLimit(), wordsOfCurrent());
         drawPoints(*painter);
         drawMistakes(*painter);
     }
@@ -504,23 +520,91 @@ void RevUpChart::drawForeground(QPainter *painter, const QRectF &)
     painter->restore();
 }
 
-void RevUpChart::drawLimit(
-    QPainter &painter, Quantity quantity, double value, const QString &words) const
+/// In the direction in which the plan turns; 0: not known.
+double RevUpChart::observerSpeed() const
+{
+    const double least = m_model.facts().limits.minimumSpeed_rpm;
+    return m_axes[0]->max() <= 0.0 ? -least : least;
+}
+
+/// In the axis' unit; 0: the axis has none.
+double RevUpChart::currentLimit() const
+{
+    return m_model.currentUnit().isEmpty() ? 0.0
+                                           : m_model.bounds().digits * m_model.shownPerDigit();
+}
+
+bool RevUpChart::inView(Quantity quantity, double value) const
 {
     const QValueAxis &axis = *m_axes[at(quantity)];
-    if (value <= axis.min() || value >= axis.max())
+    return value != 0.0 && value > axis.min() && value < axis.max();
+}
+
+/// Where the plan comes to that speed first, in the viewport; if it never does, the right edge of the picture.
+double RevUpChart::reaches(double speed_rpm) const
+{
+    const QList<QPointF> corners = m_plan[at(Quantity::Speed)]->points();
+    for (qsizetype i = 1; i < corners.size(); ++i) {
+        const QPointF from = corners[i - 1], by = corners[i] - from;
+        if (speed_rpm > 0.0 ? corners[i].y() < speed_rpm : corners[i].y() > speed_rpm)
+            continue;
+        const double share = by.y() != 0.0 ? (speed_rpm - from.y()) / by.y() : 0.0;
+        return toView({from.x() + share * by.x(), speed_rpm}, Quantity::Speed).x();
+    }
+    return chart()->plotArea().right();
+}
+
+/// Clear of the plan: before it comes to that speed, or behind that and on the line's other side; in few words where
+/// neither has room.
+RevUpChart::Words RevUpChart::wordsOfObserver() const
+{
+    const double speed_rpm = observerSpeed();
+    if (m_model.used() == 0 || !inView(Quantity::Speed, speed_rpm))
+        return {};
+    const QString few = numberText(std::abs(speed_rpm), 0) + QStringLiteral("\u202frpm");
+    QString text = tr("observer sees from %1\u202frpm").arg(numberText(std::abs(speed_rpm), 0));
+    const QRectF plot = chart()->plotArea();
+    const QFontMetricsF metrics(font());
+    const double reach = reaches(speed_rpm);
+    const double before = reach - plot.left() - 2 * kGap, behind = plot.right() - reach - 2 * kGap;
+    if (metrics.horizontalAdvance(text) > std::max(before, behind))
+        text = few;
+    const double width = metrics.horizontalAdvance(text), height = metrics.height();
+    const bool left = width <= before || before >= behind;
+    const double y = toView({0.0, speed_rpm}, Quantity::Speed).y();
+    const bool above = left == (speed_rpm > 0.0);
+    return {text,
+        QRectF(left ? plot.left() + kGap : plot.right() - width - kGap,
+            above ? y - kGap / 2 - height : y + kGap / 2, width, height)};
+}
+
+RevUpChart::Words RevUpChart::wordsOfCurrent() const
+{
+    if (!inView(Quantity::Current, currentLimit()))
+        return {};
+    const QString text = tr("limit %1").arg(amps(currentLimit(), 2));
+    const QFontMetricsF metrics(font());
+    const double width = metrics.horizontalAdvance(text);
+    return {text,
+        QRectF(chart()->plotArea().right() - width - kGap,
+            toView({0.0, currentLimit()}, Quantity::Current).y() - kGap / 2 - metrics.height(),
+            width, metrics.height())};
+}
+
+void RevUpChart::drawLimit(
+    QPainter &painter, Quantity quantity, double value, const Words &words) const
+{
+    if (!inView(quantity, value))
         return;
     const QRectF plot = chart()->plotArea();
     const double y = toView({0.0, value}, quantity).y();
     painter.setPen(QPen(colorOf(quantity), 1, Qt::DotLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-    const QFontMetricsF metrics(font());
-    const double width = metrics.horizontalAdvance(words);
-    const double x = quantity == Quantity::Speed ? plot.left() + 4 : plot.right() - width - 4;
     QColor back = palette().color(QPalette::Base);
     back.setAlphaF(0.5F);
-    painter.fillRect(QRectF(x, y - 2 - metrics.height(), width, metrics.height()), back);
-    painter.drawText(QPointF(x, y - 2 - metrics.descent()), words);
+    painter.fillRect(words.place, back);
+    painter.drawText(
+        words.place.bottomLeft() - QPointF(0, QFontMetricsF(font()).descent()), words.text);
 }
 
 void RevUpChart::drawPoints(QPainter &painter) const

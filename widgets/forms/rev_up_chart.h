@@ -36,6 +36,10 @@ public:
     std::optional<Point> selected() const { return m_selected; }
     /// The selected point in words, with units; how to move points if none is selected.
     QString hint() const;
+    /// Where the words at the speed from which the observer sees are, in the viewport; empty: there is none in view.
+    QRectF observerWords() const { return wordsOfObserver().place; }
+    QSize sizeHint() const override { return minimumSizeHint(); }
+    QSize minimumSizeHint() const override;
 
     void setMeasured(const MeasuredStart &start);
 
@@ -86,7 +90,18 @@ private:
     QPointF toValue(const QPointF &position, Quantity quantity) const;
     double beginOf(int stage) const; ///< s
     QColor colorOf(Quantity quantity) const;
-    void drawLimit(QPainter &painter, Quantity quantity, double value, const QString &words) const;
+    struct Words {
+        QString text;
+        QRectF place;
+    };
+    QString titleOf(Quantity quantity) const;
+    double observerSpeed() const;
+    double currentLimit() const;
+    bool inView(Quantity quantity, double value) const;
+    double reaches(double speed_rpm) const;
+    Words wordsOfObserver() const;
+    Words wordsOfCurrent() const;
+    void drawLimit(QPainter &painter, Quantity quantity, double value, const Words &words) const;
     void drawPoints(QPainter &painter) const;
     void drawMistakes(QPainter &painter) const;
 

@@ -34,6 +34,20 @@ constexpr double kKgm2PerGcm2 = 1e-7, kNmPerMnm = 1e-3;
 constexpr int kRightWidth = 236;
 constexpr qint64 kLargestFile = 1 << 20;
 
+/// It takes what is left, and says what it needs: where a size is ignored, the page is made too low for the rest.
+class FindingList : public QListWidget {
+public:
+    using QListWidget::QListWidget;
+    QSize sizeHint() const override { return {QListWidget::sizeHint().width(), kLeast}; }
+    QSize minimumSizeHint() const override
+    {
+        return {QListWidget::minimumSizeHint().width(), kLeast};
+    }
+
+private:
+    static constexpr int kLeast = 60; ///< pixels
+};
+
 /// Of two limits, 0 being none.
 double lowerLimit(double a, double b) { return !(a > 0.0) ? b : !(b > 0.0) ? a : std::min(a, b); }
 
@@ -87,6 +101,12 @@ QPushButton *RevUpForm::makeButton(const QString &text, const char *name, const 
 QWidget *RevUpForm::makeLeft()
 {
     auto *left = new QWidget(this);
+    m_add = makeButton(tr("&Add"), "revUpAdd", tr("Adds a stage after the selected one (Insert)"));
+    m_remove = makeButton(tr("&Remove"), "revUpRemove", tr("Removes the selected stage (Delete)"));
+    m_up = makeButton(
+        tr("&Up", "move a stage"), "revUpUp", tr("Moves the selected stage up (Alt+Up)"));
+    m_down = makeButton(
+        tr("Dow&n", "move a stage"), "revUpDown", tr("Moves the selected stage down (Alt+Down)"));
     m_table = named(new RevUpTable(left), "revUpTable", tr("Stages of the rev-up"));
     m_table->setModel(m_model);
     auto *delegate = new RevUpDelegate(*m_model, m_table);
@@ -95,18 +115,12 @@ QWidget *RevUpForm::makeLeft()
         m_bar->tell(
             tr("Not taken over: %1", "what is wrong with a typed value").arg(sentence), false);
     });
-    m_add = makeButton(tr("&Add"), "revUpAdd", tr("Adds a stage after the selected one (Insert)"));
-    m_remove = makeButton(tr("&Remove"), "revUpRemove", tr("Removes the selected stage (Delete)"));
-    m_up = makeButton(
-        tr("&Up", "move a stage"), "revUpUp", tr("Moves the selected stage up (Alt+Up)"));
-    m_down = makeButton(
-        tr("Dow&n", "move a stage"), "revUpDown", tr("Moves the selected stage down (Alt+Down)"));
     auto *buttons = bare(new QHBoxLayout, kHalfGrid);
     for (QPushButton *button : {m_add, m_remove, m_up, m_down})
         buttons->addWidget(button, 1);
     auto *layout = bare(new QVBoxLayout(left), kHalfGrid);
+    layout->addLayout(buttons); // above: where the page is low, they are seen
     layout->addWidget(m_table);
-    layout->addLayout(buttons);
     layout->addStretch(1);
     return left;
 }
@@ -135,8 +149,7 @@ QWidget *RevUpForm::makeMiddle()
 {
     auto *middle = new QWidget(this);
     m_chart = named(new RevUpChart(*m_model, middle), "revUpChart");
-    m_chart->setMinimumSize(230, 120);
-    m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_hint = wrappedLabel("revUpHint", middle);
     m_startText = wrappedLabel("revUpLastStart", middle);
     m_startText->setForegroundRole(QPalette::PlaceholderText);
@@ -188,11 +201,9 @@ QWidget *RevUpForm::makeRight()
     m_friction->setToolTip(plainToolTip(tr("Torque that holds the motor back. Only for the "
                                            "judgement here; it is not sent anywhere.")));
     m_findings =
-        named(new QListWidget(right), "revUpFindings", tr("What is wrong with the rev-up"));
+        named(new FindingList(right), "revUpFindings", tr("What is wrong with the rev-up"));
     m_findings->setWordWrap(true);
     m_findings->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_findings->setMinimumHeight(60);
-    m_findings->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     auto *numbers = bare(new QFormLayout, kHalfGrid);
     numbers->addRow(tr("Inertia, %1").arg(gcm2), m_inertia);
     numbers->addRow(tr("Friction, mN\u00b7m"), m_friction);
@@ -228,7 +239,10 @@ void RevUpForm::connectParts()
                 adoptFacts();
         },
         Qt::QueuedConnection); // once the registers have them
-    connect(m_chart, &RevUpChart::hintChanged, this, [this] { m_hint->setText(m_chart->hint()); });
+    connect(m_chart, &RevUpChart::hintChanged, this, [this] {
+        m_hint->setText(m_chart->hint());
+        fitHint();
+    });
     m_hint->setText(m_chart->hint());
     connect(m_chart, &RevUpChart::stageSelected, this, &RevUpForm::goTo);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -372,6 +386,36 @@ void RevUpForm::focusFirst()
     m_table->setFocus(Qt::ShortcutFocusReason);
 }
 
+bool RevUpForm::event(QEvent *event)
+{
+    // The form is as high as its parts; how much of it is seen, only what it is in knows.
+    if (event->type() == QEvent::ParentChange && parentWidget() != nullptr)
+        parentWidget()->installEventFilter(this);
+    if (event->type() == QEvent::Resize)
+        fitHint();
+    return Form::event(event);
+}
+
+bool RevUpForm::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize && watched == parentWidget())
+        fitHint();
+    return Form::eventFilter(watched, event);
+}
+
+/// Where the page would scroll for it, it gives way: the table has the numbers. Whatever it says now, so that no point
+/// moves under the mouse.
+void RevUpForm::fitHint()
+{
+    constexpr int kLines = 3;
+    int wanted = 2 * kGrid + m_chart->minimumSizeHint().height()
+        + kLines * m_hint->fontMetrics().lineSpacing();
+    for (const QLabel *label : {m_reason, m_startText})
+        if (!label->isHidden())
+            wanted += label->heightForWidth(label->width());
+    m_hint->setVisible((parentWidget() != nullptr ? parentWidget() : this)->height() >= wanted);
+}
+
 void RevUpForm::showFacts()
 {
     const QString reason = m_model->unavailable();
@@ -477,6 +521,7 @@ void RevUpForm::showStart()
             + (backwards ? tr("Measured: thin lines, mirrored, for it turned backwards.")
                          : tr("Measured: thin lines."));
     m_startText->setText(text);
+    fitHint();
     m_chart->setMeasured(measured);
 }
 

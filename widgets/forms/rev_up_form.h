@@ -55,6 +55,10 @@ public:
 Q_SIGNALS:
     void inertiaRemembered(const QString &motor, double inertia_kgm2);
 
+protected:
+    bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     QWidget *makeLeft();
     QWidget *makeMiddle();
@@ -65,6 +69,7 @@ private:
     void connectParts();
     void rememberInertia();
     void adoptFacts();
+    void fitHint();
     void showFacts();
     void showFindings();
     void showStart();

@@ -8,11 +8,11 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/lab/lab_text.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QDialog>
 #include <QProgressBar>
 #include <QResizeEvent>
-#include <QShortcut>
 
 #include <algorithm>
 
@@ -123,9 +123,12 @@ int ExperimentBar::add(Button button)
     run->setFocusPolicy(Qt::TabFocus); // a click leaves the focus in the gain that is tuned
     connect(run, &QPushButton::clicked, this, [this, which] { this->run(which); });
     if (!button.keys.isEmpty()) {
-        auto *keys = new QShortcut(button.keys, parentWidget());
+        // No QShortcut: the Keys page lists actions.
+        auto *keys = new QAction(button.text, parentWidget());
+        keys->setShortcut(button.keys);
         keys->setAutoRepeat(false); // one that is held is no wish for another run
-        connect(keys, &QShortcut::activated, this, [this, which] { this->run(which); });
+        parentWidget()->addAction(keys);
+        connect(keys, &QAction::triggered, this, [this, which] { this->run(which); });
     }
     for (QWidget *behind : {static_cast<QWidget *>(m_cancel), m_place})
         m_flow->removeWidget(behind);

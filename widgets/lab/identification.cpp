@@ -48,11 +48,11 @@ ExperimentBar::Evaluate Identification::evaluation(int motor,
                 return {why};
             }
             m_findings.accept(*found, complete);
+            const QStringList notes = labSentences(found->notes);
             if (whole(*found))
-                return {};
-            if (found->notes.empty())
-                return {labSentence(lab::lackOf(*found))};
-            return {notConclusive(labSentences(found->notes).join(QLatin1Char(' ')))};
+                return notes;
+            return {notes.isEmpty() ? labSentence(lab::lackOf(*found))
+                                    : notConclusive(notes.join(QLatin1Char(' ')))};
         };
     };
 }

@@ -70,8 +70,9 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the motor does not turn at its set-point of %1 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 is not 0, and would be afterwards: bring it to 0 first"),
     QT_TRANSLATE_NOOP("Lab", "a Stop goes out as soon as the board is reached"),
-    QT_TRANSLATE_NOOP("Lab", "every motor is being stopped"),
+    QT_TRANSLATE_NOOP("Lab", "every motor was told to stop"),
     QT_TRANSLATE_NOOP("Lab", "the set-point is %1 rpm now, it was %2 rpm"),
+    QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm or %2 rpm now, it was %3 rpm"),
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 shows %2 rpm until the next start, it showed %3 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 may hold what the experiment wrote"),
@@ -132,6 +133,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the run ended early: %1"),
     QT_TRANSLATE_NOOP("Lab", "the series ended early: %1"),
     QT_TRANSLATE_NOOP("Lab", "the recording ends before the series does"),
+    QT_TRANSLATE_NOOP("Lab", "the recording ends before the experiment does"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of an experiment"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a series of steps"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a series of current steps"),
@@ -209,8 +211,8 @@ constexpr const char *kLabTexts[] = {
         "without an encoder follows its current, too"),
     QT_TRANSLATE_NOOP("Lab",
         "what is taken for the angle of a rotor without an encoder follows its current, by %1 "
-        "electrical degrees an ampere: that is taken out, and above 25 Hz the motor's own response "
-        "is not told"),
+        "electrical degrees an ampere if all that turns is one inertia: that is taken out, and "
+        "above 25 Hz the motor's own response is not told"),
     QT_TRANSLATE_NOOP("Lab", "nothing in it follows the set-point"),
     QT_TRANSLATE_NOOP("Lab", "the current does not follow its reference in it"),
     QT_TRANSLATE_NOOP("Lab", "the gains were changed while it was measured"),
@@ -222,25 +224,29 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "too few frequencies of the response are clear enough"),
     QT_TRANSLATE_NOOP("Lab", "no gains keep the distance from instability that is asked for"),
     QT_TRANSLATE_NOOP(
-        "Lab", "run %1 (up) stands apart from the others by its %2; it is part of the mean"),
+        "Lab", "step %1 (up) stands apart from the others by its %2; it is part of the mean"),
     QT_TRANSLATE_NOOP(
-        "Lab", "run %1 (down) stands apart from the others by its %2; it is part of the mean"),
-    QT_TRANSLATE_NOOP("Lab", "the mean %1 is that of %2 of %3 runs"),
+        "Lab", "step %1 (down) stands apart from the others by its %2; it is part of the mean"),
+    QT_TRANSLATE_NOOP("Lab", "the mean %1 is that of %2 of %3 steps"),
+    // The longest list first: the others would take part of it for one word.
+    QT_TRANSLATE_NOOP("Lab", "the mean %1, %2, %3 and %4 are those of %5 of %6 steps"),
+    QT_TRANSLATE_NOOP("Lab", "the mean %1, %2 and %3 are those of %4 of %5 steps"),
+    QT_TRANSLATE_NOOP("Lab", "the mean %1 and %2 are those of %3 of %4 steps"),
     QT_TRANSLATE_NOOP("Lab", "rise time"), QT_TRANSLATE_NOOP("Lab", "overshoot"),
     QT_TRANSLATE_NOOP("Lab", "settling time"), QT_TRANSLATE_NOOP("Lab", "peak current"),
     QT_TRANSLATE_NOOP(
         "Lab", "the step is only %1 digits of the set-point; %2 rpm or more say more"),
-    QT_TRANSLATE_NOOP("Lab", "%1 of %2 runs do not settle while their speed is held"),
-    QT_TRANSLATE_NOOP("Lab", "%1 of %2 runs do not settle while their current is held"),
+    QT_TRANSLATE_NOOP("Lab", "%1 of %2 steps do not settle while their speed is held"),
+    QT_TRANSLATE_NOOP("Lab", "%1 of %2 steps do not settle while their current is held"),
     QT_TRANSLATE_NOOP("Lab", "samples are missing in %1: nothing is told of its speed"),
     QT_TRANSLATE_NOOP("Lab", "samples are missing in %1: nothing is told of its current"),
-    QT_TRANSLATE_NOOP("Lab", "the speed does not step in %1"),
-    QT_TRANSLATE_NOOP("Lab", "the current does not step in %1"),
+    QT_TRANSLATE_NOOP("Lab", "%1 is not seen in the speed"),
+    QT_TRANSLATE_NOOP("Lab", "%1 is not seen in the current"),
     QT_TRANSLATE_NOOP(
         "Lab", "the instant of %1 is uncertain by %2 ms: its settling time is not told"),
     QT_TRANSLATE_NOOP("Lab", "%1 does not settle while its speed is held"),
     QT_TRANSLATE_NOOP("Lab", "%1 does not settle while its current is held"),
-    QT_TRANSLATE_NOOP("Lab", "run %1 (up)"), QT_TRANSLATE_NOOP("Lab", "run %1 (down)"),
+    QT_TRANSLATE_NOOP("Lab", "step %1 (up)"), QT_TRANSLATE_NOOP("Lab", "step %1 (down)"),
     QT_TRANSLATE_NOOP(
         "Lab", "the current was at its limit in %1 % of %2: it does not show the loop alone"),
     QT_TRANSLATE_NOOP("Lab",

@@ -107,7 +107,7 @@ void LiveGain::stepBy(int steps)
 void LiveGain::want(std::int64_t digits)
 {
     m_wanted = digits;
-    setText(QString::number(digits));
+    setFollowed(QString::number(digits));
     setModified(false);
     showProblem();
     send();

@@ -51,11 +51,6 @@ QString figure(std::size_t row, const std::optional<double> &value, double place
         : kNone;
 }
 
-QString notesText(const std::vector<std::string> &notes)
-{
-    return labSentences(notes).join(QLatin1Char(' '));
-}
-
 } // namespace
 
 MotorFindings::MotorFindings(QObject *parent)
@@ -73,18 +68,18 @@ void MotorFindings::set(Row row, const std::optional<lab::Estimate> &value, cons
 
 void MotorFindings::accept(const lab::Electrics &found, bool complete)
 {
-    const QString notes = notesText(found.notes);
+    const QString why = labSentences(found.notes).join(QLatin1Char(' '));
     const auto put = [&](Row row, const std::optional<lab::Estimate> &value, const QString &note) {
         if (value || complete)
             set(row, value, note);
     };
     put(Resistance, found.rs_ohm,
-        found.rs_ohm ? tr("of a phase with its switches, as warm as it is now") : notes);
+        found.rs_ohm ? tr("of a phase with its switches, as warm as it is now") : why);
     put(DeadTime, found.deadTime_v,
-        found.deadTime_v ? tr("what the bridge loses; a motor file does not hold it") : notes);
+        found.deadTime_v ? tr("what the bridge loses; a motor file does not hold it") : why);
     for (const auto &[row, value] :
         {std::pair(Ld, found.ld_h), std::pair(Lq, found.lq_h), std::pair(Flux, found.flux_wb)})
-        put(row, value, value && found.rs_ohm ? QString() : notes);
+        put(row, value, value ? QString() : why);
     cellsChanged();
 }
 
@@ -95,8 +90,7 @@ void MotorFindings::accept(const lab::Mechanics &found, bool /*complete*/)
         found.fan ? tr("viscous and dry friction and a fan") : tr("viscous and dry friction");
     set(Inertia, found.inertia_kgm2,
         tr("Model: %1; it leaves %2 % of the torque.")
-                .arg(model, plainNumberText(found.share * kPercent, 2))
-            + QLatin1Char(' ') + notesText(found.notes));
+            .arg(model, plainNumberText(found.share * kPercent, 2)));
     set(Viscous, found.viscous_nms, {});
     set(Dry, found.dry_nm, {});
     set(Fan, found.fan ? std::optional(found.fan_nms2) : std::nullopt,

@@ -28,6 +28,7 @@ public:
 
     explicit MotorFindings(QObject *parent = nullptr);
 
+    /// Why it does not tell a figure stands in that row; what else it has to say is for the page.
     /// @param complete  the run came to its end; else what it does not tell stays as it was measured before
     void accept(const lab::Electrics &found, bool complete = true);
     void accept(const lab::Mechanics &found, bool complete = true); ///< tells all of it

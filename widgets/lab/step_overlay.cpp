@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -42,15 +43,19 @@ void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up)
     m_curves.clear();
     m_least_s = 0.0;
     m_most_s = kLeastShown_s;
+    bool missing = false;
     for (const StepResult &result : results)
         for (const StepCurve &curve : result.curves) {
+            missing = missing || (curve.up == up && curve.seconds.isEmpty());
             if (curve.up != up || curve.seconds.isEmpty())
                 continue;
             m_least_s = std::min(m_least_s, curve.seconds.first());
             m_most_s = std::max(m_most_s, curve.seconds.last());
             m_curves.push_back({result.number, curve});
         }
-    say(m_curves.empty() ? tr("No step yet.") : QString());
+    say(!m_curves.empty() ? QString()
+            : missing     ? tr("Not drawn: samples are missing.")
+                          : tr("No step yet."));
     if (m_to_s > m_most_s)
         m_from_s = m_to_s = 0.0;
     draw();
@@ -64,17 +69,24 @@ void StepOverlay::fit()
     draw();
 }
 
-/// The line, and its ticks apart from it: they are where those of other series are not.
+/// The line, in pieces where samples are missing, and its ticks apart from it: they are where those of other series are
+/// not.
 void StepOverlay::drawCurve(const Drawn &drawn, bool dark)
 {
     const QColor color = runColor(drawn.number, dark);
     QVector<double> times;
     for (const double seconds : drawn.curve.seconds)
         times.append(seconds * kMilli);
-    QCPGraph *line = plot().addGraph();
-    line->setPen(QPen(color, 0));
-    line->setAntialiased(false);
-    line->setData(times, drawn.curve.rpm, true);
+    QVector<qsizetype> ends = drawn.curve.gaps;
+    ends.append(times.size());
+    qsizetype piece = 0;
+    for (const qsizetype end : std::as_const(ends)) {
+        QCPGraph *line = plot().addGraph();
+        line->setPen(QPen(color, 0));
+        line->setAntialiased(false);
+        line->setData(times.mid(piece, end - piece), drawn.curve.rpm.mid(piece, end - piece), true);
+        piece = end;
+    }
     QCPGraph *ticks = plot().addGraph();
     ticks->setLineStyle(QCPGraph::lsNone);
     ticks->setScatterStyle(runTick(drawn.number, color));

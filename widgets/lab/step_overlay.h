@@ -18,7 +18,7 @@ public:
     void fit() override; ///< all of the time
     int curves() const; ///< that are drawn
 
-    QSize minimumSizeHint() const override { return {220, 160}; }
+    QSize minimumSizeHint() const override { return {220, 130}; }
 
 protected:
     void zoom(double factor) override;

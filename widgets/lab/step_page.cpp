@@ -26,7 +26,8 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastRows = 3; ///< of the table
+/// Of the table. More would cut the picture in a small window where the sentence of an end stands below the buttons.
+constexpr int kLeastRows = 1;
 
 /// How many steps have been asked for.
 int stepsIn(const lab::Happenings &happenings)

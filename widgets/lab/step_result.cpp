@@ -3,6 +3,7 @@
 #include "scope/sample_range.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace widgets {
 namespace {
@@ -13,34 +14,61 @@ constexpr Nanos kBefore = 20'000'000; ///< of the speed before a step
 constexpr double kSpacing_s = 1e-3; ///< of the points that are drawn
 
 /// What is drawn of a speed, and of which step.
-void fill(StepCurve &curve, const capture::Channel &speed, Nanos at, Nanos until)
+void fill(StepCurve &curve, const capture::Channel &speed, const lab::StepRun &run)
 {
-    const scope::SampleRange range(speed, at - kBefore, until);
+    const Nanos at = run.at;
+    const scope::SampleRange range(speed, at - kBefore, run.until);
     double next = 0.0;
-    range.visit([&](double seconds, double rpm, bool) {
-        if (seconds < next)
+    range.visit([&](double seconds, double rpm, bool joined) {
+        if (joined && seconds < next)
             return;
+        if (!joined && !curve.seconds.isEmpty())
+            curve.gaps.append(curve.seconds.size());
         next = seconds + kSpacing_s;
         curve.seconds.append(capture::toSeconds(range.toNanos(seconds) - at));
         curve.rpm.append(rpm);
     });
 }
 
+/// [from, to) of the samples of a step between which none is missing.
+std::vector<std::pair<Nanos, Nanos>> stretchesOf(
+    const capture::Channel &channel, const lab::StepRun &run)
+{
+    std::vector<std::pair<Nanos, Nanos>> all;
+    const scope::SampleRange range(channel, run.at - kBefore, run.until);
+    const auto end = [&](capture::Index next) {
+        if (!all.empty())
+            all.back().second = channel.timeOf(next - 1) + 1;
+    };
+    capture::Index sample = range.begin();
+    range.visit([&](double, double, bool joined) {
+        if (!joined) {
+            end(sample);
+            all.emplace_back(channel.timeOf(sample), 0);
+        }
+        ++sample;
+    });
+    end(sample);
+    return all;
+}
+
 StepCurve curveOf(const capture::Capture &capture, const lab::Recorded<lab::StepPlan> &plan,
-    const lab::StepRun &run, Nanos until)
+    const lab::StepRun &run)
 {
     StepCurve curve;
     curve.up = run.up;
     const capture::Channel *angle = lab::fastChannel(capture, plan.angle);
     const capture::Channel *speed = lab::fastChannel(capture, plan.speed);
     if (angle != nullptr && run.speedWindow_s > 0.0) {
-        const capture::Capture turned =
-            lab::speedOf(*angle, plan.polePairs, run.speedWindow_s, run.at - kBefore, until);
-        const auto channels = turned.channels();
-        if (!channels.empty())
-            fill(curve, *turned.channel(channels.front().id), run.at, until);
+        for (const auto &[from, to] : stretchesOf(*angle, run)) {
+            const capture::Capture turned =
+                lab::speedOf(*angle, plan.polePairs, run.speedWindow_s, from, to);
+            const auto channels = turned.channels();
+            if (!channels.empty())
+                fill(curve, *turned.channel(channels.front().id), run);
+        }
     } else if (speed != nullptr) {
-        fill(curve, *speed, run.at, until);
+        fill(curve, *speed, run);
     }
     return curve;
 }
@@ -79,11 +107,8 @@ Result<StepResult, std::string> stepResult(const Experiments::Run &record, const
     if (!plan || runs.empty())
         return result;
     const Nanos hold = std::chrono::nanoseconds(result.series.plan.hold).count();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Nanos next = i + 1 < runs.size() ? runs[i + 1].at : runs[i].at + hold;
-        result.curves.append(
-            curveOf(record.capture, *plan, runs[i], std::min(runs[i].at + hold, next)));
-    }
+    for (const lab::StepRun &run : runs)
+        result.curves.append(curveOf(record.capture, *plan, run));
     result.bus_v = extremesOf(record.capture, bus, runs.front().at, runs.back().at + hold);
     return result;
 }

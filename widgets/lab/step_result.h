@@ -13,10 +13,12 @@
 
 namespace widgets {
 
-/// One step: the speed over the time since its instant.
+/// One step: the speed over the time since its instant, as far as it was recorded. Empty: no stretch of it is long
+/// enough to tell a speed.
 struct StepCurve {
     bool up = true;
     QVector<double> seconds, rpm;
+    QVector<qsizetype> gaps; ///< samples are missing before these points
 };
 
 struct StepResult {

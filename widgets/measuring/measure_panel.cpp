@@ -61,7 +61,19 @@ MeasurePanel::MeasurePanel(
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
         &MeasurePanel::drawChosen);
     connect(m_table, &MeasureTable::dataChanged, this, &MeasurePanel::drawChosen);
+    for (const auto changed : {&MeasureTable::rowsInserted, &MeasureTable::rowsRemoved})
+        connect(m_table, changed, this, &MeasurePanel::enableButtons);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        &MeasurePanel::enableButtons);
+    enableButtons();
     fillTraces();
+}
+
+void MeasurePanel::enableButtons()
+{
+    m_remove->setEnabled(m_list->currentIndex().isValid());
+    for (QPushButton *ofAll : {m_clear, m_copy})
+        ofAll->setEnabled(m_table->rowCount() > 0);
 }
 
 void MeasurePanel::makeSide(QWidget *side)
@@ -76,9 +88,9 @@ void MeasurePanel::makeSide(QWidget *side)
     }
     m_range->addItems({tr("the picture"), tr("between the cursors")});
     auto *add = named(new QPushButton(tr("&Add"), side), "addMeasure");
-    auto *remove = named(new QPushButton(tr("Rem&ove"), side), "removeMeasure");
-    auto *again = named(new QPushButton(tr("&Clear statistics"), side), "clearStatistics");
-    auto *copyIt = named(new QPushButton(tr("Co&py"), side), "copyMeasures");
+    m_remove = named(new QPushButton(tr("Rem&ove"), side), "removeMeasure");
+    m_clear = named(new QPushButton(tr("&Clear statistics"), side), "clearStatistics");
+    m_copy = named(new QPushButton(tr("Co&py"), side), "copyMeasures");
 
     auto *form = new QFormLayout;
     form->addRow(tr("T&race"), m_trace);
@@ -87,10 +99,10 @@ void MeasurePanel::makeSide(QWidget *side)
     form->addRow(tr("&In"), m_range);
     auto *first = new QHBoxLayout;
     first->addWidget(add);
-    first->addWidget(remove);
+    first->addWidget(m_remove);
     auto *second = new QHBoxLayout;
-    second->addWidget(again);
-    second->addWidget(copyIt);
+    second->addWidget(m_clear);
+    second->addWidget(m_copy);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(form);
@@ -111,9 +123,9 @@ void MeasurePanel::makeSide(QWidget *side)
         measureAll();
     });
     connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);
-    connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
-    connect(again, &QPushButton::clicked, m_table, &MeasureTable::clearStatistics);
-    connect(copyIt, &QPushButton::clicked, this,
+    connect(m_remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
+    connect(m_clear, &QPushButton::clicked, m_table, &MeasureTable::clearStatistics);
+    connect(m_copy, &QPushButton::clicked, this,
         [this] { QApplication::clipboard()->setText(tableText(*m_table)); });
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 class QComboBox;
+class QPushButton;
 class QTreeView;
 
 namespace widgets {
@@ -48,6 +49,7 @@ private:
     bool betweenCursors() const;
     capture::TimeSpan measuredRange() const;
     void drawChosen();
+    void enableButtons();
 
     ScopeView &m_scope;
     const capture::Capture &m_capture;
@@ -59,6 +61,7 @@ private:
     QComboBox *m_quantity;
     QComboBox *m_against;
     QComboBox *m_range;
+    QPushButton *m_remove = nullptr, *m_clear = nullptr, *m_copy = nullptr;
 };
 
 } // namespace widgets

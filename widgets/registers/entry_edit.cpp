@@ -78,8 +78,8 @@ void EntryEdit::stepBy(int steps)
     const auto now = value();
     const auto next = rules && now ? stepped(*now, steps * m_step, *rules) : std::nullopt;
     if (next)
-        setText(m_as == As::Raw ? rawEntryText(catalog::onWire(*rules->info, *next))
-                                : shownEntryText(*next, *rules));
+        setFollowed(m_as == As::Raw ? rawEntryText(catalog::onWire(*rules->info, *next))
+                                    : shownEntryText(*next, *rules));
 }
 
 } // namespace widgets

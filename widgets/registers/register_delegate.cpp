@@ -56,6 +56,14 @@ catalog::RegisterId idOf(const QModelIndex &index)
     return index.data(RegisterModel::IdRole).toUInt();
 }
 
+/// For the text of a cell, in pixels.
+int roomIn(const QStyleOptionViewItem &option)
+{
+    const QWidget *view = option.widget;
+    const int margin = view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, view) + 1;
+    return option.rect.width() - 2 * margin;
+}
+
 constexpr int kMostRows = 12;
 constexpr int kMask = Qt::UserRole;
 
@@ -112,6 +120,20 @@ RegisterDelegate::RegisterDelegate(const RegisterModel &model, QObject *parent)
     : QStyledItemDelegate(parent)
     , m_model(model)
 {
+    const auto learn = [this] { m_names.setNames(namesIn(m_model)); };
+    connect(&model, &QAbstractItemModel::modelReset, this, learn);
+    learn();
+}
+
+QStringList namesIn(const RegisterModel &model)
+{
+    QStringList names;
+    for (int group = 0; group < model.rowCount(); ++group) {
+        const QModelIndex parent = model.index(group, RegisterModel::NameColumn);
+        for (int row = 0; row < model.rowCount(parent); ++row)
+            names.append(model.index(row, RegisterModel::NameColumn, parent).data().toString());
+    }
+    return names;
 }
 
 QWidget *makeRegisterEditor(
@@ -161,11 +183,9 @@ QWidget *RegisterDelegate::createEditor(
 QString RegisterDelegate::roundedFor(
     const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
-    const QWidget *view = option.widget;
-    if (!view || option.rect.width() <= 0 || index.column() == RegisterModel::NameColumn)
+    if (!option.widget || option.rect.width() <= 0 || index.column() == RegisterModel::NameColumn)
         return {};
-    const int margin = view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, view) + 1;
-    const int room = option.rect.width() - 2 * margin;
+    const int room = roomIn(option);
     const auto fits = [&](const QString &text) {
         return option.fontMetrics.horizontalAdvance(text) <= room;
     };
@@ -185,8 +205,8 @@ QString RegisterDelegate::roundedFor(
 bool RegisterDelegate::helpEvent(QHelpEvent *event, QAbstractItemView *view,
     const QStyleOptionViewItem &option, const QModelIndex &index)
 {
-    const bool cut = index.column() == RegisterModel::NameColumn
-        && sizeHint(option, index).width() > option.rect.width();
+    const bool cut = index.column() == RegisterModel::NameColumn && option.widget != nullptr
+        && option.fontMetrics.horizontalAdvance(index.data().toString()) > roomIn(option);
     if (event->type() != QEvent::ToolTip || (!cut && roundedFor(option, index).isEmpty()))
         return QStyledItemDelegate::helpEvent(event, view, option, index);
     const QStringList parts{index.data().toString(), index.data(Qt::ToolTipRole).toString()};
@@ -199,17 +219,21 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QMode
     QStyledItemDelegate::initStyleOption(option, index);
     if (const QString rounded = roundedFor(*option, index); !rounded.isEmpty())
         option->text = rounded;
-    if (index.column() == RegisterModel::NameColumn) // what tells names apart is often their end
-        option->textElideMode = Qt::ElideMiddle;
-    // The colour of an edit is also seen in a selected row.
     const auto state =
         static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());
-    if (state == RegisterModel::EditState::None)
+    const bool edited = state != RegisterModel::EditState::None;
+    if (index.column() != RegisterModel::NameColumn) {
+        if (edited) // its colour is also seen in a selected row
+            option->state.setFlag(QStyle::State_Selected, false);
         return;
-    if (index.column() == RegisterModel::NameColumn) // not every user sees a colour alone
-        option->text = signOf(state) + QLatin1Char(' ') + option->text;
-    else
-        option->state.setFlag(QStyle::State_Selected, false);
+    }
+    option->textElideMode = Qt::ElideMiddle; // of a group
+    // Not every user sees a colour alone.
+    const QString sign = edited ? signOf(state) + QLatin1Char(' ') : QString();
+    if (option->widget != nullptr && option->rect.width() > 0)
+        option->text = m_names.text(option->text, option->fontMetrics,
+            roomIn(*option) - option->fontMetrics.horizontalAdvance(sign));
+    option->text.prepend(sign);
 }
 
 void RegisterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const

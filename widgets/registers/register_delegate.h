@@ -2,6 +2,7 @@
 // field otherwise. An editor only changes what is wanted, never the board; what cannot be understood stays in it.
 #pragma once
 
+#include "widgets/registers/name_elision.h"
 #include "widgets/registers/register_model.h"
 
 #include <QListWidget>
@@ -36,6 +37,9 @@ private:
 QWidget *makeRegisterEditor(
     const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
 
+/// Of all registers that are shown, without those of the groups.
+QStringList namesIn(const RegisterModel &model);
+
 class RegisterDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -62,6 +66,7 @@ private:
     QString roundedFor(const QStyleOptionViewItem &option, const QModelIndex &index) const;
 
     const RegisterModel &m_model;
+    mutable NameElision m_names; ///< keeps what it has cut
 };
 
 } // namespace widgets

@@ -21,6 +21,8 @@
 #include <QSortFilterProxyModel>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -82,6 +84,12 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     connect(m_tree, &QTreeView::doubleClicked, this, &RegisterPanel::activate);
     connect(m_tree, &QTreeView::customContextMenuRequested, this, &RegisterPanel::showMenu);
     connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::expandDefaults);
+    const auto measure = [this] {
+        m_leastName = leastName();
+        showColumns();
+    };
+    connect(&model, &QAbstractItemModel::modelReset, this, measure);
+    measure();
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
         &RegisterPanel::updateDetails);
     connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::updateDetails);
@@ -150,6 +158,19 @@ void RegisterPanel::setColumns(const QStringList &names)
     showColumns();
 }
 
+/// Half of the names of this board are read whole.
+int RegisterPanel::leastName() const
+{
+    std::vector<int> widths;
+    for (const QString &name : namesIn(m_model))
+        widths.push_back(m_tree->fontMetrics().horizontalAdvance(name));
+    if (widths.empty())
+        return kLeastName;
+    const auto half = widths.begin() + std::ssize(widths) / 2;
+    std::nth_element(widths.begin(), half, widths.end());
+    return std::max(kLeastName, 2 * m_tree->indentation() + *half + kGrid);
+}
+
 /// The chosen ones; where they leave no room for names, without the raw numbers.
 void RegisterPanel::showColumns()
 {
@@ -157,7 +178,7 @@ void RegisterPanel::showColumns()
     for (const Choice &choice : kChoices)
         room -= chosen(choice.name) ? choice.width : 0;
     for (const Choice &choice : kChoices) {
-        const bool gives = choice.column == RegisterModel::RawColumn && room < kLeastName;
+        const bool gives = choice.column == RegisterModel::RawColumn && room < m_leastName;
         m_tree->setColumnHidden(choice.column, !chosen(choice.name) || gives);
     }
 }

@@ -58,6 +58,7 @@ private:
     void makeActions();
     void updateDetails();
     void showColumns();
+    int leastName() const;
     bool chosen(const char *column) const;
     void togglePinned();
     void updateEdits();
@@ -78,6 +79,7 @@ private:
     QLabel *m_details;
     QMenu *m_columnsMenu;
     EditBar *m_editBar = nullptr;
+    int m_leastName = 0; ///< pixels of the column of names
     QTimer m_settled; ///< scrolling tells once, not at every pixel
 };
 

@@ -3,17 +3,23 @@
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeySequence>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
 
-#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace widgets {
@@ -26,9 +32,14 @@ struct About {
 // Of a dialog's table; the rest is for frame and buttons.
 constexpr double kMostOfScreen = 0.75;
 constexpr double kMostOfWidth = 0.9;
+constexpr std::size_t kMostColumns = 3;
 
 struct Key {
     QString key, what;
+};
+struct Section {
+    QString name;
+    std::vector<Key> keys;
 };
 
 QLabel *plainLabel(const QString &text, QWidget *parent)
@@ -56,24 +67,91 @@ void finish(QDialog *dialog)
     dialog->open();
 }
 
-/// What is pressed, and what for: one below the other, in so many columns.
-QWidget *keyTable(const std::vector<Key> &keys, std::size_t columns, QWidget *parent)
+/// Sections one below the other, in so many columns of about one height.
+QWidget *keyTable(const std::vector<Section> &sections, std::size_t columns, QWidget *parent)
 {
     auto *table = new QWidget(parent);
-    auto *grid = new QGridLayout(table);
-    grid->setHorizontalSpacing(3 * kGrid);
-    grid->setVerticalSpacing(kHalfGrid);
-    const std::size_t rows = (keys.size() + columns - 1) / columns;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const int row = static_cast<int>(i % rows), column = static_cast<int>(i / rows);
-        for (const bool what : {false, true}) {
-            auto *label = plainLabel(what ? keys[i].what : keys[i].key, table);
-            label->setWordWrap(false);
-            grid->addWidget(label, row, 2 * column + (what ? 1 : 0));
+    auto *row = bare(new QHBoxLayout(table), 3 * kGrid);
+    std::size_t all = 0, above = 0, column = 0;
+    for (const Section &section : sections)
+        all += section.keys.size() + 1;
+    QGridLayout *grid = nullptr;
+    for (const Section &section : sections) {
+        const std::size_t lines = section.keys.size() + 1;
+        const std::size_t wanted = (2 * above + lines) * columns / (2 * all); // for its middle
+        above += lines;
+        if (grid == nullptr || wanted != column) {
+            auto *whole = new QVBoxLayout;
+            grid = bare(new QGridLayout, 2 * kGrid, kHalfGrid);
+            whole->addLayout(grid);
+            whole->addStretch(1);
+            row->addLayout(whole);
+            column = wanted;
+        }
+        int line = grid->rowCount();
+        grid->addWidget(new SectionHead(section.name, table), line, 0, 1, 2);
+        for (const Key &key : section.keys) {
+            ++line;
+            for (const bool what : {false, true}) {
+                auto *label = plainLabel(what ? key.what : key.key, table);
+                label->setWordWrap(false);
+                grid->addWidget(label, line, what ? 1 : 0);
+            }
         }
     }
-    grid->setRowStretch(static_cast<int>(rows), 1);
+    row->addStretch(1);
     return table;
+}
+
+QString nativeKeys(const QList<QKeySequence> &keys)
+{
+    QStringList texts;
+    for (const QKeySequence &key : keys)
+        texts.append(key.toString(QKeySequence::NativeText));
+    return texts.join(QLatin1String(", "));
+}
+
+QString withoutMark(QString text) { return text.remove(QLatin1Char('&')); }
+
+/// As its menu shows it: a key that belongs to something else, such as Esc, stands behind a tab.
+Key keyOf(const QAction &action)
+{
+    const QString text = withoutMark(action.text());
+    const auto tab = text.indexOf(QLatin1Char('\t'));
+    if (tab >= 0)
+        return {text.mid(tab + 1), text.left(tab)};
+    if (action.objectName() == QLatin1String("scopeRun"))
+        return {nativeKeys(action.shortcuts()),
+            About::tr("Hold the picture, let it run (never starts a motor)")};
+    return {nativeKeys(action.shortcuts()), text};
+}
+
+/// Nothing is listed twice that has its key from an action: a new one is here by itself.
+std::vector<Section> allKeys(const QMainWindow &window)
+{
+    std::vector<Section> sections;
+    QList<const QAction *> inMenus;
+    for (const QAction *entry : window.findChild<QMenuBar *>()->actions()) {
+        Section section{withoutMark(entry->text()), {}};
+        for (const QAction *action : entry->menu()->actions()) {
+            inMenus.append(action);
+            if (Key key = keyOf(*action); !key.key.isEmpty())
+                section.keys.push_back(std::move(key));
+        }
+        if (!section.keys.empty())
+            sections.push_back(std::move(section));
+    }
+    Section beside{About::tr("Beside the menus"),
+        {{nativeKeys({Qt::Key_Return}),
+             About::tr("In the list: add to the scope. In a set-point: send it")},
+            {nativeKeys({Qt::Key_Left, Qt::Key_Right}),
+                About::tr("Move the cursor by a sample, else the picture")},
+            {About::tr("Wheel", "of the mouse"), About::tr("Zoom in, out")}}};
+    for (const QAction *action : window.findChildren<QAction *>())
+        if (!action->shortcuts().isEmpty() && !inMenus.contains(action))
+            beside.keys.push_back(keyOf(*action));
+    sections.push_back(std::move(beside));
+    return sections;
 }
 
 } // namespace
@@ -111,56 +189,21 @@ void showAbout(QWidget *parent)
     finish(dialog);
 }
 
-void showKeys(QWidget *parent)
+void showKeys(QMainWindow &window)
 {
-    QDialog *dialog = makeDialog(parent, About::tr("Keys"));
-    const Key keys[] = {
-        {QStringLiteral("Esc"), About::tr("Stop every motor, from any window")},
-        {QStringLiteral("Ctrl+Enter"), About::tr("Start the motor (after Arm)")},
-        {QStringLiteral("Ctrl+Backspace"), About::tr("Acknowledge faults")},
-        {QStringLiteral("Ctrl+D"), About::tr("Connect, disconnect")},
-        {QStringLiteral("Ctrl+K"), About::tr("Find a register")},
-        {QStringLiteral("F2"), About::tr("Edit a register's value")},
-        {QStringLiteral("Ctrl+Shift+A"), About::tr("Write the edited registers (after Arm)")},
-        {QStringLiteral("Ctrl+Z, Ctrl+Shift+Z"), About::tr("Undo and redo what was written")},
-        {About::tr("Enter"), About::tr("In the list: add to the scope. In a set-point: send it")},
-        {About::tr("Space"), About::tr("Hold the picture, let it run (never starts a motor)")},
-        {QStringLiteral("F, Shift+F"), About::tr("Show everything; fit the values only")},
-        {QStringLiteral("+ \u2212"), About::tr("Zoom in, out; also the wheel")},
-        {QStringLiteral("Ctrl+\u2190 Ctrl+\u2192"), About::tr("Earlier, later")},
-        {About::tr("End"), About::tr("Follow the newest samples")},
-        {QStringLiteral("S, T"), About::tr("Take a single record; force a trigger")},
-        {About::tr("Page up, page down"), About::tr("Earlier and later records of the trigger")},
-        {QStringLiteral("R, B"), About::tr("Keep the traces as reference A, B; with Shift: back")},
-        {QStringLiteral("O"), About::tr("Show the whole recording below")},
-        {QStringLiteral("G"), About::tr("Show the grid or hide it")},
-        {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
-        {QStringLiteral("M"), About::tr("Set a marker")},
-        {QStringLiteral("\u2190 \u2192"),
-            About::tr("Move the cursor by a sample, else the picture")},
-        {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
-        {QStringLiteral("Ctrl+S"), About::tr("Save the markers of an opened recording")},
-        {QStringLiteral("Ctrl+Shift+M, Ctrl+Shift+X"), About::tr("Math channels; XY picture")},
-        {QStringLiteral("Ctrl+T, Ctrl+Shift+T"), About::tr("Steps of the speed; run them")},
-        {QStringLiteral("Ctrl+I, Ctrl+Shift+F"),
-            About::tr("Identify the motor; its frequency response")},
-        {QStringLiteral("Ctrl+Shift+G"), About::tr("Tour from an unknown motor to proved gains")},
-        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L, Ctrl+Shift+B"),
-            About::tr("Notes; motion log; run book")},
-        {QStringLiteral("F9"), About::tr("Large numbers")},
-        {QStringLiteral("F11"), About::tr("Full screen")},
-    };
-    // In two columns where the screen is wide enough, and to be scrolled where it is low: Close stays on the smallest
-    // one.
+    QDialog *dialog = makeDialog(&window, About::tr("Keys"));
+    // In as many columns as the screen is wide enough for, and to be scrolled where it is low: Close stays on the
+    // smallest one.
     auto *area = new QScrollArea(dialog);
     const int bar = area->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     const QSize screen = dialog->screen()->availableSize();
     const QSize room(int(screen.width() * kMostOfWidth), int(screen.height() * kMostOfScreen));
-    const std::vector<Key> all(std::begin(keys), std::end(keys));
-    auto *table = keyTable(all, 2, dialog);
-    if (table->sizeHint().width() + bar > room.width()) {
+    const std::vector<Section> keys = allKeys(window);
+    std::size_t columns = kMostColumns;
+    auto *table = keyTable(keys, columns, dialog);
+    while (columns > 1 && table->sizeHint().width() + bar > room.width()) {
         delete table;
-        table = keyTable(all, 1, dialog);
+        table = keyTable(keys, --columns, dialog);
     }
     area->setObjectName(QStringLiteral("keys"));
     area->setAccessibleName(dialog->windowTitle());

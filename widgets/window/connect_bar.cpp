@@ -177,7 +177,7 @@ void ConnectBar::fillPorts(const QList<session::PortChoice> &choices)
         if (m_port->findData(path) < 0)
             m_port->addItem(deviceText(path), path);
     if (!before.isEmpty())
-        setEndpoint(before, baud());
+        setEndpoint(before, 0);
 }
 
 void ConnectBar::setTyped(const QStringList &paths)
@@ -210,7 +210,8 @@ QString ConnectBar::path() const
 quint32 ConnectBar::baud() const
 {
     bool ok = false;
-    const quint32 baud = m_baud->currentText().trimmed().toUInt(&ok);
+    const QString chosen = m_baudBefore.isEmpty() ? m_baud->currentText() : m_baudBefore;
+    const quint32 baud = chosen.trimmed().toUInt(&ok);
     return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
 }
 
@@ -246,6 +247,10 @@ void ConnectBar::connectOrDisconnect()
             m_typed.prepend(endpoint.path);
             m_typed = m_typed.mid(0, kMostTyped);
             m_port->addItem(deviceText(endpoint.path), endpoint.path);
+        }
+        if (endpoint.baud != baud()) { // some simulated boards have their own
+            m_baudBefore = m_baud->currentText();
+            m_baud->setEditText(QString::number(endpoint.baud));
         }
         m_device.open(endpoint);
         updateLink();
@@ -319,6 +324,8 @@ void ConnectBar::updateLink()
                                        : tr("Opens the port and looks for a board (Ctrl+D)"));
     if (!connecting() && !m_pathBefore.isEmpty())
         setEndpoint(std::exchange(m_pathBefore, QString()), 0);
+    if (!connecting() && !m_baudBefore.isEmpty())
+        m_baud->setEditText(std::exchange(m_baudBefore, QString()));
     m_port->setEnabled(!connecting());
     m_baud->setEnabled(!connecting());
     m_protocol->setEnabled(!connecting());

@@ -74,6 +74,7 @@ private:
     std::function<void(std::function<void()>)> m_beforeOpening;
     QStringList m_typed;
     QString m_pathBefore; ///< while a recording is shown in its place
+    QString m_baudBefore; ///< as chosen, while a connection at another one is shown
     bool m_wanted = false; ///< the user asked for a connection and has not taken that back
 };
 

@@ -92,8 +92,10 @@ void MainWindow::makeMenus(QMenuBar &bar)
     QMenu *help = bar.addMenu(tr("&Help"));
     connect(addAction(help, tr("&First steps"), {}, "first-steps"), &QAction::triggered,
         m_firstSteps, &FirstSteps::restart);
-    connect(addAction(help, tr("&Keys"), Qt::Key_F1, "keys"), &QAction::triggered, this,
-        [this] { showKeys(this); });
+    connect(addAction(help, tr("&Keys"), Qt::Key_F1, "keys"), &QAction::triggered, this, [this] {
+        finishTools(); // which have keys of their own
+        showKeys(*this);
+    });
     connect(addAction(help, tr("&About Rotorscope"), {}, "about"), &QAction::triggered, this,
         [this] { showAbout(this); });
 }

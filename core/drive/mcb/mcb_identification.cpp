@@ -227,6 +227,7 @@ void McbIdentification::finish()
         m_board.streaming.maxSignals = mcb::kMostMapped;
         m_board.streaming.maxPacket = mcb::kMostFrameBytes;
         m_board.streaming.linkBytesPerSecond = kExchangeHz * mcb::kMostFrameBytes;
+        m_board.streaming.frameOverhead = mcb::kConfigFrameBytes;
     }
 
     Identity &identity = m_board.identity;

@@ -96,6 +96,13 @@ void McbStreamControl::receive(const mcb::Master::Cycle &cycle, std::uint64_t lo
     }
     const capture::Tick apart = group.tick - m_lastTick - m_layout->fastStep;
     const bool gap = std::exchange(m_broken, false) || lostFrames > 0 || apart > kUnbroken / kTick;
+    if (gap) { // with what was never exchanged, as while the program stood still
+        const capture::Tick each = std::max<capture::Tick>(1, m_layout->fastStep);
+        const auto missing =
+            static_cast<std::uint64_t>(std::max<capture::Tick>(0, apart + each / 2))
+            / static_cast<std::uint64_t>(each);
+        m_lost += missing - std::min(missing, lostFrames);
+    }
     if (gap && !m_block.slow.empty())
         m_events.emplace_back(std::exchange(m_block, {}));
     if (m_block.slow.empty()) {

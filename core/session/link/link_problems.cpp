@@ -34,6 +34,7 @@ constexpr std::array kLinkProblems{"",
     QT_TRANSLATE_NOOP(
         "Link", "No answer in the protocol of newer firmware: asking in that of older firmware."),
     QT_TRANSLATE_NOOP("Link", "The board speaks the protocol of newer firmware.")};
+static_assert(kLinkProblems.size() == std::size_t(drive::LinkReason::OtherProtocol) + 1);
 
 /// %1 is the port, %2 the detail in brackets. Unplugged shows none: the system's words are left-overs of another call.
 constexpr std::array kPortProblems{"",
@@ -48,6 +49,7 @@ constexpr std::array kPortProblems{"",
         "without evidence that they did."),
     QT_TRANSLATE_NOOP("Link", "The recording %1 cannot be read. Choose another file."),
     QT_TRANSLATE_NOOP("Link", "%1 cannot be opened%2. Check the cable, then connect again.")};
+static_assert(kPortProblems.size() == std::size_t(PortProblem::Other) + 1);
 
 } // namespace
 

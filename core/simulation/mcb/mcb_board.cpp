@@ -99,6 +99,7 @@ MotorTruth McbBoard::truth(int motor) const
     if (motor != 1)
         return {};
     MotorTruth truth = truthOf(m_servo.axis());
+    truth.referenceRpm = m_servo.speedReference_rpm();
     const Servo::State state = m_servo.state(); // which is at rest as soon as the stage is off
     truth.idle = !truth.driven
         && (state == Servo::State::SwitchOnDisabled || state == Servo::State::Ready

@@ -145,7 +145,8 @@ void Servo::follow()
     const Wanted &w = m_wanted;
     Firmware &firmware = m_axis.firmware;
     const double amps = m_axis.firmware.stage().ampsPerDigit();
-    const double before_rps = firmware.speedReference_rpm() / 60.0;
+    const double before_rps =
+        (m_state == State::Enabled ? firmware.speedReference_rpm() : firmware.speed_rpm()) / 60.0;
     const auto within = [](float value, float limit) {
         return limit > 0.0F ? std::clamp(value, -limit, limit) : value;
     };

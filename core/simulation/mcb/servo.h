@@ -48,6 +48,11 @@ public:
     void look(const McbRegisters &registers) override;
 
     State state() const { return m_state; }
+    /// What its speed loop is asked for, rpm: nothing while it is not enabled, whatever the firmware keeps.
+    int speedReference_rpm() const
+    {
+        return m_state == State::Enabled ? m_axis.firmware.speedReference_rpm() : 0;
+    }
     Axis &axis() { return m_axis; }
     const Axis &axis() const { return m_axis; }
     bool resetWanted() const { return m_resetWanted; }

@@ -199,7 +199,7 @@ void Servo::show(McbRegisters &registers)
     put(0x071, floatWords(s.vD * volts));
     put(0x072, floatWords(s.iQRef * amps));
     put(0x073, floatWords(s.iDRef * amps));
-    put(0x079, floatWords(firmware.speedReference_rpm() / 60.0));
+    put(0x079, floatWords(speedReference_rpm() / 60.0));
     put(0x38B, wholeWords(m_axis.plant.encoderCount(), 4));
     put(0x64D, wholeWords(m_lastError != 0 ? 1 : 0, 2));
     put(0x64F, wholeWords(m_lastError, 4));

@@ -3,6 +3,8 @@
 #include "support/mcb/pair.h"
 
 #include "capture/capture.h"
+#include "drive/start_target.h"
+#include "drive/values.h"
 
 #include <QtTest>
 
@@ -26,6 +28,7 @@ private Q_SLOTS:
     void aRegisterThatChangedItsTypeIsNotWritten();
     void theMotorStartsRampsAndStops();
     void aStartWithASetPointBeyondTheLimitIsRefused();
+    void aStartGoesToTheSetPointThatWasWritten();
     void aRampGoesAtTheSpeedThatWasAsked();
     void currentsAndPositionsAreFollowed();
     void aRampOfCurrentsIsNotThere();
@@ -44,7 +47,9 @@ private Q_SLOTS:
     void samplesCarryTheirNameAndTime();
     void sixtySecondsWithoutALostFrame();
     void aDamagedFrameIsAGap();
+    void aProgramThatStandsStillLeavesAGap_data();
     void aProgramThatStandsStillLeavesAGap();
+    void aStreamTakesAsManyBytesAsItsLimitsSay();
     void registersAreReadWhileItStreams();
     void theWatchedRegistersMayChangeWhileOneIsAsked();
     void aResetWhileItStreamsIsToldAndTakenUp();
@@ -237,6 +242,35 @@ void TestMcbDrive::aStartWithASetPointBeyondTheLimitIsRefused()
     QVERIFY(done.outcome == Outcome::Refused);
     QVERIFY2(done.reason.find("your own limit") != std::string::npos, done.reason.c_str());
     QCOMPARE(pair.writes.size(), before);
+}
+
+/// And where nothing was written it goes nowhere: the reference that is shown says the same as the start.
+void TestMcbDrive::aStartGoesToTheSetPointThatWasWritten()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    const auto target = [&] {
+        std::vector<RegisterId> ids = startRegisters(*pair.identified->catalog, 1);
+        ids.push_back(pair.id("SPEED_REF"));
+        pair.ask(Read{ids});
+        return startTarget(
+            *pair.identified->catalog, pair.identified->limits[0], 1, [&](RegisterId id) {
+                const auto at = pair.values.find(id);
+                return at == pair.values.end() ? std::nullopt : std::optional(at->second.value);
+            });
+    };
+    const auto reference = [&] {
+        return 60.0 * asNumber(pair.values.at(pair.id("SPEED_REF")).value).value_or(-1.0); // rev/s
+    };
+    QCOMPARE(target().rpm, std::optional(0.0));
+    QCOMPARE(reference(), 0.0);
+    arm(pair);
+    QVERIFY(pair.ask(Write{{{pair.id("CL_VEL_SET_POINT_VALUE"), 20.0}}}).outcome == Outcome::Ok);
+    QCOMPARE(target().rpm, std::optional(1200.0));
+    QVERIFY(start(pair));
+    pair.runFor(2s);
+    QCOMPARE(target().rpm, std::optional(1200.0));
+    QVERIFY(std::abs(reference() - 1200.0) < 1.0);
 }
 
 void TestMcbDrive::aRampGoesAtTheSpeedThatWasAsked()
@@ -596,23 +630,59 @@ void TestMcbDrive::aDamagedFrameIsAGap()
     QCOMPARE(pair.counters.streamLostTicks, std::uint64_t{1});
 }
 
+void TestMcbDrive::aProgramThatStandsStillLeavesAGap_data()
+{
+    QTest::addColumn<unsigned>("every"); // periods of 1 ms
+    QTest::newRow("each period") << 1U;
+    QTest::newRow("each fourth") << 4U;
+}
+
 /// The drive was asked for nothing meanwhile.
 void TestMcbDrive::aProgramThatStandsStillLeavesAGap()
 {
+    QFETCH(unsigned, every);
     McbPair pair({}, 700ms);
     QVERIFY(pair.meet());
-    QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")})).outcome == Outcome::Ok);
+    QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")}, every)).outcome == Outcome::Ok);
     pair.runFor(100ms);
     pair.stall(50ms); // as computers do
     pair.runFor(100ms);
     pair.stall(700ms);
-    pair.runFor(200ms);
+    pair.runFor(300ms); // counters are told each 250 ms
     std::vector<capture::Tick> gaps; // us
     for (const auto &block : pair.blocks)
         if (block.lostTicks != 0)
             gaps.push_back(block.lostTicks);
     QCOMPARE(gaps.size(), std::size_t{1});
     QVERIFY2(gaps[0] > 690'000 && gaps[0] <= 700'000, qPrintable(QString::number(gaps[0])));
+    const double lost = static_cast<double>(pair.counters.streamLostTicks);
+    QVERIFY2(std::abs(lost - static_cast<double>(gaps[0]) / (1000.0 * every)) <= 0.5,
+        qPrintable(QString::number(lost)));
+}
+
+void TestMcbDrive::aStreamTakesAsManyBytesAsItsLimitsSay()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    const std::vector<RegisterId> ids{pair.id("CL_VEL_FBK_VALUE"), pair.id("DRV_STATE_STATUS"),
+        pair.id("CL_POS_FBK_VALUE"), pair.id("BUS_VOLTAGE")};
+    QVERIFY(pair.ask(streamOf(ids)).outcome == Outcome::Ok);
+    double frame = static_cast<double>(pair.identified->streaming.frameOverhead);
+    for (const RegisterId id : ids)
+        frame += static_cast<double>(catalog::widthOf(pair.identified->catalog->find(id)->type));
+    std::vector<std::pair<double, std::uint64_t>> told; // seconds, bytes
+    pair.onEvent = [&](const Event &event) {
+        if (const auto *counters = std::get_if<LinkCounters>(&event))
+            told.emplace_back(toSeconds(pair.now.time_since_epoch()), counters->bytesIn);
+    };
+    pair.runFor(2s);
+    pair.onEvent = nullptr;
+    QVERIFY(told.size() > 2);
+    const double bytes = static_cast<double>(told.back().second - told.front().second);
+    const double each = bytes / (told.back().first - told.front().first);
+    const double said = frame * pair.identified->streaming.tickHz;
+    QVERIFY2(std::abs(each - said) < 0.02 * said, qPrintable(QString::number(each)));
+    QVERIFY(frame <= static_cast<double>(pair.identified->streaming.maxPacket));
 }
 
 void TestMcbDrive::registersAreReadWhileItStreams()

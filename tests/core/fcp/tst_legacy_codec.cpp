@@ -233,6 +233,7 @@ void TestFcpCodec::bothTablesAreWhole()
             QVERIFY2(entry.readBytes == 0 || entry.info.readable(), name.c_str());
             QVERIFY2(entry.writeBytes == 0 || entry.info.writable(), name.c_str());
             QVERIFY2(!entry.info.help.empty() && !entry.info.group.empty(), name.c_str());
+            QVERIFY2(entry.info.unit.size() < 12, name.c_str()); // it stands behind each value
             const auto id = static_cast<std::uint8_t>(entry.info.id);
             QCOMPARE(findRegister(dialect, id), &entry);
         }

@@ -372,6 +372,23 @@ private Q_SLOTS:
         QCOMPARE(strip->grab().toImage(), dark);
     }
 
+    /// As an MCB drive has them, in the panel of a window that is 1280 wide.
+    void aLongNameOfAStateIsReadWhole()
+    {
+        using drive::MotorState;
+        widgets::StateStrip strip;
+        strip.setSteps({{MotorState::Idle, {"SWITCH_ON_DISABLED"}},
+            {MotorState::Starting, {"SWITCHED_ON"}}, {MotorState::Running, {"OPERATION_ENABLED"}},
+            {MotorState::Stopping, {"QUICK_STOP_ACTIVE"}},
+            {MotorState::FaultNow, {"FAULT_REACTION_ACTIVE"}}, {MotorState::FaultOver, {"FAULT"}}});
+        strip.resize(306, strip.sizeHint().height());
+        drive::MotorStatus status = facts::status(MotorState::Running);
+        status.stateName = "OPERATION_ENABLED";
+        strip.show(status, true);
+        QCOMPARE(strip.textIn(2), QStringLiteral("\u25cf OPERATION_ENABLED"));
+        QCOMPARE(strip.textIn(0), QStringLiteral("SWITCH_ON_DISABLED"));
+    }
+
     void faultsAreExplained()
     {
         facts::connectBoard(*m_device);

@@ -6,6 +6,7 @@
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/setpoint_edit.h"
+#include "widgets/control/setpoints/setpoint_box.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -139,6 +140,76 @@ private Q_SLOTS:
         QToolTip::hideText();
         edit.setLimits(30000000.0, 6.0, QStringLiteral("rpm")); // now it is good
         QVERIFY(edit.palette().color(QPalette::Base) != widgets::kRefusedColor);
+    }
+
+    void whatIsTypedTakesThePlaceOfWhatIsFollowed_data()
+    {
+        QTest::addColumn<int>("way");
+        QTest::newRow("a click") << 0;
+        QTest::newRow("a double click") << 1;
+        QTest::newRow("Ctrl+A") << 2;
+        QTest::newRow("Tab") << 3;
+    }
+    void whatIsTypedTakesThePlaceOfWhatIsFollowed()
+    {
+        QFETCH(int, way);
+        Rig rig;
+        facts::connectBoard(rig.device);
+        rig.panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&rig.panel));
+        auto *box = rig.panel.findChild<widgets::SetpointBox *>();
+        auto *edit = rig.edit("speed");
+        rig.edit("rampTime")->setFocus();
+        box->takeReference(1500.0);
+        QCOMPARE(edit->text(), QStringLiteral("1500"));
+        if (way < 2)
+            QTest::mouseClick(edit, Qt::LeftButton);
+        else
+            edit->setFocus(way == 3 ? Qt::TabFocusReason : Qt::OtherFocusReason);
+        if (way == 1)
+            QTest::mouseDClick(edit, Qt::LeftButton);
+        if (way == 2)
+            QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(edit->selectedText(), QStringLiteral("1500"));
+        for (int i = 0; i < 3; ++i) // the board is read again and again
+            box->takeReference(1500.0);
+        QCOMPARE(edit->selectedText(), QStringLiteral("1500"));
+        box->takeReference(900.0); // and may have another one
+        QCOMPARE(edit->selectedText(), QStringLiteral("900"));
+        QTest::keyClicks(edit, QStringLiteral("2600"));
+        QCOMPARE(edit->text(), QStringLiteral("2600"));
+        box->takeReference(900.0); // not over what was typed
+        QCOMPARE(edit->text(), QStringLiteral("2600"));
+        // What a stop leaves on the board is replaced as well.
+        facts::feed(rig.device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
+        QCOMPARE(edit->selectedText(), QStringLiteral("0"));
+        box->takeReference(2600.0);
+        QTest::keyClicks(edit, QStringLiteral("1200"));
+        QCOMPARE(edit->text(), QStringLiteral("1200"));
+    }
+
+    void cursorAndSelectionStayWhereTheyWerePut()
+    {
+        QWidget window;
+        widgets::SetpointEdit edit(&window);
+        edit.setLimits(4000.0, 1.0, QStringLiteral("rpm"));
+        edit.setValue(1500.0);
+        edit.setFocus();
+        edit.setSelection(1, 2);
+        edit.setValue(1500.0);
+        QCOMPARE(edit.selectionStart(), 1);
+        edit.setValue(1620.0);
+        QCOMPARE(edit.selectedText(), QStringLiteral("62"));
+        edit.setValue(90.0);
+        QCOMPARE(edit.selectedText(), QStringLiteral("0"));
+        edit.setCursorPosition(1);
+        edit.setValue(1500.0);
+        QCOMPARE(edit.cursorPosition(), 1);
+        QVERIFY(!edit.hasSelectedText());
+        edit.selectAll();
+        QTest::keyClick(&edit, Qt::Key_Up); // a step takes no selection away either
+        QTest::keyClicks(&edit, QStringLiteral("900"));
+        QCOMPARE(edit.text(), QStringLiteral("900"));
     }
 
     void whateverIsTypedWhatLeavesIsInsideAndEchoed()

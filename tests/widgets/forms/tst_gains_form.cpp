@@ -364,6 +364,20 @@ private Q_SLOTS:
         }
     }
 
+    void whatTheBoardTellsTakesNoSelectionAway()
+    {
+        QWidget window;
+        widgets::GainNumber field("any", QStringLiteral("Any"), {}, 0.1, 1000.0, &window);
+        field.setValue(5.0);
+        field.setFocus();
+        field.selectAll();
+        field.setValue(7.5);
+        QCOMPARE(field.selectedText(), QStringLiteral("7.5"));
+        QTest::keyClick(&field, Qt::Key_Up);
+        QTest::keyClicks(&field, QStringLiteral("12"));
+        QCOMPARE(field.value(), std::optional(12.0));
+    }
+
     void sliderAndFieldsSayTheSame()
     {
         GainBench bench;

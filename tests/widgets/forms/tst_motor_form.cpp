@@ -82,6 +82,8 @@ private Q_SLOTS:
         QVERIFY(form().isVisible());
         QVERIFY(label("motorReason").contains(QStringLiteral("Connect to a board")));
         QVERIFY(!button("motorRead")->isEnabled() && !button("motorSave")->isEnabled());
+        QVERIFY(!button("convertBoard")->isEnabled()); // and says why
+        QVERIFY(button("convertBoard")->toolTip().contains(QStringLiteral("Connect to a board")));
         openFile(kGimbal);
         QCOMPARE(text("comparison", "compare 1", MotorModel::FileColumn),
             widgets::siText(5.4, QStringLiteral("\u03a9")));
@@ -222,6 +224,7 @@ private Q_SLOTS:
 
     void theConverterBeginsWithTheBoard()
     {
+        QVERIFY(button("convertBoard")->isEnabled());
         button("convertBoard")->click();
         QCOMPARE(edit("convertPolePairs")->text(), QStringLiteral("4"));
         QCOMPARE(edit("convertFlux")->text(), QStringLiteral("6.5"));
@@ -285,6 +288,31 @@ private Q_SLOTS:
         QVERIFY(close(value("convertPhaseOhm"), 0.35));
         type("convertPhaseHenry", "0.6");
         QVERIFY(close(value("convertTerminalHenry"), 1.2));
+    }
+
+    void whatTheBoardTellsIsNotMixedWithWhatIsTyped()
+    {
+        widgets::MotorConverter converter;
+        auto *pairs = converter.findChild<QLineEdit *>(QStringLiteral("convertPolePairs"));
+        auto *ohm = converter.findChild<QLineEdit *>(QStringLiteral("convertPhaseOhm"));
+        motor::MotorSheet sheet;
+        sheet.polePairs = 4.0;
+        sheet.rs_ohm = 0.35;
+        converter.suggest(sheet);
+        pairs->setFocus();
+        pairs->selectAll();
+        sheet.polePairs = 5.0;
+        converter.suggest(sheet);
+        QCOMPARE(pairs->selectedText(), QStringLiteral("5"));
+        QTest::keyClicks(pairs, QStringLiteral("1"));
+        sheet.rs_ohm = 0.5;
+        converter.suggest(sheet); // between two digits
+        QTest::keyClicks(pairs, QStringLiteral("4"));
+        QCOMPARE(pairs->text(), QStringLiteral("14"));
+        QCOMPARE(ohm->text(), QStringLiteral("0.35"));
+        converter.accept(sheet); // that was asked for
+        QCOMPARE(pairs->text(), QStringLiteral("5"));
+        QCOMPARE(ohm->text(), QStringLiteral("0.5"));
     }
 
     void nonsenseIsNotTakenAndSaysWhy()

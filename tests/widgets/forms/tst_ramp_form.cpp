@@ -132,22 +132,23 @@ class TestRampForm : public QObject {
 private Q_SLOTS:
     void init() { QLocale::setDefault(QLocale::c()); }
 
-    void thePreviewBeginsAtThePresentSetPointAndEndsOnAStair()
+    void thePreviewOfARestingMotorBeginsAtStandstillAndEndsOnAStair()
     {
         RampBench bench;
+        QCOMPARE(bench.number("SPEED_REF"), 1500.0); // nothing follows it
         bench.type("rampSpeed", QStringLiteral("3001"));
         bench.type("rampSpeedTime", QStringLiteral("500"));
         const auto &plan = bench.picture().plan;
         QVERIFY(plan.size() > 100);
-        QCOMPARE(plan.front().value, 1500.0); // what the board starts to
+        QCOMPARE(plan.front().value, 0.0);
         QCOMPARE(plan.back().value, 3000.0);
         QCOMPARE(plan.back().seconds, 0.5);
         for (const auto &point : plan)
             QCOMPARE(std::fmod(point.value, 6.0), 0.0);
         const QString note = bench.label("rampSpeedNote");
         QVERIFY2(note.contains(QStringLiteral("3001 becomes 3000")), qPrintable(note));
-        QVERIFY2(note.contains(QStringLiteral("3000\u202frpm/s")), qPrintable(note));
-        QVERIFY2(note.contains(QStringLiteral("250 step")), qPrintable(note));
+        QVERIFY2(note.contains(QStringLiteral("6000\u202frpm/s")), qPrintable(note));
+        QVERIFY2(note.contains(QStringLiteral("500 step")), qPrintable(note));
         QVERIFY(bench.sent.empty());
     }
 
@@ -455,6 +456,16 @@ private Q_SLOTS:
         QVERIFY(progress.phase() == Phase::Arrived);
         progress.update(1300ms, running(0.0, 0.0)); // it has ended: nothing brings it back
         QVERIFY(progress.phase() == Phase::Arrived);
+    }
+
+    void aRampThatWaitsBeginsWhereTheMotorIs()
+    {
+        RampProgress progress;
+        progress.begin(3000.0, 1000ms, 6.0, 0ms, {MotorState::Idle, true, 900.0, 0.0});
+        QVERIFY(progress.phase() == Phase::Waiting);
+        QCOMPARE(progress.from(), 0.0); // not at a set-point that nothing follows
+        progress.begin(3000.0, 1000ms, 6.0, 0ms, running(900.0, 880.0));
+        QCOMPARE(progress.from(), 900.0);
     }
 
     void aSetPointThatLeavesTheRampEndsIt()

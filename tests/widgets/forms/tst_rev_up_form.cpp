@@ -2,7 +2,10 @@
 // the board before it is applied.
 #include "support/rev_up_bench.h"
 
+#include <QGraphicsTextItem>
 #include <QListWidget>
+#include <QScopeGuard>
+#include <QScrollArea>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -433,6 +436,72 @@ private Q_SLOTS:
         }
         QVERIFY(rig.stages() == before);
         QVERIFY(rig.form.findChild<QLineEdit *>(QStringLiteral("revUpInertia"))->text().isEmpty());
+    }
+
+    /// As in a window of 1280x720: the page scrolls, what is in it is whole, and what only explains gives way.
+    void whereThereIsLittleRoomThePictureIsStillRead()
+    {
+        RevUpBench rig;
+        QScrollArea area;
+        area.setFrameShape(QFrame::NoFrame);
+        area.setWidgetResizable(true);
+        area.setWidget(&rig.form);
+        const auto giveBack = qScopeGuard([&area] { area.takeWidget(); }); // it is the bench's
+        area.resize(936, 150);
+        area.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&area));
+        const auto *hint = rig.form.findChild<QLabel *>(QStringLiteral("revUpHint"));
+        const auto *start = rig.form.findChild<QLabel *>(QStringLiteral("revUpLastStart"));
+        const auto titlesAreWhole = [&rig] {
+            int whole = 0;
+            for (const QGraphicsItem *item : rig.chart.scene()->items()) {
+                const auto *text = dynamic_cast<const QGraphicsTextItem *>(item);
+                if (text != nullptr && text->rotation() != 0.0 && !text->toPlainText().isEmpty())
+                    whole += text->toPlainText().endsWith(QLatin1String("...")) ? 0 : 1;
+            }
+            return whole == 2;
+        };
+        QTRY_VERIFY(hint->isHidden());
+        QTRY_VERIFY(titlesAreWhole());
+        QVERIFY(rig.chart.geometry().bottom() < start->y());
+        QVERIFY(start->height() >= start->heightForWidth(start->width()));
+        for (const char *name : {"revUpAdd", "revUpRemove", "revUpUp", "revUpDown"}) {
+            const auto *button = rig.form.findChild<QPushButton *>(QLatin1String(name));
+            QVERIFY2(button->visibleRegion().boundingRect().size() == button->size(), name);
+        }
+        area.resize(936, 420);
+        QTRY_VERIFY(hint->isVisible() && rig.chart.geometry().bottom() < hint->y());
+        QVERIFY(hint->height() >= hint->heightForWidth(hint->width()));
+    }
+
+    void wordsInThePictureLeaveThePlanFree_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("turns");
+        for (const int width : {900, 1000, 1400})
+            for (const int turns : {1, -1})
+                QTest::addRow("%d wide, %d", width, turns) << width << turns;
+    }
+    void wordsInThePictureLeaveThePlanFree()
+    {
+        QFETCH(int, width);
+        QFETCH(int, turns);
+        RevUpBench rig;
+        rig.form.resize(width, 320);
+        QVERIFY(rig.show());
+        RevUp stages = rig.stages();
+        for (RevUpStage &stage : stages)
+            stage.speed_rpm *= turns;
+        QVERIFY(turns > 0 || rig.setAll(stages));
+        const QRectF words = rig.chart.observerWords();
+        QVERIFY(!words.isEmpty() && QRectF(rig.chart.viewport()->rect()).contains(words));
+        for (int stage = 1; stage < rig.model.used(); ++stage) {
+            const QLineF part(rig.chart.handle({stage - 1, Quantity::Speed}),
+                rig.chart.handle({stage, Quantity::Speed}));
+            for (int i = 0; i <= 100; ++i)
+                QVERIFY2(
+                    !words.contains(part.pointAt(i / 100.0)), qPrintable(QString::number(stage)));
+        }
     }
 
     void itIsAToolOfTheWindow()

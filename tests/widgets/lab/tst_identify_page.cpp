@@ -98,6 +98,29 @@ private Q_SLOTS:
             qPrintable(cell(F::Fan, F::NoteColumn)));
         QCOMPARE(findings.measured().rs_ohm, std::optional(0.351234)); // what is kept is not cut
     }
+
+    /// A row says why its own figure is missing, not what is to be said of others.
+    void aNoteStandsWhereAFigureIsMissing()
+    {
+        Findings findings;
+        lab::Electrics windings;
+        windings.ld_h = {1e-3, 0.9e-3, 1.1e-3};
+        windings.lq_h = {1e-3, 0.9e-3, 1.1e-3};
+        windings.notes = {"the rotor swung"};
+        findings.accept(windings);
+        const auto note = [&](int row) {
+            return findings.index(row, Findings::NoteColumn).data().toString();
+        };
+        for (const int row : {Findings::Resistance, Findings::DeadTime, Findings::Flux})
+            QCOMPARE(note(row), QStringLiteral("The rotor swung."));
+        QVERIFY(note(Findings::Ld).isEmpty() && note(Findings::Lq).isEmpty());
+        lab::Mechanics mechanics;
+        mechanics.notes = {"it has Hall sensors"};
+        findings.accept(mechanics);
+        QVERIFY2(!note(Findings::Inertia).contains(QLatin1String("Hall")),
+            qPrintable(note(Findings::Inertia)));
+    }
+
     void bothAreMeasuredAndUsedAndTakenBack()
     {
         LabWindow bench("servo24");

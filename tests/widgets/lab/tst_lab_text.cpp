@@ -94,18 +94,17 @@ void TestLabText::theyAreGerman_data()
         << "the run ended early: the board reports a fault: SPEED_FDBK"
         << QStringLiteral("der Lauf endete vorzeitig: das Board meldet einen Fehler: SPEED_FDBK");
     QTest::newRow("several")
-        << "a speed of 654 rpm is below the 660 rpm that are allowed; every motor is being "
-           "stopped; "
-           "the set-point is 880 rpm now, it was 840 rpm"
+        << "a speed of 654 rpm is below the 660 rpm that are allowed; every motor was told "
+           "to stop; the set-point is 880 rpm now, it was 840 rpm"
         << QStringLiteral(
-               "eine Drehzahl von 654 rpm liegt unter den erlaubten 660 rpm; jeder Motor "
-               "wird gestoppt; der Sollwert ist jetzt 880 rpm, er war 840 rpm");
+               "eine Drehzahl von 654 rpm liegt unter den erlaubten 660 rpm; jedem Motor "
+               "wurde der Stopp befohlen; der Sollwert ist jetzt 880 rpm, er war 840 rpm");
     QTest::newRow("what came after what")
         << "the speed did not come to rest at 900 rpm; then the way back: it was refused; every "
-           "motor is being stopped; the set-point is 900 rpm now, it was 840 rpm"
+           "motor was told to stop; the set-point is 900 rpm now, it was 840 rpm"
         << QStringLiteral("die Drehzahl kam bei 900 rpm nicht zur Ruhe; danach: der Weg zurück: es "
-                          "wurde abgelehnt; jeder Motor wird gestoppt; der Sollwert ist "
-                          "jetzt 900 rpm, er war 840 rpm");
+                          "wurde abgelehnt; jedem Motor wurde der Stopp befohlen; der Sollwert "
+                          "ist jetzt 900 rpm, er war 840 rpm");
     QTest::newRow("the same twice")
         << "a step of it: it was refused (BAD_RAW); what was there before: it was refused"
         << QStringLiteral(
@@ -135,9 +134,21 @@ void TestLabText::theyAreGerman_data()
                "SPEED_REF zeigt bis zum nächsten Start 996 rpm, vorher waren es 1380 rpm");
     QTest::newRow("of a session") << "every motor was stopped"
                                   << "jeder Motor wurde gestoppt";
-    QTest::newRow("a number between") << "2 of 5 runs do not settle while their speed is held"
-                                      << QStringLiteral("2 von 5 Läufen regeln nicht aus, solange "
-                                                        "ihre Drehzahl gehalten wird");
+    QTest::newRow("a number between") << "2 of 5 steps do not settle while their speed is held"
+                                      << QStringLiteral("2 von 5 Sprüngen regeln nicht aus, "
+                                                        "solange ihre Drehzahl gehalten wird");
+    QTest::newRow("a list of two")
+        << "the mean rise time and overshoot are those of 3 of 4 steps"
+        << QStringLiteral("Mittel aus 3 von 4 Sprüngen: Anstiegszeit und "
+                          "Überschwingen");
+    QTest::newRow("a list of three")
+        << "the mean rise time, overshoot and settling time are those of 1 of 2 steps"
+        << QStringLiteral(
+               "Mittel aus 1 von 2 Sprüngen: Anstiegszeit, Überschwingen und Ausregelzeit");
+    QTest::newRow("a list of four")
+        << "the mean rise time, overshoot, settling time and peak current are those of 1 of 2 steps"
+        << QStringLiteral("Mittel aus 1 von 2 Sprüngen: Anstiegszeit, Überschwingen, Ausregelzeit "
+                          "und Spitzenstrom");
     QTest::newRow("words that are not known")
         << "it was refused (BAD_RAW)" << QStringLiteral("es wurde abgelehnt (BAD_RAW)");
 }

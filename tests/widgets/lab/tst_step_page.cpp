@@ -32,8 +32,8 @@ constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
 struct Bench : support::LabWindow {
     int actions = 0; ///< of the user, since the test set it to 0
 
-    explicit Bench(const char *motor = "servo24")
-        : LabWindow(motor)
+    explicit Bench(const char *motor = "servo24", const QSize &size = {1280, 720})
+        : LabWindow(motor, size)
     {
         open(Qt::Key_T, Qt::ControlModifier);
     }
@@ -176,6 +176,22 @@ private Q_SLOTS:
         QVERIFY(bench.said().startsWith(interrupted.left(interrupted.indexOf(QLatin1Char('\n')))));
         QVERIFY(bench.run()->toolTip().contains(QLatin1String("Arm first.")));
         QCOMPARE(bench.rig.window.size(), QSize(1280, 720));
+    }
+
+    /// In 720 less the title of a window: the sentence takes its room from the page, and the picture keeps its axis.
+    void thePictureIsWholeAboveALongSentence()
+    {
+        Bench bench("servo24", {1280, 702});
+        QVERIFY(bench.connectBoard());
+        auto *sentence = bench.find<widgets::SteadyLabel>("stepSentence");
+        auto *bar = static_cast<widgets::ExperimentBar *>(sentence->parentWidget());
+        const int beside = bar->height();
+        bar->tell(QStringLiteral("word ").repeated(70));
+        QTRY_VERIFY(bar->height() > beside); // it stands below the buttons
+        const auto *picture =
+            bench.rig.window.findChild<widgets::StepOverlay *>()->findChild<QCustomPlot *>();
+        QTRY_VERIFY2(support::isWhole(*picture), qPrintable(QString::number(picture->height())));
+        QCOMPARE(bench.rig.window.size(), QSize(1280, 702));
     }
 
     /// A register that goes on showing another value is named, and takes nothing from what was restored.
@@ -382,6 +398,7 @@ private Q_SLOTS:
         const auto notches = [&](int count) {
             wanted = std::llround(double(wanted) * std::pow(1.05, count));
         };
+        bench.kp()->selectAll();
         for (int i = 0; i < 4; ++i) { // the board is slower than these
             QTest::keyClick(bench.kp(), Qt::Key_Up);
             notches(1);
@@ -391,6 +408,8 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.held("SPEED_KP"), wanted);
         QTRY_VERIFY(bench.kp()->settled());
         QCOMPARE(bench.kp()->text(), QString::number(wanted));
+        // What is typed next takes its place.
+        QCOMPARE(bench.kp()->selectedText(), QString::number(wanted));
 
         bench.kp()->selectAll(); // typed, it is written with Enter alone
         QToolTip::showText({}, QStringLiteral("of something else"), &bench.rig.window);

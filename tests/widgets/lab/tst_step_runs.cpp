@@ -1,8 +1,11 @@
-// The table of series: numbers with units, the difference to the chosen one, and which of them stay.
+// The table of series: numbers with units, the difference to the chosen one, and which of them stay; and the picture
+// beside it, where samples are missing.
 #include "widgets/lab/run_mark.h"
+#include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
 
 #include <QAbstractItemModelTester>
+#include <QLabel>
 #include <QSet>
 #include <QTest>
 
@@ -29,6 +32,85 @@ StepResult result(double rise_s, std::optional<double> half_s = {})
             one.series.runs.push_back(run);
         }
     return one;
+}
+
+/// A step to 1500 rpm at 1.0 s and one back to 1000 at 1.5 s, each asked for 10 ms before and held for 0.5 s.
+struct RecordedSteps {
+    static constexpr double kTick_hz = 16000.0, kAmpsPerRpm = 2e-3;
+    widgets::Experiments::Run run;
+
+    /// @param gap  ticks from it on are lost, up to the other
+    RecordedSteps(capture::Tick gap, capture::Tick gapEnd)
+    {
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = kTick_hz;
+        layout.fast = {{1, "I_Q_REF", "A", 1e-3}, {2, "ENCODER_SPEED", "rpm", 6.0},
+            {3, "ENCODER_EL_ANGLE", "deg", 360.0 / 65536.0}};
+        run.capture.begin(layout);
+        double turns = 0.0;
+        constexpr capture::Tick kEnd = 32000;
+        append(0, gap, 0, turns);
+        for (capture::Tick tick = gap; tick < gapEnd; ++tick)
+            turns += speed(tick) / 60.0 / kTick_hz;
+        append(gapEnd, kEnd, gapEnd - gap, turns);
+
+        add(0.5, "step plan",
+            {{"motor", "1"}, {"pole pairs", "5"}, {"reference", "I_Q_REF"},
+                {"speed", "ENCODER_SPEED"}, {"angle", "ENCODER_EL_ANGLE"}, {"from rpm", "1000"},
+                {"to rpm", "1500"}, {"repeat", "1"}, {"hold ms", "500"},
+                {"jump A per rpm", "0.002"}});
+        add(0.99, "speed ramp", {{"motor", "1"}, {"rpm", "1500"}, {"ms", "0"}});
+        add(1.49, "speed ramp", {{"motor", "1"}, {"rpm", "1000"}, {"ms", "0"}});
+        add(1.99, lab::kEndEntry, {{"outcome", "complete"}});
+    }
+
+private:
+    static double wanted(capture::Tick tick)
+    {
+        return tick >= 16000 && tick < 24000 ? 1500.0 : 1000.0;
+    }
+    static double speed(capture::Tick tick)
+    {
+        constexpr double kPerSecond = 40.0;
+        const auto left = [tick](double from) {
+            return std::exp(-kPerSecond * (double(tick) / kTick_hz - from));
+        };
+        return tick < 16000 ? 1000.0
+            : tick < 24000  ? 1500.0 - 500.0 * left(1.0)
+                            : 1000.0 + 500.0 * left(1.5);
+    }
+    void add(
+        double seconds, const char *name, std::vector<std::pair<std::string, std::string>> fields)
+    {
+        run.happenings.emplace_back(
+            capture::toNanos(seconds), recorded::Happening{name, std::move(fields)});
+    }
+    void append(capture::Tick from, capture::Tick to, capture::Tick lost, double &turns)
+    {
+        std::vector<std::int16_t> columns[3];
+        for (capture::Tick tick = from; tick < to; ++tick) {
+            turns += speed(tick) / 60.0 / kTick_hz;
+            const double amps = 1.0 + kAmpsPerRpm * (wanted(tick) - speed(tick));
+            columns[0].push_back(std::int16_t(std::lround(amps * 1e3)));
+            columns[1].push_back(std::int16_t(std::lround(speed(tick) / 6.0)));
+            columns[2].push_back(static_cast<std::int16_t>(
+                std::int64_t(std::floor(turns * 5.0 * 65536.0)) & 0xFFFF));
+        }
+        capture::SampleBlock block;
+        block.stream = 1;
+        block.firstTick = from;
+        block.count = static_cast<std::uint32_t>(to - from);
+        block.lostTicks = lost;
+        for (const auto &column : columns)
+            block.fast.insert(block.fast.end(), column.begin(), column.end());
+        run.capture.append(block);
+    }
+};
+
+QString wordsIn(const widgets::StepOverlay &picture)
+{
+    return picture.findChild<QLabel *>(QStringLiteral("stepOverlayWhy"))->text();
 }
 
 } // namespace
@@ -104,6 +186,47 @@ private Q_SLOTS:
         QCOMPARE(runs.results()[0].number, 1);
         QCOMPARE(runs.results()[1].number, 4);
     }
+    /// A curve ends where its numbers do, goes on behind samples that are missing, and bridges none of them.
+    void aStepIsDrawnAsFarAsItWasRecorded()
+    {
+        const RecordedSteps recorded(23888, 23936); // 1.493 to 1.496 s, behind the end of the first
+        const auto found = widgets::stepResult(recorded.run, {});
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QCOMPARE(found->series.runs.size(), 2U);
+        QVERIFY(found->series.runs[0].rise_s && !found->series.runs[1].rise_s);
+
+        QCOMPARE(found->curves.size(), 2);
+        const widgets::StepCurve &up = found->curves[0], &down = found->curves[1];
+        QVERIFY(up.up && up.gaps.isEmpty() && up.seconds.size() > 400);
+        QVERIFY2(up.seconds.last() > 0.48, qPrintable(QString::number(up.seconds.last())));
+        QVERIFY(!down.up && down.seconds.size() > 400);
+        QCOMPARE(down.gaps.size(), 1);
+        const qsizetype behind = down.gaps.first();
+        QVERIFY(behind > 10 && down.seconds[behind] - down.seconds[behind - 1] > 7e-3);
+        QVERIFY(std::is_sorted(down.seconds.begin(), down.seconds.end()));
+
+        widgets::StepOverlay picture;
+        auto *plot = picture.findChild<QCustomPlot *>();
+        picture.showSteps({*found}, true);
+        QCOMPARE(picture.curves(), 1);
+        QVERIFY2(wordsIn(picture).isEmpty(), qPrintable(wordsIn(picture)));
+        QCOMPARE(plot->graphCount(), 2); // a line and its ticks
+        picture.showSteps({*found}, false);
+        QCOMPARE(picture.curves(), 1);
+        QCOMPARE(plot->graphCount(), 3); // both pieces
+    }
+    void aStepThatCannotBeDrawnIsNoneThatWasNotMade()
+    {
+        widgets::StepOverlay picture;
+        QCOMPARE(wordsIn(picture), QStringLiteral("No step yet."));
+        StepResult result;
+        result.curves.append(widgets::StepCurve());
+        picture.showSteps({result}, true);
+        QCOMPARE(wordsIn(picture), QStringLiteral("Not drawn: samples are missing."));
+        picture.showSteps({result}, false);
+        QCOMPARE(wordsIn(picture), QStringLiteral("No step yet."));
+    }
+
     /// Users who see no colours tell them by their ticks.
     void eachOfSixtyFourLooksDifferent()
     {

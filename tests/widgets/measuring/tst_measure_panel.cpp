@@ -51,6 +51,7 @@ private Q_SLOTS:
     void whatWasClearedIsNotCounted();
     void itLeavesWhileALongOneIsMeasured();
     void theTableIsAModelAndACopy();
+    void whatHasNothingToActOnCannotBePressed();
     void everyQuantityHasAName();
 
 private:
@@ -114,6 +115,24 @@ void TestMeasurePanel::aMeasureIsChosenAndRead()
     list()->setFocus();
     QTest::keyClick(list(), Qt::Key_Delete);
     QCOMPARE(list()->model()->rowCount(), 1);
+}
+
+void TestMeasurePanel::whatHasNothingToActOnCannotBePressed()
+{
+    const auto enabled = [this] {
+        QList<bool> all;
+        for (const char *name : {"removeMeasure", "clearStatistics", "copyMeasures"})
+            all.append(m_rig->find<QWidget>(name)->isEnabled());
+        return all;
+    };
+    QCOMPARE(enabled(), (QList{false, false, false}));
+    add(facts::kCurrentA, Quantity::Max);
+    QCOMPARE(enabled(), (QList{true, true, true}));
+    list()->setCurrentIndex({});
+    QCOMPARE(enabled(), (QList{false, true, true}));
+    list()->setCurrentIndex(list()->model()->index(0, 0));
+    QTest::mouseClick(m_rig->find<QWidget>("removeMeasure"), Qt::LeftButton);
+    QCOMPARE(enabled(), (QList{false, false, false}));
 }
 
 void TestMeasurePanel::timesAreToldWithTheDigitsThatTheyHave()

@@ -1,4 +1,5 @@
 // What the register browser shows and how it is edited beyond numbers: columns, flags by name, two motors.
+#include "mcb/dictionary.h"
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 
@@ -13,11 +14,13 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTest>
 #include <QToolTip>
 #include <QTranslator>
 
 #include <bit>
+#include <set>
 
 using facts::EditBench;
 using widgets::RegisterModel;
@@ -90,6 +93,70 @@ private Q_SLOTS:
         QVERIFY2(
             QToolTip::text().startsWith(QStringLiteral("SPEED_KP")), qPrintable(QToolTip::text()));
         QToolTip::hideText();
+    }
+
+    /// Whole families begin and end alike: what is cut out must not be what tells them apart.
+    void namesOfAFamilyStayDifferentToo()
+    {
+        widgets::NameElision elision;
+        QStringList names;
+        for (const mcb::Entry &entry : mcb::dictionary())
+            names.append(QString::fromStdString(entry.name));
+        names.removeDuplicates();
+        QVERIFY(names.size() > 250);
+        elision.setNames(names);
+        const QFontMetrics metrics(QGuiApplication::font());
+        int wide = 0;
+        const auto cutTo = [&](const char *room, const QStringList &some) {
+            const int width = metrics.horizontalAdvance(QLatin1String(room));
+            QStringList texts;
+            for (const QString &name : some)
+                texts.append(elision.text(name, metrics, width));
+            for (const QString &text : std::as_const(texts))
+                wide += metrics.horizontalAdvance(text) > width ? 1 : 0;
+            return texts;
+        };
+        const QStringList setPoints =
+            names.filter(QRegularExpression(QStringLiteral("^CL_(CUR|VOL)_._SET_POINT$")));
+        QCOMPARE(setPoints.size(), 6);
+        QStringList texts = cutTo("CL_CUR_D_SET_P", setPoints);
+        QCOMPARE(texts.removeDuplicates(), 0);
+        QCOMPARE(texts.size(), 6);
+        for (const QString &text : std::as_const(texts))
+            QVERIFY2(text.contains(QChar(0x2026)), qPrintable(text));
+        texts = cutTo("CL_POS_SET_POINT_VALUE", names); // of all, but for a few
+        QVERIFY2(texts.size() == names.size() && texts.removeDuplicates() < 6,
+            qPrintable(QString::number(texts.size())));
+        QCOMPARE(cutTo("DRV_PROT_USER_UNDER_VOLT", setPoints), setPoints); // they are whole
+        QCOMPARE(wide, 0);
+    }
+
+    /// Where the names of a board are long; those of another one leave the numbers their place.
+    void namesAreReadBeforeRawNumbers()
+    {
+        EditBench bench;
+        const auto *tree = bench.panel.findChild<QTreeView *>();
+        bench.panel.resize(300, 500);
+        bench.panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        const auto hasRaw = [tree] { return !tree->isColumnHidden(RegisterModel::RawColumn); };
+        QTRY_VERIFY(hasRaw());
+        std::vector<catalog::RegisterInfo> registers;
+        std::set<std::string> names;
+        for (const mcb::Entry &entry : mcb::dictionary())
+            if (names.insert(entry.name).second)
+                registers.push_back(facts::makeRegister(entry.address, entry.name, "Set-points"));
+        const auto before = bench.model.catalog();
+        bench.model.setCatalog(std::make_shared<const catalog::Catalog>(
+                                   std::move(registers), 1, std::vector<catalog::Scales>{{}}),
+            1);
+        QVERIFY(!hasRaw());
+        bench.panel.resize(460, 500);
+        QTRY_VERIFY(hasRaw());
+        bench.panel.resize(300, 500);
+        QTRY_VERIFY(!hasRaw());
+        bench.model.setCatalog(before, 1);
+        QVERIFY(hasRaw());
     }
 
     void aNumberIsShownAsDigitsAndInHexadecimal()

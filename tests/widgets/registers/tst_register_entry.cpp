@@ -50,6 +50,26 @@ class TestRegisterEntry : public QObject {
 private Q_SLOTS:
     void init() { QLocale::setDefault(QLocale::c()); }
 
+    void aStepTakesNoSelectionAway()
+    {
+        catalog::RegisterInfo info;
+        info.type = catalog::ValueType::S16;
+        info.access = catalog::Access::ReadWrite;
+        QWidget window;
+        widgets::EntryEdit edit(
+            [&info] {
+                return widgets::EntryRules{&info, {}, {-1000.0, 1000.0}};
+            },
+            widgets::EntryEdit::As::Shown, &window);
+        edit.setText(QStringLiteral("150"));
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClick(&edit, Qt::Key_Up);
+        QCOMPARE(edit.selectedText(), QStringLiteral("151"));
+        QTest::keyClicks(&edit, QStringLiteral("26"));
+        QCOMPARE(edit.text(), QStringLiteral("26"));
+    }
+
     void textIsReadTheSameInEveryLocale_data()
     {
         QTest::addColumn<QString>("name");

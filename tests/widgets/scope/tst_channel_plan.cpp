@@ -147,6 +147,31 @@ private Q_SLOTS:
         QCOMPARE(plan.bytesPerSecond, 0.0);
     }
 
+    /// As in an exchange with a servo drive: whatever is streamed, each period has its header and its CRC.
+    void framesOfTheirOwnAreCountedWhole()
+    {
+        auto registers = board(15).registers();
+        for (catalog::RegisterInfo &one : registers)
+            one.type = catalog::ValueType::F32;
+        registers.front().type = catalog::ValueType::U16;
+        const catalog::Catalog known(std::move(registers), 1, {});
+        drive::StreamLimits limits{1000.0, 15, 76, 76000.0};
+        limits.frameOverhead = 12;
+        const auto plan = widgets::planChannels(want(4), known, limits, 1);
+        QCOMPARE(plan.bytesPerSecond, 1000.0 * (12 + 2 + 3 * 4));
+        QCOMPARE(plan.share, 26.0 / 76.0);
+        QCOMPARE(plan.packetSeconds, 0.001);
+        QCOMPARE(plan.fitAtFullRate, 15U);
+        QCOMPARE(widgets::planChannels(want(4), known, limits, 4).bytesPerSecond, 6500.0);
+        auto slow = want(4);
+        slow[3].route = Route::Slow; // goes along in each of them
+        QCOMPARE(widgets::planChannels(slow, known, limits, 1).bytesPerSecond, 26000.0);
+        // Nearly all of the link: requests travel in the same frames.
+        const auto full = widgets::planChannels(want(15), known, limits, 1);
+        QCOMPARE(full.bytesPerSecond, 70000.0);
+        QVERIFY(!full.rateLowered && full.polled.empty());
+    }
+
     void nothingWantedIsAnEmptyStream()
     {
         const auto plan = widgets::planChannels({}, board(12), limits(1843200.0), 1);

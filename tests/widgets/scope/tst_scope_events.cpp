@@ -482,7 +482,19 @@ void TestScopeEvents::theListShowsMarkersOnlyAndCopies()
     log().add(EventKind::Marker, 51.5, QStringLiteral("there"));
     QTreeView *list = openList();
     QVERIFY(list->model()->rowCount() > 2);
+    const auto *remove = m_rig->find<QWidget>("deleteMarker");
+    for (int row = 0; row < list->model()->rowCount(); ++row) {
+        const QModelIndex event = list->model()->index(row, 0);
+        list->setCurrentIndex(event);
+        QCOMPARE(
+            remove->isEnabled(), event.data(EventLog::KindRole).toInt() == int(EventKind::Marker));
+    }
     m_rig->find<QCheckBox>("onlyMarkers")->setChecked(true);
+    QVERIFY(!remove->isEnabled()); // none is chosen any more
+    list->setCurrentIndex(list->model()->index(0, 0));
+    QVERIFY(remove->isEnabled());
+    list->clearSelection();
+    QVERIFY(!remove->isEnabled());
     QCOMPARE(list->model()->rowCount(), 2);
     QTest::mouseClick(m_rig->find<QWidget>("copyEvents"), Qt::LeftButton);
     QCOMPARE(QApplication::clipboard()->text(),

@@ -46,6 +46,7 @@ private Q_SLOTS:
     void thePositionIsDragged();
     void fieldsAppearWhereTheyMatter();
     void aLevelIsTypedStrictly();
+    void aLevelThatMovesTakesNoSelectionAway();
     void digitsAreTypedWithEitherOfTheirNames();
     void valuesThatMakeNoSenseAreSaid();
     void everyTypeIsSearchedFor();
@@ -288,6 +289,20 @@ void TestTriggerBar::aLevelIsTypedStrictly()
     QVERIFY(!holdOff->understood());
 }
 
+void TestTriggerBar::aLevelThatMovesTakesNoSelectionAway()
+{
+    QWidget window;
+    widgets::ValueEdit edit(&window);
+    edit.setPlain(QStringLiteral("A"), 0.1);
+    edit.setValue(5.0);
+    edit.setFocus();
+    edit.selectAll();
+    edit.setValue(7.0);
+    QCOMPARE(edit.selectedText(), edit.text());
+    QTest::keyClicks(&edit, QStringLiteral("3"));
+    QCOMPARE(edit.text(), QStringLiteral("3"));
+}
+
 void TestTriggerBar::digitsAreTypedWithEitherOfTheirNames()
 {
     widgets::ValueEdit edit;
@@ -490,11 +505,14 @@ void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
     QTest::keyClick(&view(), Qt::Key_PageDown); // there is no later one
     QCOMPARE(control().shown()->id, records.back().id);
 
+    const auto *show = m_rig->find<QPushButton>("showRecord");
+    QVERIFY(!show->isEnabled()); // none is chosen
     QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
     auto *list = m_rig->find<QTreeView>("recordList");
     QVERIFY(list->isVisible());
     QCOMPARE(list->model()->rowCount(), int(records.size()));
     list->setCurrentIndex(list->model()->index(3, 0));
+    QVERIFY(show->isEnabled());
     QTest::keyClick(list, Qt::Key_Return);
     const scope::RecordId third = records[records.size() - 4].id;
     QCOMPARE(control().shown()->id, third);

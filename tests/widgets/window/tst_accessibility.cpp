@@ -23,11 +23,27 @@
 #include <QMenuBar>
 #include <QScrollArea>
 #include <QSet>
+#include <QShortcut>
 #include <QTabBar>
 #include <QTranslator>
 
 #include <algorithm>
 #include <cmath>
+
+namespace {
+
+/// Of Qt's own German texts what names of keys need: they may not be installed.
+class GermanKeys : public QTranslator {
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char *context, const char *source, const char *, int) const override
+    {
+        const bool ctrl = qstrcmp(context, "QShortcut") == 0 && qstrcmp(source, "Ctrl") == 0;
+        return ctrl ? QStringLiteral("Strg") : QString();
+    }
+};
+
+} // namespace
 
 class TestAccessibility : public QObject {
     Q_OBJECT
@@ -52,7 +68,7 @@ private Q_SLOTS:
     void everythingThatTakesTheFocusHasAName()
     {
         widgets::showAbout(&m_rig->window);
-        widgets::showKeys(&m_rig->window);
+        widgets::showKeys(m_rig->window);
         m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<widgets::StopAlarm>("stopAlarm")->raiseAlarm(1);
         int checked = 0;
@@ -183,6 +199,47 @@ private Q_SLOTS:
                     keys.append(key);
                 }
         }
+    }
+
+    void theKeysPageHasTheKeyOfEveryAction_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << QString();
+        QTest::newRow("German") << QStringLiteral("de");
+    }
+    /// As the menus name it, and with what they call it.
+    void theKeysPageHasTheKeyOfEveryAction()
+    {
+        QFETCH(QString, language);
+        GermanKeys ofQt;
+        QTranslator translator;
+        if (!language.isEmpty()) {
+            QVERIFY(translator.load(QStringLiteral(":/i18n/rotorscope_") + language));
+            QCoreApplication::installTranslator(&ofQt);
+            QCoreApplication::installTranslator(&translator);
+            cleanup();
+            init();
+        }
+        widgets::showKeys(m_rig->window);
+        QStringList words;
+        for (const QLabel *label : m_rig->find<QWidget>("keys")->findChildren<QLabel *>())
+            words.append(label->text());
+        const QStringList keys = words.join(QStringLiteral(", ")).split(QStringLiteral(", "));
+        int compared = 0;
+        for (const QAction *action : m_rig->window.findChildren<QAction *>())
+            for (const QKeySequence &key : action->shortcuts()) {
+                const QString name = key.toString(QKeySequence::NativeText);
+                const QString text = action->text().remove(QLatin1Char('&'));
+                QVERIFY2(keys.contains(name), qPrintable(name + QLatin1Char(' ') + text));
+                QVERIFY2(words.contains(text) || action->objectName() == QLatin1String("scopeRun"),
+                    qPrintable(text));
+                ++compared;
+            }
+        QVERIFY2(compared > 55, qPrintable(QString::number(compared)));
+        QVERIFY(m_rig->window.findChildren<QShortcut *>().isEmpty()); // which no page would list
+        QVERIFY(keys.contains(QStringLiteral("Esc")));
+        QVERIFY(keys.contains(
+            language.isEmpty() ? QStringLiteral("Ctrl+K") : QStringLiteral("Strg+K")));
     }
 
     void noLetterBelongsToAMenuAndAPageOrToTwoOfAPage_data()

@@ -57,6 +57,25 @@ private Q_SLOTS:
         QVERIFY(next.find<QComboBox>("port")->findData(QStringLiteral("/a/board")) >= 0);
     }
 
+    /// A simulated board of the older protocol has its own; what was chosen comes back, and is what is kept.
+    void theSpeedInUseIsShownWhileItIs()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        auto *connect = m_rig->find<QPushButton>("connect");
+        QTest::mouseClick(connect, Qt::LeftButton); // no longer wanted
+        widgets::ConnectBar &bar = *m_rig->window.connectBar();
+        bar.setEndpoint(QStringLiteral("sim:legacy"), 921600);
+        const auto *baud = m_rig->find<QComboBox>("baud");
+        QTest::mouseClick(connect, Qt::LeftButton);
+        QCOMPARE(baud->currentText(), QStringLiteral("115200"));
+        QCOMPARE(device().endpoint().baud, 115200U);
+        bar.refreshPorts();
+        QCOMPARE(baud->currentText(), QStringLiteral("115200"));
+        QCOMPARE(m_rig->window.settings().baud, 921600U);
+        QTest::mouseClick(connect, Qt::LeftButton);
+        QCOMPARE(baud->currentText(), QStringLiteral("921600"));
+    }
+
     void whereTheScreenHasNoRoomForItItTakesAllThereIs_data()
     {
         QTest::addColumn<QSize>("screen");

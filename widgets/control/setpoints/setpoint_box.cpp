@@ -354,7 +354,7 @@ void SetpointBox::forget()
 {
     m_takeReference = false;
     for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id})
-        edit->setValue(0.0);
+        edit->beginAnew();
     m_position->clear(); // zero would be a place to go to
 }
 

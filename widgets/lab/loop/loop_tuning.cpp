@@ -186,11 +186,9 @@ ExperimentBar::Run LoopTuning::responseRun(
         return [=, this]() -> QStringList {
             if (board != m_boards)
                 return {}; // the board is gone, and what is known of it
-            m_proof.reset();
-            if (!response) {
-                Q_EMIT changed();
+            if (!response) // what was measured stays until something replaces it
                 return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
-            }
+            m_proof.reset();
             if (toProve)
                 m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
             if (!toProve || lab::missed(m_proof->kept)) {

@@ -202,7 +202,13 @@ void ResponsePage::connectParts()
     connect(m_back, &QPushButton::clicked, this, [this] { m_parts.tuning.back(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
         &ResponsePage::chosen);
-    connect(m_bar, &ExperimentBar::ended, this, [this](int which) {
+    connect(m_bar, &ExperimentBar::ended, this, [this](int which, bool complete) {
+        constexpr std::array kRowOf{"measured", "current", "proof"}; // in the order of the buttons
+        // Once the sentence below the page has got its room, which was the table's.
+        QTimer::singleShot(0, this, [this, complete, key = kRowOf[std::size_t(which)]] {
+            if (const int row = m_rows.rowOf(key); complete && row >= 0)
+                m_table->scrollTo(m_rows.index(row, 0));
+        });
         constexpr int kCurrentRun = 1;
         const bool current = which == kCurrentRun;
         if (current != (m_picture->currentIndex() >= CurrentLoop))

@@ -46,6 +46,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     , m_markers(new MarkerFilter(this))
     , m_list(new RowList("eventList", tr("Events and markers"), &scope.events(), this))
     , m_onlyMarkers(named(new QCheckBox(tr("Markers on&ly"), this), "onlyMarkers"))
+    , m_remove(nullptr)
 {
     setObjectName(QStringLiteral("eventPanel"));
     // Its columns stay when the list is full.
@@ -59,12 +60,12 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     m_list->installEventFilter(this);
 
     auto *add = named(new QPushButton(tr("Set a mar&ker"), this), "addMarker");
-    auto *remove = named(new QPushButton(tr("Delete m&arkers"), this), "deleteMarker");
+    m_remove = named(new QPushButton(tr("Delete m&arkers"), this), "deleteMarker");
     auto *copyIt = named(new QPushButton(tr("&Copy"), this), "copyEvents");
     auto *side = new QVBoxLayout;
     side->addWidget(m_onlyMarkers);
     side->addWidget(add);
-    side->addWidget(remove);
+    side->addWidget(m_remove);
     side->addWidget(copyIt);
     side->addStretch(1);
     auto *layout = new QHBoxLayout(this);
@@ -73,7 +74,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
 
     connect(m_onlyMarkers, &QCheckBox::toggled, this, &EventPanel::showKinds);
     connect(add, &QPushButton::clicked, &scope, [&scope] { scope.cursorActions().setMarker(); });
-    connect(remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
+    connect(m_remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
     connect(copyIt, &QPushButton::clicked, this, &EventPanel::copyChosen);
     connect(m_list, &QTreeView::doubleClicked, this, &EventPanel::jump);
     // Like a log: what is new is seen as long as the end is in view.
@@ -88,6 +89,28 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
         gather();
     });
     connect(&scope.events(), &QAbstractItemModel::modelReset, this, &EventPanel::follow);
+    // Once the list knows it, too.
+    connect(&scope.events(), &QAbstractItemModel::modelReset, this, &EventPanel::enableRemove,
+        Qt::QueuedConnection);
+    watchSelection();
+}
+
+void EventPanel::watchSelection()
+{
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+        &EventPanel::enableRemove);
+    enableRemove();
+}
+
+/// While a marker is among the chosen rows.
+void EventPanel::enableRemove()
+{
+    bool any = false;
+    for (const QItemSelectionRange &range : m_list->selectionModel()->selection())
+        for (int row = range.top(); row <= range.bottom() && !any; ++row)
+            any = range.model()->index(row, 0).data(EventLog::KindRole).toInt()
+                == static_cast<int>(EventKind::Marker);
+    m_remove->setEnabled(any);
 }
 
 /// All, or markers only. What filters looks at every row for each that comes, so it stands between for markers only.
@@ -100,6 +123,7 @@ void EventPanel::showKinds(bool onlyMarkers)
     else
         m_list->setModel(&m_scope.events());
     delete before; // which a view leaves behind
+    watchSelection();
 }
 
 /// Once for all that come together: to know where the end is, a list looks at all of its rows.

@@ -6,6 +6,7 @@
 #include <QTimer>
 
 class QCheckBox;
+class QPushButton;
 class QSortFilterProxyModel;
 class QTreeView;
 
@@ -29,6 +30,8 @@ protected:
 
 private:
     void showKinds(bool onlyMarkers);
+    void watchSelection();
+    void enableRemove();
     void follow();
     void gather();
     void scrollToEnd();
@@ -41,6 +44,7 @@ private:
     QSortFilterProxyModel *m_markers;
     QTreeView *m_list;
     QCheckBox *m_onlyMarkers;
+    QPushButton *m_remove;
     QTimer m_scroll;
     QTimer m_paint; ///< until then the list is not painted
     bool m_behind = false; ///< its end is to be shown when it is seen

@@ -9,31 +9,46 @@ namespace {
 constexpr double kPacketOverhead = 10.0; // header, time stamp, mark
 constexpr double kPacketsPerSecondAtLeast = 84.0; // a packet holds at most 12 ms
 constexpr unsigned kSlowestFast = 256;
-constexpr double kFastBytes = 2.0;
+constexpr double kFastBytes = 2.0, kWidestBytes = 4.0;
 
 bool streamable(const catalog::RegisterInfo *info)
 {
     return info && info->streaming != catalog::Streaming::Polled;
 }
 
-/// Packets a second for so many bytes of samples: as large as allowed, but never older than a packet may get.
-double packetsPerSecond(double bytes, const drive::StreamLimits &limits)
+bool inFrames(const drive::StreamLimits &limits) { return limits.frameOverhead > 0; }
+
+/// Packets a second for so many bytes of samples: as large as allowed, but never older than a packet may get. Or a
+/// frame every period.
+double packetsPerSecond(double bytes, unsigned fastEvery, const drive::StreamLimits &limits)
 {
+    if (inFrames(limits))
+        return limits.tickHz / std::max(1U, fastEvery);
     const double room = std::max(32.0, static_cast<double>(limits.maxPacket) - kPacketOverhead);
     return std::max(bytes / room, kPacketsPerSecondAtLeast);
+}
+
+double framed(double bytes, unsigned fastEvery, const drive::StreamLimits &limits)
+{
+    const double around =
+        inFrames(limits) ? static_cast<double>(limits.frameOverhead) : kPacketOverhead;
+    return bytes + around * packetsPerSecond(bytes, fastEvery, limits);
+}
+
+/// Of the link, for the stream. Where requests travel in its frames nothing has to be left for them.
+double budgetOf(const drive::StreamLimits &limits)
+{
+    return limits.linkBytesPerSecond * (inFrames(limits) ? 1.0 : kStreamShare);
 }
 
 /// How many fast signals fit beside nothing else, at every control period.
 unsigned fullRateSignals(const drive::StreamLimits &limits)
 {
-    const double budget = limits.linkBytesPerSecond * kStreamShare;
+    const double each = inFrames(limits) ? kWidestBytes : kFastBytes;
     unsigned fit = 0;
-    while (fit < limits.maxSignals) {
-        const double bytes = kFastBytes * (fit + 1) * limits.tickHz;
-        if (bytes + kPacketOverhead * packetsPerSecond(bytes, limits) > budget)
-            break;
+    while (fit < limits.maxSignals
+        && framed(each * (fit + 1) * limits.tickHz, 1, limits) <= budgetOf(limits))
         ++fit;
-    }
     return fit;
 }
 
@@ -42,12 +57,16 @@ double sampleBytesPerSecond(
     const drive::Stream &stream, const catalog::Catalog &catalog, const drive::StreamLimits &limits)
 {
     const double blockHz = limits.tickHz / std::max(1U, stream.fastEvery);
-    double bytes = kFastBytes * static_cast<double>(stream.fast.size()) * blockHz;
-    for (const catalog::RegisterId id : stream.slow) {
+    const auto widthOf = [&catalog](catalog::RegisterId id) {
         const catalog::RegisterInfo *info = catalog.find(id);
-        const auto width = info ? static_cast<double>(catalog::widthOf(info->type)) : 4.0;
-        bytes += width * blockHz / std::max(1U, stream.slowEvery);
-    }
+        return info ? static_cast<double>(catalog::widthOf(info->type)) : kWidestBytes;
+    };
+    const unsigned slowEvery = inFrames(limits) ? 1 : std::max(1U, stream.slowEvery);
+    double bytes = 0.0;
+    for (const catalog::RegisterId id : stream.fast)
+        bytes += blockHz * (inFrames(limits) ? widthOf(id) : kFastBytes);
+    for (const catalog::RegisterId id : stream.slow)
+        bytes += blockHz * widthOf(id) / slowEvery;
     return bytes;
 }
 
@@ -58,8 +77,7 @@ double streamBytesPerSecond(
 {
     if (stream.fast.empty() && stream.slow.empty())
         return 0.0;
-    const double bytes = sampleBytesPerSecond(stream, catalog, limits);
-    return bytes + kPacketOverhead * packetsPerSecond(bytes, limits);
+    return framed(sampleBytesPerSecond(stream, catalog, limits), stream.fastEvery, limits);
 }
 
 ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Catalog &catalog,
@@ -84,7 +102,7 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
         plan.signalList.push_back(planned);
     }
 
-    const double budget = limits.linkBytesPerSecond * kStreamShare;
+    const double budget = budgetOf(limits);
     const auto need = [&] { return streamBytesPerSecond(plan.stream, catalog, limits); };
     plan.stream.fastEvery = std::clamp(fastEvery, 1U, kSlowestFast);
     plan.fullRateBytes = need();
@@ -109,7 +127,7 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
     plan.bytesPerSecond = need();
     if (plan.bytesPerSecond > 0.0) {
         const double bytes = sampleBytesPerSecond(plan.stream, catalog, limits);
-        plan.packetSeconds = 1.0 / packetsPerSecond(bytes, limits);
+        plan.packetSeconds = 1.0 / packetsPerSecond(bytes, plan.stream.fastEvery, limits);
     }
     plan.fastHz = plan.stream.fast.empty() ? 0.0 : limits.tickHz / plan.stream.fastEvery;
     return plan;

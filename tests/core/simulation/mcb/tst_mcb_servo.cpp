@@ -21,6 +21,7 @@ private Q_SLOTS:
     void theStateMachineIsWalked();
     void enablingNeedsEveryStep();
     void theVelocityIsFollowed();
+    void aRampBeginsAtStandstill();
     void theCurrentIsFollowed();
     void thePositionIsReached();
     void aModeThatItHasNotIsRefused();
@@ -120,6 +121,7 @@ void TestMcbServo::itWakesUpDisabled()
     QCOMPARE(bench.word(0x015), std::uint16_t{3});
     QVERIFY(std::abs(bench.real(0x060) - 24.0) < 1.0);
     QCOMPARE(bench.real(0x031), 0.0);
+    QCOMPARE(bench.real(0x079), 0.0); // its loop is not asked for a speed
 }
 
 void TestMcbServo::theStateMachineIsWalked()
@@ -163,6 +165,24 @@ void TestMcbServo::theVelocityIsFollowed()
     QCOMPARE(bench.word(0x011) & 0x6F, 0x21);
     bench.run(3s);
     QVERIFY(std::abs(bench.real(0x031)) < 0.2);
+}
+
+/// Also to the speed that the firmware has from its start.
+void TestMcbServo::aRampBeginsAtStandstill()
+{
+    Bench bench;
+    const auto nominal =
+        static_cast<float>(bench.board->servo().axis().firmware.speedReference_rpm() / 60.0);
+    QVERIFY(nominal > 10.0F);
+    bench.put(0x014, std::uint16_t{19});
+    bench.put(0x021, nominal);
+    bench.put(0x026, nominal); // in a second
+    QVERIFY(bench.enable());
+    bench.run(300ms);
+    QVERIFY2(
+        bench.real(0x079) < 0.5 * double{nominal}, qPrintable(QString::number(bench.real(0x079))));
+    bench.run(1s);
+    QVERIFY(std::abs(bench.real(0x031) - double{nominal}) < 1.0);
 }
 
 void TestMcbServo::theCurrentIsFollowed()
