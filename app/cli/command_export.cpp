@@ -17,12 +17,9 @@ namespace {
 constexpr char kRegistersEnding[] = ".json"; ///< beside those of the signals
 
 struct Source {
-    std::unique_ptr<OpenedRecording> recording;
-    std::unique_ptr<ImportedCsv> csv;
-    const capture::Capture &capture() const
-    {
-        return recording ? recording->capture : csv->capture;
-    }
+    std::unique_ptr<OpenedRecording> recording; ///< else it is a CSV file
+    ImportedCsv csv;
+    const capture::Capture &capture() const { return recording ? recording->capture : csv.capture; }
 };
 
 bool endsWith(const QString &path, const char *ending)
@@ -37,7 +34,7 @@ Outcome<Source> openSource(const QString &path)
         auto csv = importCsv(path);
         if (!csv)
             return tl::make_unexpected(csv.error());
-        source.csv = std::move(*csv);
+        source.csv = std::move(**csv);
         return source;
     }
     auto recording = openRecording(path);
@@ -154,7 +151,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
         return tl::make_unexpected(written.error());
     if (written->file.error != session::FileError::None)
         return failure(kFileError, sentenceOf(written->file, wanted.file));
-    const QString lack = source->recording ? lackText(*source->recording) : lackText(*source->csv);
+    const QString lack = source->recording ? lackText(*source->recording) : lackText(source->csv);
     if (out.json())
         out.line(QJsonObject{{QStringLiteral("file"), wanted.file},
             {QStringLiteral("rows"), static_cast<qint64>(written->rows)},

@@ -42,7 +42,7 @@ private:
     void raiseWith(const QString &text);
     using Words = std::map<int, drive::StopWord>;
     void fitHeadline();
-    void showText(const QString &detail);
+    void showText(const QString &text);
     void place();
     bool stand(const Words &motors) const;
     QString detail() const { return detail(m_motors); }
