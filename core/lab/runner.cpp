@@ -577,8 +577,11 @@ void Runner::giveBack(TimePoint now)
 /// Firmware keeps the speed reference of before the torque, and a ramp begins there: so first to the speed that it has.
 void Runner::catchSpeed(TimePoint now)
 {
+    const auto has = m_envelope.rpm();
+    if (!has) // a step to the old speed would be worse
+        return ramp(static_cast<int>(std::lround(m_before_rpm)), wayTo(m_before_rpm), now);
     const double allowed = allowedRpm(m_experiment);
-    const double rpm = std::clamp(m_envelope.rpm().value_or(m_before_rpm), -allowed, allowed);
+    const double rpm = std::clamp(*has, -allowed, allowed);
     ramp(static_cast<int>(std::lround(rpm)), milliseconds(0), now);
 }
 
