@@ -27,6 +27,8 @@ ROWS = {
 NEVER = {('core/lab', 'core/simulation')}  # what measures a motor must not know the one that is simulated
 QT = {'core/session'}  # of core
 NO_NAMESPACE = {'base'}  # of core: its names are for all
+# Rooms named after a protocol in another folder: `fcp/protocol.h` would be their file and core/fcp's.
+TWINS = {'core/drive', 'core/simulation'}
 MOST_FILES = 50  # in one folder, its own folders not counted
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.M)
@@ -109,6 +111,9 @@ def main():
     source = [path for path in files if path.parts[0] != 'tests']
     found = [line for path in source if path.parts[0] != 'app' for line in includes(path)]
     found += [line for path in source for line in namespaces(path)]
+
+    found += [f'{path}: its name repeats the folder' for path in source
+              if path.name.startswith(f'{path.parent.name}_') and str(path.parent.parent) not in TWINS]
 
     counts = {}
     for path in files:

@@ -12,7 +12,7 @@
 #include "session/files/motion_log_file.h"
 #include "session/link/session.h"
 #include "session/recording/lent_note.h"
-#include "session/recording/recording_tap.h"
+#include "session/recording/tap.h"
 
 #include <functional>
 #include <map>

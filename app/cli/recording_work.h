@@ -2,8 +2,8 @@
 #pragma once
 
 #include "conversation.h"
+#include "session/recording/reader.h"
 #include "session/recording/recording.h"
-#include "session/recording/recording_reader.h"
 #include "snapshots/snapshot.h"
 
 namespace cli {

@@ -1,6 +1,6 @@
 #include "sentences.h"
 
-#include "session/link/link_problems.h"
+#include "session/link/problems.h"
 
 namespace cli {
 

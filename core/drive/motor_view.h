@@ -5,7 +5,7 @@
 
 #include "drive/event.h"
 #include "motor/gain_plan.h"
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 
 #include <functional>
 #include <optional>

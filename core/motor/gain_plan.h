@@ -3,8 +3,8 @@
 // command line take such numbers from. Pure functions; nothing is sent.
 #pragma once
 
+#include "motor/constants.h"
 #include "motor/fixed_point.h"
-#include "motor/motor_constants.h"
 #include "motor/speed_loop.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "motor/rev_up.h"
 
-#include "motor/motor_constants.h"
+#include "motor/constants.h"
 #include "motor/ramp.h"
 
 #include <algorithm>

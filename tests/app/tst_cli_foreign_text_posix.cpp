@@ -1,7 +1,7 @@
 // Words of boards, files and other programs as the programs print them: a terminal is given no control character of
 // them, JSON stays JSON, and what a file makes of memory is bounded and told.
 #include "recorded/entry.h"
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "support/places.h"
 #include "support/programs/programs_posix.h"
 

@@ -2,7 +2,7 @@
 // simulated board.
 #include "session/files/finding_json.h"
 #include "session/files/snapshot_json.h"
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "support/lab_bench.h"
 #include "support/places.h"
 #include "support/programs/cli_run.h"

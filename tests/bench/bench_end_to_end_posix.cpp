@@ -4,8 +4,8 @@
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 
 #include <qcustomplot.h>
 

@@ -3,8 +3,8 @@
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "widgets/measuring/math_channels.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/ghosts.h"
+#include "widgets/scope/view.h"
 
 #include <qcustomplot.h>
 

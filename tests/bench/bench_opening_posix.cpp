@@ -2,9 +2,9 @@
 // the picture. The real window. A file of 1e9 samples; ROTORSCOPE_BENCH_SAMPLES=1e10 for a larger one, by hand.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QElapsedTimer>
 #include <QFile>

@@ -3,8 +3,8 @@
 #include "bench/paired.h"
 #include "recorded/decoder.h"
 #include "recorded/restore.h"
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/file.h"
+#include "session/recording/reader.h"
 
 #include <QFile>
 #include <QTemporaryDir>

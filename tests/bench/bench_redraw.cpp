@@ -3,7 +3,7 @@
 // frames are in bench_frames.cpp.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <qcustomplot.h>
 

@@ -2,7 +2,7 @@
 // is drawn anew. Against QCPGraph with the same samples and window, and against our own short window.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <qcustomplot.h>
 

@@ -99,7 +99,7 @@ DEFECTS = [
     ("the choice of the motor goes back by itself", "tst_monkey@25-25", "untrue", [
         ("widgets/window/connect_bar.cpp", "    m_motor->setCurrentIndex(m_device.motor() - 1); //", "    //")]),
     ("words of rest stay beside a motor that turns", "tst_monkey@24-24", "untrue", [
-        ("widgets/control/control_panel.cpp", "        m_words->hide(); // they told of", "        m_words->show(); // they told of")]),
+        ("widgets/control/panel.cpp", "        m_words->hide(); // they told of", "        m_words->show(); // they told of")]),
     ("a pulled cable is called a disconnection", "tst_monkey@9-9", "untrue", [
         ("widgets/files/event_recorder.cpp", "        error.problem != session::PortProblem::None)\n        noteLoss(Trouble::Port",
          "        error.problem == session::PortProblem::TakenOver)\n        noteLoss(Trouble::Port")]),

@@ -1,7 +1,7 @@
 // A recording with two notes, for tests that add some to it.
 #pragma once
 
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 
 #include <QFile>
 #include <QtTest>

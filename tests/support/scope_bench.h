@@ -3,7 +3,7 @@
 
 #include "capture/capture.h"
 #include "widgets/base/register_texts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <qcustomplot.h>
 

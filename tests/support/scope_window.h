@@ -3,7 +3,7 @@
 #pragma once
 
 #include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <functional>
 

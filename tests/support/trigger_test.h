@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/scope_window.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QLabel>
 #include <QTest>

@@ -1,6 +1,6 @@
 #include "widgets/base/messages.h"
 
-#include "session/link/link_problems.h"
+#include "session/link/problems.h"
 #include "widgets/base/device_text.h"
 
 #include <QCoreApplication>

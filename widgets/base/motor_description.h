@@ -3,7 +3,7 @@
 // file. Inertias are what was typed of motors whose boards do not know it, for every form that needs it.
 #pragma once
 
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 
 #include <QMap>
 #include <QObject>

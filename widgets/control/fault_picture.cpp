@@ -4,7 +4,7 @@
 #include "widgets/base/look/named.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QComboBox>
 #include <QLabel>

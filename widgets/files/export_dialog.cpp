@@ -7,7 +7,7 @@
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/files/scope_picture.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

@@ -3,8 +3,8 @@
 #include "widgets/base/device_text.h"
 #include "widgets/files/happening_text.h"
 #include "widgets/files/open_recording.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/ghosts.h"
+#include "widgets/scope/view.h"
 
 #include <QCoreApplication>
 #include <QKeySequence>

@@ -2,7 +2,7 @@
 // an opened recording or a copy of it, into the recording of the connection, or, where there is none, into a list.
 #pragma once
 
-#include "session/recording/recording_notes.h"
+#include "session/recording/notes.h"
 #include "widgets/base/banner.h"
 #include "widgets/scope/events/event_log.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 #include "session/recording/replay.h"
 
 #include <QObject>

@@ -5,9 +5,9 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/ghosts.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/base/row_table.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 namespace widgets {
 

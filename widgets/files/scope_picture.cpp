@@ -1,7 +1,7 @@
 #include "widgets/files/scope_picture.h"
 
 #include "widgets/base/look/theme.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QBuffer>
 #include <QImage>

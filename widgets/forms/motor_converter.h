@@ -2,7 +2,7 @@
 // winding, each computed from the one that was typed last. It reads and writes nothing.
 #pragma once
 
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 
 #include <QWidget>
 

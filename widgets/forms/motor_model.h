@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/motor_view.h"
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 
 #include <QAbstractItemModel>
 

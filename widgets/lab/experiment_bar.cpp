@@ -6,7 +6,7 @@
 #include "widgets/base/steady_label.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <QAction>
 #include <QBoxLayout>

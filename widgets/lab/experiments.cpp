@@ -2,7 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/control/motion_allowed.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <algorithm>
 

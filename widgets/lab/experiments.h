@@ -9,7 +9,7 @@
 #include "lab/caps.h"
 #include "lab/happenings.h"
 #include "recorded/restore.h"
-#include "session/recording/recording_tap.h"
+#include "session/recording/tap.h"
 #include "widgets/base/device.h"
 
 #include <QObject>

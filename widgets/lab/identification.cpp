@@ -1,7 +1,7 @@
 #include "widgets/lab/identification.h"
 
 #include "lab/evaluation/finding.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 namespace widgets {
 namespace {

@@ -3,7 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
 #include "widgets/lab/experiment_bar.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <algorithm>
 #include <array>

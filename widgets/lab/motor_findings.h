@@ -4,7 +4,7 @@
 
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 #include "widgets/base/row_table.h"
 
 #include <QString>

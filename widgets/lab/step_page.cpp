@@ -7,10 +7,10 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/lab/lab_text.h"
 #include "widgets/lab/step_fields.h"
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
+#include "widgets/lab/text.h"
 
 #include <QComboBox>
 #include <QGridLayout>

@@ -3,8 +3,8 @@
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/lab/lab_text.h"
 #include "widgets/lab/run_mark.h"
+#include "widgets/lab/text.h"
 
 #include <QGuiApplication>
 #include <QStringList>

@@ -7,7 +7,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/base/whole_spin.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <QComboBox>
 #include <QLabel>

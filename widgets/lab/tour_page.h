@@ -5,7 +5,7 @@
 
 #include "widgets/base/form.h"
 #include "widgets/lab/identification.h"
-#include "widgets/lab/loop/loop_tuning.h"
+#include "widgets/lab/loop/tuning.h"
 #include "widgets/lab/tour_steps.h"
 
 class QComboBox;

@@ -8,7 +8,7 @@
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>

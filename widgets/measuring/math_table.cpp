@@ -3,7 +3,7 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/measuring/math_traces.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QPixmap>
 

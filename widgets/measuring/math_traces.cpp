@@ -1,6 +1,6 @@
 #include "widgets/measuring/math_traces.h"
 
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <algorithm>
 

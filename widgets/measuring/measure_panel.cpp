@@ -6,8 +6,8 @@
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 
 #include <QApplication>
 #include <QClipboard>

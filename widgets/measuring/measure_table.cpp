@@ -2,7 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/measuring/measure_text.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <algorithm>
 #include <utility>

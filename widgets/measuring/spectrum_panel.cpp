@@ -12,7 +12,7 @@
 #include "widgets/measuring/spectrum_plot.h"
 #include "widgets/measuring/trace_box.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QApplication>
 #include <QClipboard>

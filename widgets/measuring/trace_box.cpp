@@ -1,6 +1,6 @@
 #include "widgets/measuring/trace_box.h"
 
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QComboBox>
 

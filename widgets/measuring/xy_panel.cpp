@@ -8,7 +8,7 @@
 #include "widgets/measuring/trace_box.h"
 #include "widgets/registers/register_model.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,8 +2,8 @@
 
 #include "capture/capture.h"
 #include "widgets/scope/events/event_log.h"
+#include "widgets/scope/mouse.h"
 #include "widgets/scope/plot_stack.h"
-#include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/time_window.h"
 
 #include <algorithm>

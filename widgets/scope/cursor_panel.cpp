@@ -7,7 +7,7 @@
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/cursor_table.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -2,7 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <algorithm>
 

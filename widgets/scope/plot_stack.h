@@ -3,7 +3,7 @@
 // Includes the slow header: only for the scope's own files.
 #pragma once
 
-#include "widgets/scope/scope_plot.h"
+#include "widgets/scope/plot.h"
 
 #include <QMap>
 

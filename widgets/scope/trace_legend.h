@@ -3,7 +3,7 @@
 // slow header: only for the scope's own files.
 #pragma once
 
-#include "widgets/scope/scope_plot.h"
+#include "widgets/scope/plot.h"
 
 namespace widgets {
 

@@ -3,7 +3,7 @@
 // RegisterEdits like any other edit, so that it needs arming, asks, and can be taken back.
 #pragma once
 
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 #include "widgets/base/form.h"
 #include "widgets/registers/register_edits.h"
 #include "widgets/snapshots/snapshot_auto.h"

@@ -4,7 +4,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/files/export_dialog.h"
 #include "widgets/files/scope_picture.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/replacing.h"
 #include "widgets/window/workbench.h"
 

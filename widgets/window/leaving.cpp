@@ -2,7 +2,7 @@
 
 #include "widgets/base/messages.h"
 #include "widgets/lab/experiments.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <utility>
 

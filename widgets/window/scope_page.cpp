@@ -8,12 +8,12 @@
 #include "widgets/files/recording_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/scope/cursor_panel.h"
-#include "widgets/scope/scope_tools.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/channel_strip.h"
 #include "widgets/scope/signals/set_point_trace.h"
-#include "widgets/scope/trigger/trigger_bar.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/tools.h"
+#include "widgets/scope/trigger/bar.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/workbench.h"
 
 #include <QAction>

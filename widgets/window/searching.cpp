@@ -1,8 +1,8 @@
 #include "widgets/window/searching.h"
 
 #include "widgets/base/reading_text.h"
-#include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 
 #include <QAction>
 #include <QWidget>

@@ -10,7 +10,7 @@
 #include "widgets/scope/drawing/marks.h"
 #include "widgets/scope/kept_reference.h"
 #include "widgets/scope/signals/channel_plan.h"
-#include "widgets/scope/trigger/trigger_setup.h"
+#include "widgets/scope/trigger/setup.h"
 
 #include <QByteArray>
 #include <QJsonObject>

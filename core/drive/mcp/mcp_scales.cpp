@@ -1,7 +1,7 @@
 #include "drive/mcp/mcp_scales.h"
 
 #include "drive/motion_limits.h"
-#include "motor/motor_constants.h"
+#include "motor/constants.h"
 #include "motor/ramp.h"
 
 #include <cmath>

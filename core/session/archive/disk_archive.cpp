@@ -1,6 +1,6 @@
 #include "session/archive/disk_archive.h"
 
-#include "session/archive/archive_writer.h"
+#include "session/archive/writer.h"
 
 #include <QDir>
 #include <QStandardPaths>

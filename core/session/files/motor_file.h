@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "motor/motor_sheet.h"
+#include "motor/sheet.h"
 #include "simulation/plant/parameters.h"
 
 #include <QByteArray>

@@ -1,6 +1,6 @@
 #include "session/files/motor_file_st.h"
 
-#include "motor/motor_constants.h"
+#include "motor/constants.h"
 #include "session/files/json_text.h"
 #include "simulation/plant/presets.h"
 

@@ -6,7 +6,7 @@
 
 #include "lab/experiment.h"
 #include "session/files/run.h"
-#include "session/recording/recording_tap.h"
+#include "session/recording/tap.h"
 #include "snapshots/snapshot.h"
 
 #include <functional>

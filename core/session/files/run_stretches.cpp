@@ -5,7 +5,7 @@
 #include "recorded/gain_stretches.h"
 #include "session/files/run_writer.h"
 #include "session/files/snapshot_json.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 
 #include <QFileInfo>
 

@@ -6,7 +6,7 @@
 #include "session/files/finding_json.h"
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 
 #include <QDir>
 #include <QFile>

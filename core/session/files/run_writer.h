@@ -5,7 +5,7 @@
 #pragma once
 
 #include "session/files/run.h"
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "snapshots/snapshot.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "session/recording/recording.h"
 
-#include "session/recording/recording_worker.h"
+#include "session/recording/worker.h"
 
 namespace session {
 

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "recorded/coverage.h"
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_tap.h"
+#include "session/recording/file.h"
+#include "session/recording/tap.h"
 
 #include <QObject>
 #include <QThread>

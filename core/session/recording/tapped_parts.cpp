@@ -1,5 +1,5 @@
 // The wrappers around a session's transport and drive that feed a SessionTap. They change nothing of what passes.
-#include "session/recording/recording_tap.h"
+#include "session/recording/tap.h"
 
 #include <QDateTime>
 

@@ -1,5 +1,5 @@
 // What the firmware is told (commands, references, modes) and its fast task: what a control period measures, the
-// current loops, the observers. The slow task is firmware_states.cpp.
+// current loops, the observers. The slow task is states.cpp.
 #include "simulation/firmware/firmware.h"
 
 #include <algorithm>

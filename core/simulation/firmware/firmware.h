@@ -120,7 +120,7 @@ private:
     int direction() const;
     std::int32_t toSpeed_dHz(std::int16_t rpm) const;
 
-    // firmware_states.cpp: the slow task
+    // states.cpp: the slow task
     void enter(MotorState state);
     void switchOff();
     void runStates();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 
 #include <QApplication>
 #include <QFile>

@@ -1,5 +1,5 @@
 // Motor constants: the same magnets said in four ways, and what looks wrong about a motor.
-#include "motor/motor_constants.h"
+#include "motor/constants.h"
 #include "support/near.h"
 
 #include <QTest>

@@ -5,7 +5,7 @@
 
 #include "support/screen/judged_register.h"
 #include "support/screen/screen_moment.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QFile>
 

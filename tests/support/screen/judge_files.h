@@ -4,7 +4,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 #include "support/screen/judged_register.h"
 #include "support/screen/screen_moment.h"
 

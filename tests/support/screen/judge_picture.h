@@ -11,7 +11,7 @@
 #include "support/wire/mcp_registers.h"
 #include "widgets/scope/cursors.h"
 #include "widgets/scope/drawing/stale_mark.h"
-#include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/ghosts.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #include "support/screen/screen_moment.h"
 #include "support/screen/text_catcher.h"
 #include "widgets/scope/drawing/stale_mark.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QLineEdit>
 #include <QTreeView>

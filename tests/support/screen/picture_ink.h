@@ -2,7 +2,7 @@
 // trace.
 #pragma once
 
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QEventLoop>
 #include <QImage>

@@ -1,8 +1,8 @@
 // A fault in the real window: one click shows what was recorded around it, also after everything was cleared.
 #include "support/judged_line.h"
 #include "support/window_rig.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/time_window.h"
+#include "widgets/scope/view.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -3,9 +3,9 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 #include "widgets/base/confirmation.h"
-#include "widgets/control/control_panel.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_question.h"
+#include "widgets/control/panel.h"
 #include "widgets/control/setpoint_edit.h"
 
 #include <QCheckBox>

@@ -3,8 +3,8 @@
 #include "support/link_pair.h"
 #include "support/window_facts.h"
 #include "widgets/base/value_text.h"
-#include "widgets/control/control_panel.h"
 #include "widgets/control/motion_gate.h"
+#include "widgets/control/panel.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/setpoint_box.h"
 

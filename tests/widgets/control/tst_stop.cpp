@@ -1,6 +1,6 @@
 #include "support/window_rig.h"
-#include "widgets/control/control_panel.h"
 #include "widgets/control/motor_button.h"
+#include "widgets/control/panel.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/control/stop_words.h"

@@ -6,8 +6,8 @@
 #include "widgets/base/look/theme.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 
 #include <QAction>
 #include <QClipboard>

@@ -2,7 +2,7 @@
 #include "support/scope_bench.h"
 #include "widgets/files/lay_reference.h"
 #include "widgets/files/open_recording.h"
-#include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/ghosts.h"
 
 using facts::Bench;
 using widgets::OpenedRecording;

@@ -1,9 +1,9 @@
 // Markers of an opened recording through the real window: set, changed, deleted, saved, and asked about.
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/file.h"
+#include "session/recording/reader.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 // Recording to a disk and opening it again, through the real window, the real session thread and the simulated board.
 #include "session/files/snapshot_json.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/lamp.h"
@@ -9,9 +9,9 @@
 #include "widgets/files/open_recording.h"
 #include "widgets/files/recording_control.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/ghosts.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>

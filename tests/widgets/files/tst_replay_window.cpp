@@ -1,6 +1,6 @@
 // A replay through the real window and the real session thread: it looks like a board that cannot be touched.
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_notes.h"
+#include "session/recording/file.h"
+#include "session/recording/notes.h"
 #include "support/recording_facts.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
@@ -8,8 +8,8 @@
 #include "widgets/base/messages.h"
 #include "widgets/files/happening_text.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>

@@ -2,7 +2,7 @@
 // panel asks, units follow at once, and the board gets its scale back when it is met again.
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
-#include "widgets/control/control_panel.h"
+#include "widgets/control/panel.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 

@@ -1,7 +1,7 @@
 // What core says of experiments, in German, with its numbers, alone and together; and that a sentence of the lab's
 // sources is known here, as far as five words or more of it stand together.
 #include "support/places.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>

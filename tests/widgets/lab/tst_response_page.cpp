@@ -3,8 +3,8 @@
 #include "widgets/base/stepped_edit.h"
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/loop/bode_plot.h"
-#include "widgets/lab/loop/loop_rows.h"
-#include "widgets/lab/loop/loop_tuning.h"
+#include "widgets/lab/loop/rows.h"
+#include "widgets/lab/loop/tuning.h"
 
 #include <QComboBox>
 #include <QDockWidget>

@@ -1,7 +1,7 @@
 // Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves
 // in the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of
 // it.
-#include "session/recording/recording_reader.h"
+#include "session/recording/reader.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/lab_window.h"
@@ -9,7 +9,7 @@
 #include "widgets/lab/plan_picture.h"
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QLineEdit>
 #include <QMessageBox>

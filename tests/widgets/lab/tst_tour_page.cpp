@@ -2,7 +2,7 @@
 // sensors and without a sensor: what is asked, what each station says, and that what a board cannot have is told. The
 // judge of the wire watches all of it.
 #include "widgets/lab/lab_window.h"
-#include "widgets/lab/loop/loop_tuning.h"
+#include "widgets/lab/loop/tuning.h"
 #include "widgets/lab/tour_steps.h"
 
 #include <QElapsedTimer>

@@ -5,7 +5,7 @@
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>

@@ -3,8 +3,8 @@
 #include "support/scope_window.h"
 #include "widgets/measuring/measure_table.h"
 #include "widgets/measuring/measure_text.h"
-#include "widgets/scope/scope_overlay.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/overlay.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>

@@ -3,7 +3,7 @@
 #include "support/scope_window.h"
 #include "widgets/measuring/xy_panel.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #include "support/window_facts.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/registers/register_model.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QAbstractItemModelTester>
 #include <QJsonArray>

@@ -7,8 +7,8 @@
 #include "widgets/lab/live_gain.h"
 #include "widgets/lab/step_runs.h"
 #include "widgets/runs/run_book_model.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/ghosts.h"
+#include "widgets/scope/view.h"
 #include "widgets/snapshots/snapshot_model.h"
 
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // The scope as the user drives it: keys, mouse, drops.
 #include "support/scope_bench.h"
 #include "widgets/base/axis_ticks.h"
-#include "widgets/scope/scope_overview.h"
+#include "widgets/scope/overview.h"
 
 using namespace facts;
 using namespace widgets;

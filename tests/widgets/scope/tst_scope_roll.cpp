@@ -3,9 +3,9 @@
 // comparison, so that nothing of the picture before is left.
 #include "support/scope_bench.h"
 #include "support/seeds.h"
+#include "widgets/scope/colors.h"
 #include "widgets/scope/drawing/scope_canvas.h"
-#include "widgets/scope/scope_colors.h"
-#include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/ghosts.h"
 
 #include <random>
 

@@ -3,7 +3,7 @@
 #include "support/scope_window.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/signals/channel_strip.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QAction>
 #include <QHeaderView>

@@ -3,7 +3,7 @@
 #include "support/screen/text_catcher.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/scope/drawing/axis_ticker.h"
-#include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/ghosts.h"
 
 #include <QRegularExpression>
 

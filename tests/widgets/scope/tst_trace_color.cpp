@@ -1,7 +1,7 @@
 // Colours that the user gives traces, through the menus of the real window; they are remembered by the signal's name.
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
-#include "widgets/scope/scope_colors.h"
+#include "widgets/scope/colors.h"
 #include "widgets/scope/signals/signal_selection.h"
 
 #include <QContextMenuEvent>

@@ -1,7 +1,7 @@
 // What is under the mouse: the values of the traces there, and what can be done with a trace by a right click.
 #include "support/scope_window.h"
 #include "widgets/measuring/measure_panel.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 
 #include <QComboBox>
 #include <QMenu>

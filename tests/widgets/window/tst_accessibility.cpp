@@ -2,8 +2,8 @@
 #include "widgets/base/look/theme.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/about_dialog.h"
 
 #include <QAbstractButton>

@@ -3,10 +3,10 @@
 // change a gain, undo it, turn the shaft to an angle where the board can, ramp, stop, write a CSV file. The steps name
 // no kind of board: a new one is a row.
 #include "support/window_rig.h"
-#include "widgets/control/control_panel.h"
+#include "widgets/control/panel.h"
 #include "widgets/control/setpoint_edit.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>

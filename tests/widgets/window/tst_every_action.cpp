@@ -3,7 +3,7 @@
 // given up. Nothing may end the program, stay in the way, or take Stop away.
 #include "support/window_rig.h"
 #include "widgets/control/motion_gate.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>

@@ -1,7 +1,7 @@
 // The real window, the real session thread and the simulated board, while the window stands still: its thread does not
 // come back to its event loop. What the board does meanwhile is told by the session's records afterwards.
 #include "support/window_rig.h"
-#include "widgets/control/control_panel.h"
+#include "widgets/control/panel.h"
 
 #include <QCheckBox>
 #include <QSignalSpy>

@@ -6,7 +6,7 @@
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/readout_box.h"
 #include "widgets/scope/drawing/stale_mark.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
 

@@ -4,7 +4,7 @@
 #include "support/window_rig.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>

@@ -3,7 +3,7 @@
 #include "widgets/base/banner.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
 #include "widgets/window/searching.h"
 
 #include <QAction>

@@ -1,9 +1,9 @@
 // The trace of set-points as they were sent, in the real window, beside what the simulated board's firmware followed:
 // on the way to a first speed, on the next, where its ramp is stopped, and behind a Stop.
 #include "support/window_rig.h"
-#include "widgets/control/control_panel.h"
+#include "widgets/control/panel.h"
 #include "widgets/control/setpoint_edit.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QAction>
 #include <QCheckBox>

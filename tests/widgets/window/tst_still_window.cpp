@@ -6,9 +6,9 @@
 #include "widgets/control/state_strip.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/registers/register_model.h"
-#include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/first_steps.h"
 
 #include <QAction>

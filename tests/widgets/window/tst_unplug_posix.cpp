@@ -4,7 +4,7 @@
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/lamp.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QCheckBox>

@@ -4,10 +4,10 @@
 #include "support/judged_line.h"
 #include "support/window_rig.h"
 #include "widgets/measuring/measure_panel.h"
-#include "widgets/scope/scope_ghosts.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/ghosts.h"
 #include "widgets/scope/signals/signal_selection.h"
-#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/scope/trigger/control.h"
+#include "widgets/scope/view.h"
 
 #include <QDockWidget>
 #include <QLabel>

@@ -9,7 +9,7 @@
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/base/whole_spin.h"
-#include "widgets/lab/lab_text.h"
+#include "widgets/lab/text.h"
 
 #include <QComboBox>
 #include <QEvent>

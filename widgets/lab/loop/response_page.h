@@ -5,8 +5,8 @@
 
 #include "widgets/base/form.h"
 #include "widgets/lab/loop/bode_plot.h"
-#include "widgets/lab/loop/loop_rows.h"
-#include "widgets/lab/loop/loop_tuning.h"
+#include "widgets/lab/loop/rows.h"
+#include "widgets/lab/loop/tuning.h"
 
 class QComboBox;
 class QPushButton;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/scope/drawing/trace_image.h"
-#include "widgets/scope/scope_plot.h"
+#include "widgets/scope/plot.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "widgets/scope/drawing/stale_mark.h"
 
 #include "widgets/base/look/section_head.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QPainter>
 

@@ -6,7 +6,7 @@
 #include "widgets/scope/drawing/drawn_trace.h"
 #include "widgets/scope/drawing/record_picture.h"
 #include "widgets/scope/drawing/trace_ink.h"
-#include "widgets/scope/scope_plot.h"
+#include "widgets/scope/plot.h"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/scope/events/event_icon.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

@@ -4,7 +4,7 @@
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/row_table.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <QAbstractItemView>
 #include <QApplication>

@@ -7,7 +7,7 @@
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/scope/scope_drop.h"
+#include "widgets/scope/drop.h"
 
 #include <QActionGroup>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #include "widgets/scope/signals/set_point_trace.h"
 
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/view.h"
 
 #include <algorithm>
 #include <cmath>

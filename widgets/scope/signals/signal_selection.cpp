@@ -2,8 +2,8 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/scope/scope_colors.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/colors.h"
+#include "widgets/scope/view.h"
 
 #include <QMenu>
 

@@ -4,7 +4,7 @@
 
 #include "capture/capture.h"
 #include "drive/set_points/set_point_times.h"
-#include "widgets/scope/trigger/trigger_setup.h"
+#include "widgets/scope/trigger/setup.h"
 
 #include <QObject>
 

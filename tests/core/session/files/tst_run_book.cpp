@@ -4,8 +4,8 @@
 #include "session/files/run_stretches.h"
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/file.h"
+#include "session/recording/reader.h"
 
 #include <QDir>
 #include <QElapsedTimer>

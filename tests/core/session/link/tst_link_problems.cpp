@@ -1,5 +1,5 @@
 // Why a link or a port ended, as the command line says it and the window translates it.
-#include "session/link/link_problems.h"
+#include "session/link/problems.h"
 
 #include <QSet>
 #include <QtTest>

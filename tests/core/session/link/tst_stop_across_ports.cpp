@@ -1,7 +1,7 @@
 // A Stop through the session on boards whose motors run, while the port is lost, opened again, or its drive is still
 // finding out what is there. Virtual time; the board outlives its port, as boards do.
 #include "session/link/session.h"
-#include "session/recording/recording_tap.h"
+#include "session/recording/tap.h"
 
 #include "simulation/mcb/mcb_board.h"
 

@@ -2,9 +2,9 @@
 // is asked of the disk.
 #include "recorded/block.h"
 #include "recorded/restore.h"
-#include "session/recording/recording_file.h"
-#include "session/recording/recording_notes.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/file.h"
+#include "session/recording/notes.h"
+#include "session/recording/reader.h"
 #include "support/recording_facts.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // A real file on a disk that is full after so many bytes: a limit on the file's size gives the same short write as a
 // full disk, without one.
+#include "session/recording/file.h"
 #include "session/recording/recording.h"
-#include "session/recording/recording_file.h"
 #include "support/programs/size_limit_posix.h"
 #include "support/recording_facts.h"
 

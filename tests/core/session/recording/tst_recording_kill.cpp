@@ -1,6 +1,6 @@
 // A recorder that is killed at random moments: every block that it had reported as written reads back.
 // The recorder is this very program, started again with --recorder FILE; it reports on its standard output.
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "support/recording_facts.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 // Notes that are added to a closed recording: its own bytes stay, and whatever fails, what was there stays whole.
-#include "session/recording/recording_notes.h"
-#include "session/recording/recording_reader.h"
+#include "session/recording/notes.h"
+#include "session/recording/reader.h"
 #include "support/notes_bench.h"
 #include "support/recording_facts.h"
 

@@ -1,5 +1,5 @@
 // Notes that are added to a closed recording on a disk that fills up: what was there stays whole.
-#include "session/recording/recording_notes.h"
+#include "session/recording/notes.h"
 #include "support/notes_bench.h"
 #include "support/programs/size_limit_posix.h"
 

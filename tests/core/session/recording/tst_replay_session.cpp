@@ -1,6 +1,6 @@
 // A recording through a session, as if a board were behind it: from the file to the batches, in virtual time.
 #include "recorded/restore.h"
-#include "session/recording/recording_file.h"
+#include "session/recording/file.h"
 #include "session/recording/replay.h"
 #include "session/transports/recording_transport.h"
 #include "support/recording_facts.h"
