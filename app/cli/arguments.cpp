@@ -173,6 +173,12 @@ Outcome<bool> parseCommand(const Command &command, const QStringList &line, Argu
     if (!parser.parse(command.numbers ? protectNegativeNumbers(line) : line))
         return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
             + QStringLiteral("; ") + seeHelp);
+    for (const QString &option : parser.optionNames())
+        if (parser.values(option).contains(QString()))
+            return usage(
+                QStringLiteral("%1%2 has an empty value; ")
+                    .arg(option.size() > 1 ? QStringLiteral("--") : QStringLiteral("-"), option)
+                + seeHelp);
     const auto common = parseCommon(parser, arguments);
     if (!common || *common)
         return common;

@@ -219,6 +219,7 @@ private:
     void negotiate(TimePoint now);
     void offer(TimePoint now, Duration gap = {});
     void ping(Step step, TimePoint now);
+    const Beacon &offered() const;
     void onBeacon(const Beacon &answer, TimePoint now);
     void onPing(const Ping &reply, TimePoint now);
     void acceptAnswer(TimePoint now);

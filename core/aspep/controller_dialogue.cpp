@@ -51,7 +51,13 @@ void Controller::offer(TimePoint now, Duration gap)
     m_inDoubt = m_inDoubt || (recovering && !m_probed);
     m_step = Step::Offering;
     ++m_attempts;
-    send({recovering ? agreed() : m_negotiation.offered(), {}}, gap, now);
+    send({offered(), {}}, gap, now);
+}
+
+/// A link that is mended keeps what was agreed.
+const Beacon &Controller::offered() const
+{
+    return m_state == State::Recovering ? agreed() : m_negotiation.offered();
 }
 
 void Controller::ping(Step step, TimePoint now)
@@ -69,8 +75,7 @@ void Controller::onBeacon(const Beacon &answer, TimePoint now)
         return ignore();
     if (m_step == Step::Offering) {
         const bool recovering = m_state == State::Recovering;
-        if (answer == (recovering ? agreed() : m_negotiation.offered())
-            && (recovering || answer.version == 0))
+        if (answer == offered() && (recovering || answer.version == 0))
             return acceptAnswer(now);
         const bool plausible = m_state == State::Negotiating && m_negotiation.allows(answer);
         m_heardAnswer = m_heardAnswer || plausible;

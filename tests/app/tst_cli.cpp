@@ -72,7 +72,9 @@ void TestCli::wrongUsageIsExitStatus2AndOneLine_data()
              "--port sim capture --hf I_A --mf I_B --mf-rate 255 --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --ramp 1500 --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --seconds 1 -o x.pcapng",
-             "--port sim capture --hf I_A --seconds 1 -o x.mat", "decode"})
+             "--port sim capture --hf I_A --seconds 1 -o x.mat",
+             "--port sim capture --hf I_A --seconds 1 --output= --record x.pcapng", "--port= info",
+             "decode"})
         QTest::newRow(line) << QString::fromLatin1(line);
 }
 
