@@ -34,7 +34,7 @@ or what does not. The tests run with every change; *last run* is the commit at w
 - A board's OK to STOP proves nothing, and its states are read over a line without a checksum over them. A board without a sensor cannot tell
   standstill from a speed too low for its observer.
 - When the operating system hangs, nothing of this program runs.
-- On Windows and macOS less is tried: signals do not stop the motor there, and on Windows no STOP is sent after the program has died.
+- On Windows signals (Ctrl-C) do not stop the motor, and no STOP is sent after the program has died. Nothing was tried on macOS.
 - Root, or who has the port open already, can send the board anything. The program does not refuse to run as root, because containers
   and test machines do; it needs no more rights than those of the group `dialout`.
 - The command line asks nothing: the command is the confirmation. `start` leaves a motor running, as it was told.

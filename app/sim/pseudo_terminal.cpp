@@ -1,5 +1,5 @@
-// POSIX pseudo-terminals. The far end is closed while no client is there, so that the hang-up tells who is present;
-// its raw mode stays as long as our end is open.
+// POSIX pseudo-terminals. The far end is closed while no client is there, so that the hang-up tells whether one is
+// present; its raw mode stays as long as our end is open.
 #include "pseudo_terminal.h"
 
 #include <array>

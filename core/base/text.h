@@ -30,6 +30,19 @@ inline std::string decimalText(double value, int digits)
         std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
 }
 
+/// std::from_chars for a number with a point, made of a stream: some libraries have none (Apple's, before LLVM 20).
+std::from_chars_result decimalOfStream(const char *first, const char *last, double &value);
+
+/// std::from_chars for a number with a point, wherever this is built.
+inline std::from_chars_result readDecimal(const char *first, const char *last, double &value)
+{
+#if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
+    return std::from_chars(first, last, value);
+#else
+    return decimalOfStream(first, last, value);
+#endif
+}
+
 /// The number that is the whole text; empty if there is none or more, or if it does not fit.
 /// @param base  of a whole number
 template <class Number>
@@ -38,8 +51,8 @@ std::optional<Number> numberIn(std::string_view text, [[maybe_unused]] int base 
     Number value{};
     const char *const last = text.data() + text.size();
     std::from_chars_result read{};
-    if constexpr (std::floating_point<Number>)
-        read = std::from_chars(text.data(), last, value);
+    if constexpr (std::same_as<Number, double>)
+        read = readDecimal(text.data(), last, value);
     else
         read = std::from_chars(text.data(), last, value, base);
     return read.ec == std::errc{} && read.ptr == last ? std::optional(value) : std::nullopt;

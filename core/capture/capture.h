@@ -30,8 +30,8 @@ public:
         std::shared_ptr<SampleMemory> memory = nullptr;
         /// For what there is no memory for; none: memory only.
         std::shared_ptr<SampleArchive> archive = nullptr;
-        /// append() waits for a slow archive and releases nothing for it: who reads a file has time, who listens to a
-        /// board has not
+        /// append() waits for a slow archive and releases nothing for it: reading a file can wait,
+        /// a live board cannot
         bool patient = false;
     };
     /// Blocks and values that were not taken, by reason; all stay 0 with a drive that keeps its

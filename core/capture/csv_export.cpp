@@ -367,7 +367,7 @@ std::string CsvWriter::heading() const
     return text;
 }
 
-/// Finds the next rows: their start, who has samples in them, and how many there are before that changes.
+/// Finds the next rows: their start, which columns have samples in them, and how many there are before that changes.
 bool CsvWriter::plan(Run &run) const
 {
     bool any = false;

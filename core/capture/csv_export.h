@@ -64,7 +64,7 @@ private:
         const std::int16_t *codes; ///< nullptr: not a fast column with samples
         bool there;
     };
-    struct Run; ///< rows that follow each other without a change of who is there
+    struct Run; ///< rows that follow each other with samples in the same columns
 
     std::shared_ptr<CodeTexts> textsFor(const Channel &channel) const;
     std::string heading() const;

@@ -258,7 +258,7 @@ private:
 
     std::shared_ptr<SampleMemory> m_memory;
     std::deque<std::shared_ptr<Chunk>> m_chunks;
-    std::int16_t *m_filledSamples = nullptr; ///< of the last chunk, for who appends
+    std::int16_t *m_filledSamples = nullptr; ///< of the last chunk, for appending
     CodeRange *m_filledRanges = nullptr;
     ArchivedChunks m_archived;
     Index m_begin = 0; ///< of the first chunk

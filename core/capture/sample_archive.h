@@ -17,7 +17,7 @@ struct Stretch {
 };
 
 /// What became of some stretches that were handed over together. Settled once, by the archive, in any thread; read by
-/// the one who handed them over. The state is the only thing that two threads touch.
+/// the thread that handed them over. The state is the only thing that two threads touch.
 class Deposit {
 public:
     enum class State : std::uint8_t {
@@ -26,7 +26,7 @@ public:
         Refused, ///< no room, or the disk failed: they stay where they were
     };
 
-    /// Who looks at the state sees what was done before the deposit was made.
+    /// A thread that reads the state sees what was done before the deposit was made.
     Deposit() { m_state.store(State::Waiting, std::memory_order_release); }
 
     State state() const { return m_state.load(std::memory_order_acquire); }

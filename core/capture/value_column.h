@@ -161,7 +161,7 @@ private:
 
     std::deque<Chunk> m_chunks;
     std::shared_ptr<ValueTable> m_table; ///< of all chunks that are coded
-    // Of the last chunk, for who appends.
+    // Of the last chunk, for appending.
     Nanos *m_filledTimes = nullptr;
     double *m_filledValues = nullptr;
     ValueRange *m_filledRanges = nullptr;

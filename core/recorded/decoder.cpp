@@ -3,7 +3,6 @@
 #include "recorded/entry_codec.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace recorded {
@@ -192,14 +191,10 @@ bool Decoder::isDescribed(const capture::SampleBlock &block) const
 {
     if (!m_layout || m_layout->id != block.stream || m_layout->empty())
         return false;
-    const auto base = capture::TickBase::of(m_layout->tickHz, m_layout->originSeconds);
-    const double hertz = static_cast<double>(base.milliHz) / 1000.0;
-    const double farthest = kFarthest_s * hertz;
-    const auto near = [farthest](double tick) { return std::abs(tick) < farthest; };
+    const auto near = [this](double tick) { return isNear(*m_layout, tick); };
     const double end = static_cast<double>(block.firstTick)
         + static_cast<double>(block.count) * m_layout->fastStep;
-    return std::abs(m_layout->originSeconds) < kFarthest_s
-        && near(static_cast<double>(block.firstTick)) && near(end)
+    return near(static_cast<double>(block.firstTick)) && near(end)
         && std::ranges::all_of(block.slow,
             [&](const capture::SlowGroup &g) { return near(static_cast<double>(g.tick)); })
         && block.fast.size() == std::size_t{block.count} * m_layout->fast.size()

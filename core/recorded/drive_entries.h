@@ -50,8 +50,8 @@ private:
     std::set<drive::WishId> m_waiting; ///< wishes whose end is worth an entry
 };
 
-/// The words of happenings, each list in the order of its enumeration: written here, found again by who shows a
-/// recording; they are part of the format (docs/recording-format.md) and are not translated.
+/// The words of happenings, each list in the order of its enumeration: written here, read by the code that shows
+/// a recording; they are part of the format (docs/recording-format.md) and are not translated.
 inline constexpr std::array kActionWords{"start", "stop motor", "stop ramp", "acknowledge faults"};
 inline constexpr std::array kLinkStateWords{
     "closed", "connecting", "connected", "suspect", "recovering", "lost"};

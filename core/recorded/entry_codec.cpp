@@ -370,6 +370,13 @@ bool isWhole(const SampleBlock &block)
             [slowCount](const SlowGroup &group) { return group.values.size() == slowCount; });
 }
 
+bool isNear(const StreamLayout &layout, double tick)
+{
+    const auto base = capture::TickBase::of(layout.tickHz, layout.originSeconds);
+    return std::abs(layout.originSeconds) < kFarthest_s
+        && std::abs(tick) < kFarthest_s * static_cast<double>(base.milliHz) / 1000.0;
+}
+
 Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat)
 {
     if (!fits(entry))

@@ -26,6 +26,9 @@ enum class Repeat : bool { No, Yes };
 /// Sizes agree and are within bounds: columns can be cut out of it, and it can be written.
 bool isWhole(const capture::SampleBlock &block);
 
+/// A tick within three years of the session's 0 s, as all samples of a recording are: times are 64 bits.
+bool isNear(const capture::StreamLayout &layout, double tick);
+
 /// Not for LinkBytes. Fails with TooLong only.
 Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat = Repeat::No);
 

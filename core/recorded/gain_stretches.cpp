@@ -1,7 +1,8 @@
 #include "recorded/gain_stretches.h"
 
+#include "base/text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace recorded {
@@ -15,7 +16,7 @@ std::optional<double> numberBehind(std::string_view told, std::string_view word)
         return std::nullopt;
     const char *begin = told.data() + place + word.size();
     double number = 0.0;
-    const auto [end, error] = std::from_chars(begin, told.data() + told.size(), number);
+    const auto [end, error] = readDecimal(begin, told.data() + told.size(), number);
     return error == std::errc() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 

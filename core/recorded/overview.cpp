@@ -1,7 +1,6 @@
 #include "recorded/overview.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -36,14 +35,6 @@ void halve(Overview &overview)
 std::size_t bytesOf(const Overview &overview)
 {
     return overview.bins() * overview.columns.size() * sizeof(CodeRange);
-}
-
-/// Within three years of the session's 0 s, as all samples of a recording are: times are 64 bits.
-bool isNear(const capture::StreamLayout &layout, double tick)
-{
-    const auto base = capture::TickBase::of(layout.tickHz, layout.originSeconds);
-    return std::abs(layout.originSeconds) < kFarthest_s
-        && std::abs(tick) < kFarthest_s * static_cast<double>(base.milliHz) / 1000.0;
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // Overview: the extremes of a stream's fast signals over equal stretches of time, for the whole picture of a recording
-// before its samples are read. The recorder writes it before the end; who does not know it passes over it. Slow and
+// before its samples are read. The recorder writes it before the end; a reader that does not know it skips it. Slow and
 // polled values are not in it.
 #pragma once
 

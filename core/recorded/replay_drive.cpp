@@ -403,7 +403,7 @@ void ReplayDrive::describe(
     m_identity.motors = std::max(m_identity.motors, motor);
 }
 
-/// Tells who it is again whenever more is known of it.
+/// Tells its identity again whenever more is known of it.
 void ReplayDrive::identify()
 {
     if (!std::exchange(m_identifiable, false))

@@ -1,9 +1,9 @@
 #include "scope/formula.h"
 
+#include "base/text.h"
 #include "scope/expression.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -130,7 +130,7 @@ private:
     {
         const char *const begin = m_text.data() + at;
         double value = 0.0;
-        const auto [end, error] = std::from_chars(begin, m_text.data() + to, value);
+        const auto [end, error] = readDecimal(begin, m_text.data() + to, value);
         const std::size_t next = at + static_cast<std::size_t>(end - begin);
         if (error != std::errc() || !std::isfinite(value) || (next < to && isName(m_text[next])))
             throw FormulaFault{FormulaError::BadNumber, at};

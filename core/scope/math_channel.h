@@ -1,4 +1,4 @@
-// The values of a channel that is computed from others by a formula, as they grow. Who asks for them keeps them in a
+// The values of a channel that is computed from others by a formula, as they grow. The caller keeps them in a
 // column like any other: drawn, measured, searched for triggers, and an input of further formulas.
 //
 // It has a value at each sample of its clock, the fastest kind among its inputs (the first of them; among values the

@@ -2,6 +2,7 @@
 
 #include "session/archive/mapped_pieces.h"
 #include "session/files/disk_sync.h"
+#include "session/files/whole_file.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -157,14 +158,9 @@ bool ArchiveWriter::fill(QFile &file, const std::vector<capture::Stretch> &stret
     for (const capture::Stretch &stretch : stretches) {
         if (m_stopped.load(std::memory_order_relaxed))
             return false;
-        const auto *bytes = reinterpret_cast<const char *>(stretch.data.get());
-        const auto size = static_cast<qint64>(stretch.size);
-        for (qint64 done = 0; done < size;) {
-            const qint64 count = file.write(bytes + done, size - done);
-            if (count <= 0)
-                return false;
-            done += count;
-        }
+        if (!writeAll(
+                file, {reinterpret_cast<const std::uint8_t *>(stretch.data.get()), stretch.size}))
+            return false;
     }
     return true;
 }

@@ -6,7 +6,7 @@ namespace session {
 
 namespace {
 
-// Both in the order of their enumeration.
+// All in the order of their enumeration.
 
 /// %1 is what stands there.
 constexpr std::array kCsvProblems{
@@ -32,6 +32,28 @@ constexpr std::array kExportProblems{"",
         "FileProblem", "No %1 file: the signals have different rates. Choose some of one rate."),
     kFull, kFull};
 
+/// From the sixth on "it" is a register.
+constexpr std::array kSnapshotProblems{QT_TRANSLATE_NOOP("Snapshot", "it is no JSON"),
+    QT_TRANSLATE_NOOP("Snapshot", "it is no snapshot"),
+    QT_TRANSLATE_NOOP("Snapshot", "it is of a newer version than this program knows"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no list of registers"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has more registers than any board"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no name"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no motor from 0 to 7"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no id"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no known type"),
+    QT_TRANSLATE_NOOP("Snapshot", "its raw number does not fit its type"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has neither bits nor a raw number"),
+    QT_TRANSLATE_NOOP("Snapshot", "it has no raw text"),
+    QT_TRANSLATE_NOOP("Snapshot", "its bytes are no pairs of hexadecimal digits"),
+    QT_TRANSLATE_NOOP("Snapshot", "it is there twice")};
+static_assert(kSnapshotProblems.size() == std::size_t(SnapshotProblem::Twice) + 1);
+
+/// %1 is the stage.
+constexpr std::array kRevUpProblems{QT_TRANSLATE_NOOP("FileProblem", "it is not JSON"),
+    QT_TRANSLATE_NOOP("FileProblem", "it has no stages, or more than five"),
+    QT_TRANSLATE_NOOP("FileProblem", "the numbers of its stage %1 do not fit")};
+
 } // namespace
 
 QString csvProblemText(const capture::CsvError &error, ProblemWords wordsOf)
@@ -52,6 +74,27 @@ QString exportProblemText(ExportProblem problem, const ExportFormat &format, Pro
     return wordsOf(kExportProblems.at(static_cast<std::size_t>(problem)))
         .replace(QLatin1String("%1"), QString::fromLatin1(format.suffix).toUpper())
         .replace(QLatin1String("%2"), wordsOf(format.mostText));
+}
+
+QString snapshotProblemText(
+    const QString &file, const SnapshotFileError &error, ProblemWords wordsOf)
+{
+    const QString what = wordsOf(kSnapshotProblems.at(static_cast<std::size_t>(error.problem)));
+    const QString line = QString::number(error.line);
+    if (error.problem == SnapshotProblem::NotJson)
+        return wordsOf(QT_TRANSLATE_NOOP("Snapshot", "%1 cannot be used: in line %2 %3 (%4)."))
+            .arg(file, line, what, error.parserText);
+    if (error.number == 0)
+        return wordsOf(QT_TRANSLATE_NOOP("Snapshot", "%1 cannot be used: %2.")).arg(file, what);
+    return wordsOf(QT_TRANSLATE_NOOP("Snapshot", "%1 cannot be used: line %2, register %3: %4."))
+        .arg(file, line, error.name.isEmpty() ? QString::number(error.number) : error.name, what);
+}
+
+QString revUpProblemText(const QString &file, const RevUpFileError &error, ProblemWords wordsOf)
+{
+    const QString what = wordsOf(kRevUpProblems.at(static_cast<std::size_t>(error.kind)))
+                             .replace(QLatin1String("%1"), QString::number(error.stage));
+    return wordsOf(QT_TRANSLATE_NOOP("FileProblem", "%1 is no rev-up: %2.")).arg(file, what);
 }
 
 } // namespace session

@@ -1,10 +1,12 @@
-// What is wrong with a CSV file, and why an export wrote none: once, for the window and the command line. English; the
-// window translates its pieces, in the context "FileProblem".
+// What is wrong with a file that is read, and why an export wrote none: once, for the window and the command line.
+// English; the window translates its pieces, in the context "FileProblem", those of snapshots in "Snapshot".
 #pragma once
 
 #include "capture/csv_import.h"
 #include "session/files/export_formats.h"
 #include "session/files/problem_words.h"
+#include "session/files/rev_up_json.h"
+#include "session/files/snapshot_json.h"
 
 namespace session {
 
@@ -13,5 +15,11 @@ QString csvProblemText(const capture::CsvError &error, ProblemWords wordsOf = en
 /// A sentence that says what to do; empty if there is no problem.
 QString exportProblemText(
     ExportProblem problem, const ExportFormat &format, ProblemWords wordsOf = englishWords);
+/// A sentence with the place.
+/// @param error  its name fit to be shown
+QString snapshotProblemText(
+    const QString &file, const SnapshotFileError &error, ProblemWords wordsOf = englishWords);
+QString revUpProblemText(
+    const QString &file, const RevUpFileError &error, ProblemWords wordsOf = englishWords);
 
 } // namespace session

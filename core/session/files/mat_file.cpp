@@ -214,6 +214,10 @@ MatResult write(const QString &path, const capture::Snapshot &channels,
     }
     // libmatio opens files by their names; from its own place the file then goes to where it is wanted, or nowhere.
     const QTemporaryDir folder;
+    if (!folder.isValid()) {
+        result.file = {FileError::CannotWrite, folder.errorString()};
+        return result;
+    }
     const QString temporary = folder.filePath(QStringLiteral("capture.mat"));
     const QByteArray name = QFile::encodeName(temporary);
     QFile made(temporary);

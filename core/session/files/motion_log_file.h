@@ -12,23 +12,25 @@
 
 namespace session {
 
-/// A record and when it was asked, by the clock on the wall.
+/// An entry and when it was asked, by the clock on the wall.
 struct LoggedMotion {
-    drive::MotionEntry record;
+    drive::MotionEntry entry;
     QDateTime asked; ///< UTC: a local time costs its zone each time that it is compared
 };
 
-/// A record that came just now: it was asked as much earlier as it took to end.
-LoggedMotion loggedNow(drive::MotionEntry record, const QDateTime &now);
+/// An entry that came just now: it was asked as much earlier as it took to end.
+LoggedMotion loggedNow(drive::MotionEntry entry, const QDateTime &now);
 
-/// The clock on the wall beside the program's own. A record is noted some time after its end, more or less late: the
+/// The clock on the wall beside the program's own. An entry is noted some time after its end, more or less late: the
 /// one that was noted soonest tells best how the two go together. More than a second apart are two settings, as after a
 /// sleep.
 class WallClock {
 public:
     /// @return  whether those before may have another time now: none was noted as soon
     bool accept(const LoggedMotion &one);
-    /// @param time  of a record that was taken: when it was asked, or ended. @return  UTC
+    /// Of one that was taken; those that stay may have another time now.
+    void forget(const LoggedMotion &one);
+    /// @param time  of an entry that was taken: when it was asked, or ended. @return  UTC
     QDateTime at(const LoggedMotion &one, TimePoint time) const;
 
 private:
@@ -38,8 +40,10 @@ private:
 /// "kim, Rotorscope"
 QString motionLogWho(const QString &program);
 
-/// The whole file, heading included; times are UTC with milliseconds. Costs about 10 us a record.
-QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &who);
+/// The whole file, heading included; times are UTC with milliseconds. Costs about 10 us an entry.
+/// @param leftOut  acts before the first one that are not held any more: the file says so, and counts them
+QByteArray motionLogText(
+    const std::vector<LoggedMotion> &log, const QString &who, std::size_t leftOut = 0);
 
 /// The log's name beside a capture: run.csv -> run.motion.csv.
 QString motionLogPath(const QString &capturePath);

@@ -224,7 +224,7 @@ double rounded(double value)
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value)).ptr;
     double read = value;
-    std::from_chars(text.data(), end, read);
+    readDecimal(text.data(), end, read);
     return read;
 }
 

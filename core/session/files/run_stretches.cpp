@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -73,6 +74,7 @@ struct Survey {
     recorded::GainStretches parts;
     lab::RunStarts experiments;
     std::size_t withOne = 0; ///< the stretch of the last of these, counted from 1; 0: none yet
+    std::map<std::size_t, int> motors; ///< of each of these, by its stretch, counted from 1
     bool measures = false; ///< it has not ended
     std::vector<recorded::Happening> meanwhile; ///< gains that were written, such as those it lends
     std::optional<snapshots::Snapshot> registers; ///< the first that it has
@@ -101,8 +103,10 @@ void acceptStretch(Survey &survey, const recorded::Item &item)
         survey.meanwhile.push_back(*happening);
     else
         survey.parts.accept(item.at, item.entry);
-    if (begins)
+    if (begins) {
         survey.withOne = survey.parts.all().size();
+        survey.motors[survey.withOne] = happening->number<int>("motor").value_or(1);
+    }
 }
 
 void accept(Survey &survey, const recorded::Item &item)
@@ -161,6 +165,7 @@ private:
         return capture::toSeconds(stretch.to) - capture::toSeconds(stretch.from) >= kLeastStretch_s
             && m_kept.runs.size() < kMostStretches;
     }
+    int motor() const;
     void beginRun(const GainStretch &stretch);
     void endRun();
 
@@ -174,6 +179,16 @@ private:
     QString m_why; ///< nothing more is kept
 };
 
+/// Of the experiment in the stretch, or else of the last one before it, or else of the first.
+int StretchWriter::motor() const
+{
+    const auto &motors = m_survey.motors;
+    if (motors.empty())
+        return 1;
+    const auto behind = motors.upper_bound(m_next + 1);
+    return behind == motors.begin() ? behind->second : std::prev(behind)->second;
+}
+
 void StretchWriter::beginRun(const GainStretch &stretch)
 {
     constexpr recorded::Nanos kSecond = 1'000'000'000;
@@ -184,10 +199,12 @@ void StretchWriter::beginRun(const GainStretch &stretch)
     constexpr std::int64_t kFarthest = 100'000'000'000; // a file may hold any number
     run.at = std::clamp(m_begin.startSeconds, -kFarthest, kFarthest) + stretch.to / kSecond;
     run.end = QStringLiteral("complete");
+    run.motor = motor();
     if (const auto &held = m_survey.registers) {
         run.board = QString::fromStdString(held->board.firmware);
-        if (!held->board.motorNames.empty())
-            run.motorName = QString::fromStdString(held->board.motorNames.front());
+        const auto &names = held->board.motorNames;
+        if (run.motor >= 1 && static_cast<std::size_t>(run.motor) <= names.size())
+            run.motorName = QString::fromStdString(names[static_cast<std::size_t>(run.motor) - 1]);
     }
     auto writer = std::make_unique<RunWriter>(m_folder, std::move(run));
     m_why = writer->begin(m_begin);

@@ -10,18 +10,6 @@ namespace session {
 
 namespace {
 
-/// A short write is no success: commit() would put a truncated file in place (Qt 6.4). Only writing the rest tells why.
-bool writeAll(QSaveFile &file, std::string_view text)
-{
-    while (!text.empty()) {
-        const qint64 count = file.write(text.data(), static_cast<qint64>(text.size()));
-        if (count <= 0)
-            return false;
-        text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
 /// The old file stays.
 FileResult failed(QSaveFile &file, FileResult result, FileError error)
 {
@@ -33,6 +21,18 @@ FileResult failed(QSaveFile &file, FileResult result, FileError error)
 }
 
 } // namespace
+
+bool writeAll(QFileDevice &file, ByteView bytes)
+{
+    while (!bytes.empty()) {
+        const qint64 count = file.write(
+            reinterpret_cast<const char *>(bytes.data()), static_cast<qint64>(bytes.size()));
+        if (count <= 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
 
 FileResult writePieces(const QString &path, const std::function<bool(std::string_view &)> &next,
     const std::function<bool()> &proceed)
@@ -52,7 +52,7 @@ FileResult writePieces(const QString &path, const std::function<bool(std::string
     }
     std::string_view piece;
     while (next(piece)) {
-        if (!writeAll(file, piece))
+        if (!writeAll(file, {reinterpret_cast<const std::uint8_t *>(piece.data()), piece.size()}))
             return failed(file, result, FileError::CannotWrite);
         result.bytes += static_cast<qint64>(piece.size());
         if (proceed && !proceed())

@@ -2,6 +2,7 @@
 // with a bound, others are made piece by piece.
 #pragma once
 
+#include "base/bytes.h"
 #include "base/result.h"
 
 #include <QByteArray>
@@ -11,7 +12,13 @@
 #include <functional>
 #include <string_view>
 
+class QFileDevice;
+
 namespace session {
+
+/// A short write is no success: commit() would put a truncated file in place (Qt 6.4), and a disk that fills up takes a
+/// part first. Only writing the rest tells why.
+bool writeAll(QFileDevice &file, ByteView bytes);
 
 enum class FileError : std::uint8_t {
     None,

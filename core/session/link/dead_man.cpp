@@ -125,7 +125,7 @@ std::optional<Duration> DeadMan::nextLook(bool armed, TimePoint now) const
     const Duration after(1); // only what is longer than a limit is late
     const bool toTell = m_absence && (m_absence->disarmed || m_absence->stopped);
     if (m_attendance == Attendance::Stamped && (armed || m_ours || toTell)) {
-        sooner(kLook); // at what is held, and at who has come back
+        sooner(kLook); // at what is held, and whether the interface is back
         if (!m_absence)
             sooner(m_attended + kAbsentAfter + after - now);
         else if (!m_absence->stopped && now <= m_attended + kGoneAfter)

@@ -22,7 +22,7 @@
 
 namespace session {
 
-/// Who vouches that the user can see and stop what a session does.
+/// How it is known that the user can see and stop what a session does.
 enum class Attendance : std::uint8_t {
     Stamped, ///< the interface calls Session::attend() again and again, from its own thread
     OwnThread, ///< the interface runs in the session's thread: while the session turns, it does too

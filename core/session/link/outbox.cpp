@@ -22,7 +22,8 @@ void Outbox::add(std::vector<Output> outputs)
     }
 }
 
-void Outbox::pump(Transport &transport, const Clock &clock)
+void Outbox::pump(
+    Transport &transport, const Clock &clock, const std::function<void(ByteView, TimePoint)> &told)
 {
     TimePoint now = clock();
     m_askAgain.reset();
@@ -31,9 +32,9 @@ void Outbox::pump(Transport &transport, const Clock &clock)
         m_lineFree = std::min(m_lineFree, now);
     }
     while (!m_waiting.empty()) {
-        const Output &next = m_waiting.front();
-        if (next.gapBefore > Duration::zero() && m_lineFree > TimePoint{}) {
-            if (now < m_lineFree + next.gapBefore)
+        const Duration gap = m_waiting.front().gapBefore;
+        if (gap > Duration::zero() && m_lineFree > TimePoint{}) {
+            if (now < m_lineFree + gap)
                 return;
             if (!transport.sent(now)) {
                 // The bytes before are still in the port: the rest begins when they have left.
@@ -42,11 +43,14 @@ void Outbox::pump(Transport &transport, const Clock &clock)
                 return;
             }
         }
-        transport.write(next.bytes, now);
-        now = clock();
-        m_lineFree = std::max(now, m_lineFree) + wireTime(next.bytes.size(), m_baud);
-        m_unreported = true;
+        // Taken out first: a line that answers within write() can lead to an add() that drops what waits.
+        const Bytes bytes = std::move(m_waiting.front().bytes);
         m_waiting.pop_front();
+        told(bytes, now);
+        transport.write(bytes, now);
+        now = clock();
+        m_lineFree = std::max(now, m_lineFree) + wireTime(bytes.size(), m_baud);
+        m_unreported = true;
     }
 }
 

@@ -28,7 +28,9 @@ public:
     /// Writes what may leave now. The clock is read again after each write: a process that was
     /// preempted between reading the time and writing would otherwise make the next gap too short,
     /// and the board would lose what follows.
-    void pump(Transport &transport, const Clock &clock);
+    /// @param told  of each write, before it
+    void pump(Transport &transport, const Clock &clock,
+        const std::function<void(ByteView, TimePoint)> &told);
 
     /// True once each time that everything added so far has left the line, as far as can be known.
     bool allSent(const Transport &transport, TimePoint now);

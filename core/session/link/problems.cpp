@@ -40,7 +40,8 @@ static_assert(kLinkProblems.size() == std::size_t(drive::LinkReason::OtherProtoc
 constexpr std::array kPortProblems{"",
     QT_TRANSLATE_NOOP("Link", "There is no port %1. Plug the board in, or choose another port."),
     QT_TRANSLATE_NOOP("Link",
-        "You may not use %1. Run \"sudo adduser $USER dialout\", then log out and in again."),
+        "You may not use %1. Join the group that owns it (serial ports: \"sudo usermod -aG dialout "
+        "$USER\"), then log out and in again."),
     QT_TRANSLATE_NOOP("Link", "%1 is in use%2. Close what uses it, then connect again."),
     QT_TRANSLATE_NOOP("Link", "%1 refuses this baud rate. Choose another one."),
     QT_TRANSLATE_NOOP("Link", "%1 was unplugged. Check the cable."),

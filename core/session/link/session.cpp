@@ -2,6 +2,7 @@
 
 #include "drive/stop_sequence.h"
 #include "lab/runner.h"
+#include "session/recording/session_tap.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -117,7 +118,7 @@ void Session::lookUp(TimePoint now)
     if (verdict.disarm)
         m_drive->disarm();
     if (verdict.stopMotor != 0)
-        m_drive->submit(
+        submitToDrive(
             {.id = 0, .what = drive::Command{drive::MotorAction::StopMotor, verdict.stopMotor}},
             now);
     if (verdict.stopAll)
@@ -179,10 +180,10 @@ PortError Session::tryOpen(TimePoint now)
     m_failure.reset();
     m_phase = Phase::Open;
     if (m_limits)
-        m_drive->submit({.id = 0, .what = *m_limits}, now); // before anything else can be asked
+        submitToDrive({.id = 0, .what = *m_limits}, now); // before anything else can be asked
     m_drive->connect(now);
     if (m_stops.any())
-        m_drive->stop(now);
+        stopDrive(now);
     return {};
 }
 
@@ -225,7 +226,7 @@ void Session::submit(const drive::Wish &wish)
     const TimePoint now = wake();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
     if (m_experiment && commands(wish, m_experiment->catalog()))
-        interruptExperiment("somebody else commanded the motor", now);
+        interruptExperiment("another command went to the motor", now);
     const bool isSignals = std::holds_alternative<drive::Stream>(wish.what)
         || std::holds_alternative<drive::Watch>(wish.what);
     if (m_experiment && isSignals) { // it needs its own until it ends; then these are taken up
@@ -234,7 +235,7 @@ void Session::submit(const drive::Wish &wish)
                 .id = wish.id, .outcome = drive::Outcome::Ok, .reason = {}, .writes = {}});
     } else if (m_phase == Phase::Open) {
         m_driven.submitted(wish, m_drive->armed(), now);
-        m_drive->submit(wish, now);
+        submitToDrive(wish, now);
     } else if (wish.id != 0) {
         m_batcher.add(drive::Ended{.id = wish.id,
             .outcome = kept ? drive::Outcome::Ok : drive::Outcome::NotSent,
@@ -309,7 +310,10 @@ void Session::onReceived(const QByteArray &bytes)
     if (!m_drive)
         return;
     qCDebug(lcLinkBytes).noquote() << "<" << bytes.toHex(' ');
-    const TimePoint now = wake();
+    const TimePoint now = m_heardAt = m_parts.clock();
+    for (const auto &tap : m_parts.taps)
+        tap->onLink(recorded::LinkBytes::Direction::Received, viewOf(bytes), now);
+    lookUp(now);
     if (m_stopRequested.exchange(false)) // before what the drive would ask next
         stopNow(now);
     m_drive->receive(viewOf(bytes), now);
@@ -321,7 +325,7 @@ void Session::onReady(bool high)
 {
     if (!m_drive)
         return;
-    const TimePoint now = wake();
+    const TimePoint now = m_heardAt = wake();
     m_drive->handleReady(high, now);
     if (!m_stepping)
         step(now);
@@ -432,7 +436,7 @@ bool Session::runExperiment(TimePoint now)
     std::vector<drive::Wish> wishes = m_experiment->takeWishes();
     for (const drive::Wish &wish : wishes) {
         m_driven.submitted(wish, m_drive->armed(), now);
-        m_drive->submit(wish, now);
+        submitToDrive(wish, now);
     }
     if (!m_experiment->over())
         return stops || !wishes.empty();
@@ -465,8 +469,8 @@ void Session::endExperiment(TimePoint now)
     outcome.at = now;
     m_experiment.reset();
     if (m_phase == Phase::Open) {
-        m_drive->submit({.id = 0, .what = m_stream.value_or(drive::Stream{})}, now);
-        m_drive->submit({.id = 0, .what = m_watch.value_or(drive::Watch{})}, now);
+        submitToDrive({.id = 0, .what = m_stream.value_or(drive::Stream{})}, now);
+        submitToDrive({.id = 0, .what = m_watch.value_or(drive::Watch{})}, now);
     }
     Q_EMIT experimentEnded(outcome);
 }
@@ -502,6 +506,20 @@ void Session::yieldPort(TimePoint now)
     armTimer(now);
 }
 
+void Session::submitToDrive(drive::Wish wish, TimePoint now)
+{
+    for (const auto &tap : m_parts.taps)
+        tap->onWish(wish, now);
+    m_drive->submit(std::move(wish), now);
+}
+
+void Session::stopDrive(TimePoint now)
+{
+    m_drive->stop(now); // before anything else
+    for (const auto &tap : m_parts.taps)
+        tap->onStop(now);
+}
+
 /// Output, what follows from its having left, and so on until nothing more can leave now.
 void Session::exchange(TimePoint now)
 {
@@ -517,7 +535,10 @@ void Session::exchange(TimePoint now)
                        .toHex(' ');
         }
         m_outbox.add(std::move(outputs));
-        m_outbox.pump(*m_transport, m_parts.clock);
+        m_outbox.pump(*m_transport, m_parts.clock, [this](ByteView bytes, TimePoint at) {
+            for (const auto &tap : m_parts.taps)
+                tap->onLink(recorded::LinkBytes::Direction::Sent, bytes, at);
+        });
         if (!m_outbox.allSent(*m_transport, now))
             break;
         m_drive->handleSent(now);
@@ -527,8 +548,13 @@ void Session::exchange(TimePoint now)
 
 void Session::collectEvents(TimePoint now)
 {
+    std::vector<drive::Event> events = m_drive->takeEvents();
+    const TimePoint at = std::max(now, m_heardAt); // never before the bytes that they follow from
+    for (const auto &tap : m_parts.taps)
+        for (const drive::Event &event : events)
+            tap->onEvent(event, at);
     bool identified = false;
-    for (drive::Event &event : m_drive->takeEvents()) {
+    for (drive::Event &event : events) {
         if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
             qCInfo(lcLink) << "link state" << static_cast<int>(link->state) << "reason"
                            << static_cast<int>(link->reason);
@@ -557,9 +583,9 @@ void Session::takeUpAgain(TimePoint now)
 {
     m_takeUpAgain = false;
     if (m_stream)
-        m_drive->submit({.id = 0, .what = *m_stream}, now);
+        submitToDrive({.id = 0, .what = *m_stream}, now);
     if (m_watch)
-        m_drive->submit({.id = 0, .what = *m_watch}, now);
+        submitToDrive({.id = 0, .what = *m_watch}, now);
 }
 
 /// The port is gone: the drive ends all its wishes, then the port is told as closed, once.
@@ -641,7 +667,7 @@ void Session::stopNow(TimePoint now)
         m_phase = Phase::LastStop;
         m_deadline = m_stopUntil;
     }
-    m_drive->stop(now);
+    stopDrive(now);
 }
 
 /// Evidence, and nothing else, ends the wish: the drive was told to stop in this connection.

@@ -52,6 +52,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace lab {
 struct Experiment;
@@ -62,6 +63,8 @@ class Runner;
 Q_MOC_INCLUDE("lab/experiment.h")
 
 namespace session {
+
+class SessionTap;
 
 enum class PortState : std::uint8_t { Closed, Open };
 
@@ -77,6 +80,8 @@ struct Parts {
     Clock elapsed = {};
     /// Unless told otherwise, the session counts as unattended without signs of life.
     Attendance attendance = Attendance::Stamped;
+    /// Each hears what goes to the drive and its line and what comes of them, in the session's thread.
+    std::vector<std::shared_ptr<SessionTap>> taps = {};
 };
 
 /// The real ones: the monotonic clock, makeTransport(), drive::makeDrive(), elapsedTime(); stamped.
@@ -158,6 +163,8 @@ private:
     void gather(TimePoint now);
     void reopen(TimePoint now);
     void runLink(TimePoint now);
+    void submitToDrive(drive::Wish wish, TimePoint now);
+    void stopDrive(TimePoint now);
     void exchange(TimePoint now);
     void collectEvents(TimePoint now);
     void takeUpAgain(TimePoint now);
@@ -199,6 +206,7 @@ private:
     std::optional<Endpoint> m_next; ///< to be opened when the one before is closed
     std::unique_ptr<Transport> m_transport;
     std::unique_ptr<drive::Drive> m_drive;
+    TimePoint m_heardAt{}; ///< the drive heard of its line
     Outbox m_outbox{1};
     Duration m_gathers{}; ///< so late may be told what comes, and that all has left
     Batcher m_batcher;

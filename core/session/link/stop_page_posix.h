@@ -29,7 +29,7 @@ struct StopScript {
 };
 
 /// Written by the program, read by the child, but for what the child did. The script that counts is never written to,
-/// so that a program that dies while it writes leaves a whole one; who reads it looks again whether it still counts.
+/// so that a program that dies while it writes leaves a whole one; the reader checks afterwards that it still counts.
 struct StopPage {
     std::atomic<std::uint32_t> scripts{
         0}; ///< published so far; the lowest bit says where the last one is

@@ -1,6 +1,7 @@
 #include "session/recording/file.h"
 
 #include "session/files/disk_sync.h"
+#include "session/files/whole_file.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -44,7 +45,7 @@ public:
 
     bool append(ByteView bytes) override
     {
-        if (!m_file.seek(m_size) || !writeAll(bytes)) {
+        if (!m_file.seek(m_size) || !put(bytes)) {
             m_text = m_file.errorString();
             m_file.resize(m_size); // half a block is no use
             return false;
@@ -55,7 +56,7 @@ public:
 
     bool overwrite(std::size_t offset, ByteView bytes) override
     {
-        return m_file.seek(static_cast<qint64>(offset)) && writeAll(bytes);
+        return m_file.seek(static_cast<qint64>(offset)) && put(bytes);
     }
 
     bool sync() override
@@ -76,20 +77,13 @@ public:
     QString systemText() const override { return m_text; }
 
 private:
-    /// A disk that fills up takes a part first; only writing the rest tells why.
-    bool writeAll(ByteView bytes)
+    bool put(ByteView bytes)
     {
-        while (!bytes.empty()) {
-            errno = 0;
-            const qint64 count = m_file.write(
-                reinterpret_cast<const char *>(bytes.data()), static_cast<qint64>(bytes.size()));
-            if (count <= 0) {
-                m_full = meansFull(errno) || m_file.error() == QFileDevice::ResourceError;
-                return false;
-            }
-            bytes = bytes.subspan(static_cast<std::size_t>(count));
-        }
-        return true;
+        errno = 0;
+        if (writeAll(m_file, bytes))
+            return true;
+        m_full = meansFull(errno) || m_file.error() == QFileDevice::ResourceError;
+        return false;
     }
 
     std::unique_ptr<QLockFile> m_lock; ///< outlives the open file

@@ -52,7 +52,7 @@ private:
     std::set<drive::RegisterId> m_fresh; ///< on the note since that wish; its end is awaited
 };
 
-/// Parts whose drives tell the note what they do.
+/// Parts whose session tells the note, too.
 Parts noted(const Parts &parts, const std::shared_ptr<LentNote> &note);
 
 } // namespace session

@@ -2,6 +2,7 @@
 
 #include "recorded/decoder.h"
 #include "recorded/entry_codec.h"
+#include "session/files/whole_file.h"
 #include "session/recording/file.h"
 
 #include <QFile>
@@ -15,18 +16,6 @@ namespace session {
 namespace {
 
 constexpr qint64 kCopied = 1 << 20;
-
-/// A short write is no success: commit() would put a truncated file in place (Qt 6.4).
-bool writeAll(QSaveFile &file, const void *bytes, qint64 size)
-{
-    for (qint64 at = 0; at < size;) {
-        const qint64 count = file.write(static_cast<const char *>(bytes) + at, size - at);
-        if (count <= 0)
-            return false;
-        at += count;
-    }
-    return true;
-}
 
 /// Longer than what a block that is cut may miss while both of its checksums still fit: that must not be taken from
 /// the block behind it.
@@ -97,10 +86,11 @@ NotesResult saveNotes(const QString &source, const QString &target,
             return failed(from.errorString());
         if (piece.isEmpty())
             break;
-        if (!writeAll(to, piece.constData(), piece.size()))
+        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(piece.constData()),
+            static_cast<std::size_t>(piece.size()));
+        if (!writeAll(to, bytes))
             return failed(to.errorString());
-        decoder.feed({reinterpret_cast<const std::uint8_t *>(piece.constData()),
-            static_cast<std::size_t>(piece.size())});
+        decoder.feed(bytes);
         tail.follow(decoder);
         if (proceed && !proceed(static_cast<double>(from.pos()) / size))
             return failed(QStringLiteral("cancelled"));
@@ -113,7 +103,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
         return failed(QStringLiteral("it is no recording of Rotorscope"));
     if (!decoder.ending() && existing == before && changedLately(before, read, known))
         return beingWritten();
-    if (tail.cut && !writeAll(to, Bytes(kApart).data(), kApart))
+    if (tail.cut && !writeAll(to, Bytes(kApart)))
         return failed(to.errorString());
     std::uint32_t number = decoder.nextNumber();
     for (const recorded::Note &note : notes) {
@@ -122,7 +112,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
             return failed(QStringLiteral("a note is too long"));
         const Bytes block = recorded::packetBlock(
             {recorded::Interface::Entries, tail.newest, 0, number++, 0}, std::move(*payload));
-        if (!writeAll(to, block.data(), static_cast<qint64>(block.size())))
+        if (!writeAll(to, block))
             return failed(to.errorString());
     }
     if (!to.commit())

@@ -98,42 +98,37 @@ private:
     std::size_t m_kept = 0;
 };
 
-/// What stands behind the samples of a recording.
-enum class TailKind : std::uint8_t {
-    Overview,
-    EndOrNote,
-    Other, ///< a kind that is not known: a later version's, or another program's
-    Samples, ///< or anything else that ends the search, damage too
-};
-
-/// @param found  takes the overview, if it is one
-TailKind tailKindOf(const Bytes &block, std::vector<recorded::Overview> &found)
+/// One block of what stands behind the samples, where the last one comes first.
+/// @param found   takes the overview, if it is one
+/// @param passed  bytes of kinds that are not known: a later version's, or another program's
+/// @return  false: the search is over, also because of damage
+bool takeTail(const Bytes &block, std::vector<recorded::Overview> &found, qint64 &passed)
 {
+    constexpr qint64 kMostPassed = qint64{16} << 20;
     const recorded::Claim claim = recorded::claimOf(block);
-    if (claim.type
-        != recorded::kPacketBlock) // it has no checksum of ours: both of its lengths have to agree
-        return claim.type != recorded::kSectionBlock && claim.length == block.size()
-            ? TailKind::Other
-            : TailKind::Samples;
-    const auto head = recorded::packetHead(block, recorded::kMostPayload);
-    const auto data = head ? recorded::packetData(*head, block) : std::nullopt;
-    if (!data || head->interface != recorded::Interface::Entries)
-        return TailKind::Samples;
-    auto overview = recorded::decodeOverview(*data);
-    if (overview) {
-        found.push_back(std::move(*overview));
-        return TailKind::Overview;
+    if (claim.type == recorded::kPacketBlock) {
+        const auto head = recorded::packetHead(block, recorded::kMostPayload);
+        const auto data = head ? recorded::packetData(*head, block) : std::nullopt;
+        if (!data || head->interface != recorded::Interface::Entries)
+            return false;
+        auto overview = recorded::decodeOverview(*data);
+        if (overview) {
+            found.push_back(std::move(*overview));
+            return true;
+        }
+        const auto entry = recorded::decodeEntry(*data);
+        if (entry)
+            return found.empty()
+                && (std::holds_alternative<recorded::End>(entry->entry)
+                    || std::holds_alternative<recorded::Note>(entry->entry));
+        const auto unknown = recorded::PayloadError::UnknownKind;
+        if (overview.error() != unknown || entry.error() != unknown)
+            return false; // an overview that makes no sense
+    } else if (claim.type == recorded::kSectionBlock || claim.length != block.size()) {
+        return false; // it has no checksum of ours: both of its lengths have to agree
     }
-    const auto entry = recorded::decodeEntry(*data);
-    if (!entry) // an overview that makes no sense is none of these kinds
-        return overview.error() == recorded::PayloadError::UnknownKind
-                && entry.error() == recorded::PayloadError::UnknownKind
-            ? TailKind::Other
-            : TailKind::Samples;
-    return std::holds_alternative<recorded::End>(entry->entry)
-            || std::holds_alternative<recorded::Note>(entry->entry)
-        ? TailKind::EndOrNote
-        : TailKind::Samples;
+    passed += static_cast<qint64>(block.size());
+    return passed <= kMostPassed;
 }
 
 } // namespace
@@ -194,7 +189,6 @@ Result<RecordingReport, QString> readRecording(
 bool readOverview(const QString &path, capture::Capture &capture)
 {
     constexpr int kMostBlocks = 4096; // notes may be behind it, and many times ago
-    constexpr qint64 kMostPassed = qint64{16} << 20; // of kinds that are not known
     constexpr qint64 kTrailer = 4, kLeastBlock = recorded::kClaimBytes + kTrailer;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -213,12 +207,7 @@ bool readOverview(const QString &path, capture::Capture &capture)
         if (length < kLeastBlock || length > end
             || length > qint64{recorded::blockSize(recorded::kMostPayload)})
             break;
-        const Bytes block = read(end - length, length);
-        const TailKind kind = tailKindOf(block, found);
-        if (kind == TailKind::Other)
-            passed += length;
-        if (kind == TailKind::Samples || passed > kMostPassed
-            || (kind == TailKind::EndOrNote && !found.empty()))
+        if (!takeTail(read(end - length, length), found, passed))
             break;
         end -= length;
     }

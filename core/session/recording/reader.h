@@ -14,8 +14,9 @@
 namespace session {
 
 struct RecordingReport {
+    /// When, and what.
     template <class T>
-    using At = std::pair<recorded::Nanos, T>; ///< when, and what
+    using At = std::pair<recorded::Nanos, T>;
     recorded::Begin begin;
     std::vector<At<recorded::Happening>> happenings;
     std::vector<At<recorded::RegisterSnapshot>> snapshots;

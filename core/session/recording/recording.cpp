@@ -7,7 +7,8 @@ namespace session {
 Recording::Recording(
     std::shared_ptr<RecordingTap> tap, RecordingLimits limits, MakeSink makeSink, QObject *parent)
     : QObject(parent)
-    , m_worker(new RecordingWorker(std::move(tap), limits, std::move(makeSink)))
+    , m_tap(std::move(tap))
+    , m_worker(new RecordingWorker(m_tap, limits, std::move(makeSink)))
 {
     qRegisterMetaType<RecordingProgress>("session::RecordingProgress");
     qRegisterMetaType<RecordingResult>("session::RecordingResult");
@@ -38,7 +39,7 @@ void Recording::start(const QString &path, RecordingTap::Content content, const 
         return;
     m_running = true;
     m_ending = false;
-    const recorded::Begin begin{0, program.toStdString(), source.toStdString()};
+    const recorded::Begin begin{m_tap->startSeconds(), program.toStdString(), source.toStdString()};
     QMetaObject::invokeMethod(
         m_worker, [=, worker = m_worker] { worker->start(path, content, begin); },
         Qt::QueuedConnection);

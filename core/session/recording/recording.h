@@ -70,6 +70,7 @@ Q_SIGNALS:
 
 private:
     QThread m_thread;
+    std::shared_ptr<RecordingTap> m_tap;
     RecordingWorker *m_worker; ///< lives in m_thread and ends with it
     bool m_running = false;
     bool m_ending = false; ///< stop() was called

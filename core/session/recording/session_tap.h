@@ -26,8 +26,8 @@ public:
         recorded::LinkBytes::Direction direction, ByteView bytes, TimePoint now) = 0;
 };
 
-/// Parts whose transports and drives tell the tap what they do.
-Parts listened(const Parts &parts, const std::shared_ptr<SessionTap> &tap);
+/// Parts whose session tells the tap, too.
+Parts listened(Parts parts, std::shared_ptr<SessionTap> tap);
 
 /// Tells when the set-points of a session left for the board, asked for by the user or by an experiment; and from when
 /// on what was sent holds no more.

@@ -1,6 +1,9 @@
 #include "session/recording/tap.h"
 
+#include <QDateTime>
+
 #include <algorithm>
+#include <chrono>
 
 namespace session {
 
@@ -27,6 +30,14 @@ void RecordingTap::switchOn(unsigned recording, Content content)
 {
     m_content = content;
     m_recording = recording;
+}
+
+std::int64_t RecordingTap::startSeconds() const
+{
+    if (!m_clock)
+        return 0;
+    const auto since = std::chrono::floor<std::chrono::seconds>(m_clock().time_since_epoch());
+    return QDateTime::currentSecsSinceEpoch() - since.count();
 }
 
 void RecordingTap::onEvent(const drive::Event &event, TimePoint now)
@@ -126,6 +137,18 @@ void RecordingTap::addUntold(std::vector<recorded::Entry> &entries)
     if (!newer)
         entries.insert(entries.begin(), m_untold.begin(), m_untold.end());
     m_untold.clear();
+}
+
+Parts listened(Parts parts, std::shared_ptr<SessionTap> tap)
+{
+    parts.taps.push_back(std::move(tap));
+    return parts;
+}
+
+Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap)
+{
+    tap->setClock(parts.clock);
+    return listened(parts, tap);
 }
 
 } // namespace session

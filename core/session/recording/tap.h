@@ -1,9 +1,7 @@
 // RecordingTap: takes what a session does for a recording, before anything is dropped for display. It stands in the
 // session's thread and never waits: entries are told to the recorder, and while more than the bound wait there, because
 // the disk is slow, further ones are dropped, counted, and told as Lost.
-//
-// Two wrappers feed it: tapped() puts them around a session's transport and drive, so that the session itself knows
-// nothing of recordings.
+// The session tells it as it tells each SessionTap, and knows nothing of recordings.
 #pragma once
 
 #include "recorded/drive_entries.h"
@@ -45,9 +43,13 @@ public:
         m_waiting -= bytes;
     } ///< so much has been written or thrown away
     std::size_t waiting() const { return m_waiting; } ///< bytes
-    /// UTC of the session's 0 s.
-    std::int64_t startSeconds() const { return m_startSeconds; }
-    void setStartSeconds(std::int64_t seconds) { m_startSeconds = seconds; }
+    void setClock(Clock clock)
+    {
+        m_clock = std::move(clock);
+    } ///< the session's; before anything else
+    /// In a thread that may read the session's clock: UTC of the session's 0 s, whole seconds. Asked for when something
+    /// begins to be kept, because that clock stands still while the computer sleeps, and UTC may be set.
+    std::int64_t startSeconds() const;
 
     // In the session's thread.
     void onEvent(const drive::Event &event, TimePoint now) override;
@@ -73,7 +75,7 @@ private:
     std::atomic<unsigned> m_recording = 0; ///< 0: off
     std::atomic<Content> m_content = Content::Samples;
     std::atomic<std::size_t> m_waiting = 0;
-    std::atomic<std::int64_t> m_startSeconds = 0;
+    Clock m_clock;
 
     // Of the session's thread:
     recorded::DriveEntries m_entries;
@@ -85,7 +87,7 @@ private:
     bool m_dropping = false;
 };
 
-/// Parts whose transports and drives tell the tap what they do. The tap's UTC is set from their clock.
+/// Parts whose session tells the tap, too, which takes their clock.
 Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap);
 
 } // namespace session

@@ -75,10 +75,8 @@ void RecordingWorker::start(
         Q_EMIT finished({RecordingOutcome::CannotOpen, path, systemText, {}, {}});
         return;
     }
-    recorded::Begin whole = begin;
-    whole.startSeconds = m_tap->startSeconds();
     m_free = sink->freeBytes();
-    m_file = std::make_unique<RecordingFile>(std::move(sink), whole);
+    m_file = std::make_unique<RecordingFile>(std::move(sink), begin);
     if (!m_file->open()) {
         finish();
         return;
@@ -153,7 +151,7 @@ void RecordingWorker::stop()
     finish();
 }
 
-/// The file is closed, and those who wait are told why.
+/// The file is closed, and waiting callers are told why.
 void RecordingWorker::finish()
 {
     m_tap->switchOff();

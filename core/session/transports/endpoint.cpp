@@ -45,7 +45,7 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.protocol = *spoken;
         }
-    } else if (isSpiPath(path) && protocol == drive::Protocol::Auto) {
+    } else if (isSpiPath(path)) { // whatever was chosen for serial ports
         for (const drive::ProtocolRow &row : drive::protocolTable())
             if (!row.choice.serial)
                 endpoint.protocol = row.choice.protocol; // nothing else is spoken there

@@ -16,7 +16,7 @@ struct Endpoint {
     enum class Kind : std::uint8_t { Simulator, Serial, Trace };
     Kind kind = Kind::Simulator;
     QString path; ///< device path, or the recorded trace's file
-    std::uint32_t baud = 1843200;
+    std::uint32_t baud = 1843200; ///< of an SPI device its clock in Hz
     // For Kind::Simulator.
     std::string board; ///< its profile; empty: the usual one
     int boardMotors = 1;

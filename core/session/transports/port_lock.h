@@ -16,7 +16,7 @@ public:
 
     /// @param path  canonical path of the device
     PortError acquire(const QString &path);
-    void release(); ///< also for who has a duplicate of the descriptor
+    void release(); ///< also for duplicates of the descriptor
     int descriptor() const
     {
         return m_fd;
@@ -26,11 +26,11 @@ private:
     int m_fd = -1;
 };
 
-/// Who has the device open, as "name (pid 123)"; empty if that cannot be seen. For error texts.
+/// The process that has the device open, as "name (pid 123)"; empty if that cannot be seen. For error texts.
 QString portHolder(const QString &path);
 
 /// What can be seen of an open port without reading from it.
-PortProblem problemOf(int error); ///< an errno of who opens a device: POSIX alone has it
+PortProblem problemOf(int error); ///< of the errno of an open(): POSIX only
 
 struct PortHealth {
     bool hungUp = false; ///< the device is gone

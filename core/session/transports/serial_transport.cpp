@@ -48,7 +48,7 @@ PortError SerialTransport::open(TimePoint now)
     m_port->setParity(QSerialPort::NoParity);
     m_port->setStopBits(QSerialPort::OneStop);
     m_port->setFlowControl(QSerialPort::NoFlowControl);
-    askForLowLatency(static_cast<qintptr>(m_port->handle()));
+    askForLowLatency(qintptr(m_port->handle()));
     connect(m_port.get(), &QSerialPort::readyRead, this, &SerialTransport::onReadyRead);
     connect(m_port.get(), &QSerialPort::errorOccurred, this, &SerialTransport::onError);
     const auto notifiers = m_port->findChildren<QSocketNotifier *>();
@@ -64,7 +64,7 @@ PortError SerialTransport::open(TimePoint now)
 
 PortError SerialTransport::openError(const QString &path)
 {
-    m_lock.release(); // or we would be found as the one who holds it
+    m_lock.release(); // or the error would name this program as the holder
     switch (m_port->error()) {
     case QSerialPort::DeviceNotFoundError:
         return {PortProblem::NotFound, m_port->errorString()};
@@ -114,8 +114,7 @@ bool SerialTransport::sent(TimePoint) const
 {
     if (!m_port)
         return true;
-    return m_port->bytesToWrite() == 0
-        && !checkPort(static_cast<qintptr>(m_port->handle())).outputWaiting;
+    return m_port->bytesToWrite() == 0 && !checkPort(qintptr(m_port->handle())).outputWaiting;
 }
 
 /// A board that streams sends something each millisecond, and each time this thread is woken for it.
@@ -147,7 +146,7 @@ void SerialTransport::advance(TimePoint now)
     if (!m_nextCheck || now < *m_nextCheck)
         return;
     m_nextCheck = now + kCheckEvery;
-    const PortHealth health = checkPort(static_cast<qintptr>(m_port->handle()));
+    const PortHealth health = checkPort(qintptr(m_port->handle()));
     // On a busy machine calls can come twice in a row, with no look at the port between them: that is no deaf port.
     const bool ignored = health.inputWaiting && m_ignored && !m_heard;
     const bool deaf = ignored && !m_chance.isActive();

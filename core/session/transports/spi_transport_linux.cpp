@@ -206,11 +206,12 @@ void SpiTransport::write(ByteView bytes, TimePoint)
         reinterpret_cast<const char *>(received.data()), static_cast<qsizetype>(received.size())));
 }
 
+/// Whatever the system calls it: the drive is lost, and the session tries to open the port again.
 void SpiTransport::fail()
 {
     const PortError error = lastError("SPI transfer");
     close();
-    Q_EMIT failed(error);
+    Q_EMIT failed({PortProblem::Unplugged, error.detail});
 }
 
 } // namespace

@@ -11,6 +11,8 @@ class TestFileProblems : public QObject {
 private Q_SLOTS:
     void aCsvProblemNamesItsPlace();
     void anExportProblemNamesTheFormatAndWhatFits();
+    void aSnapshotProblemNamesItsLineAndRegister();
+    void aRevUpProblemNamesItsStage();
     void eachPieceCanBeTranslated();
 };
 
@@ -40,12 +42,43 @@ void TestFileProblems::anExportProblemNamesTheFormatAndWhatFits()
                            "signals or a shorter range."));
 }
 
+void TestFileProblems::aSnapshotProblemNamesItsLineAndRegister()
+{
+    using enum SnapshotProblem;
+    const QString file = QStringLiteral("%2.json");
+    QCOMPARE(snapshotProblemText(file, {NotJson, 3, 0, {}, QStringLiteral("illegal value")}),
+        QStringLiteral("%2.json cannot be used: in line 3 it is no JSON (illegal value)."));
+    QCOMPARE(snapshotProblemText(file, {TooManyRegisters, 0, 0, {}, {}}),
+        QStringLiteral("%2.json cannot be used: it has more registers than any board."));
+    QCOMPARE(snapshotProblemText(file, {NoName, 5, 2, {}, {}}),
+        QStringLiteral("%2.json cannot be used: line 5, register 2: it has no name."));
+    QCOMPARE(snapshotProblemText(file, {Twice, 6, 3, QStringLiteral("SPEED_KP"), {}}),
+        QStringLiteral("%2.json cannot be used: line 6, register SPEED_KP: it is there twice."));
+}
+
+void TestFileProblems::aRevUpProblemNamesItsStage()
+{
+    using Kind = RevUpFileError::Kind;
+    const QString file = QStringLiteral("%2.json");
+    QCOMPARE(revUpProblemText(file, {Kind::NotJson}),
+        QStringLiteral("%2.json is no rev-up: it is not JSON."));
+    QCOMPARE(revUpProblemText(file, {Kind::NoStages}),
+        QStringLiteral("%2.json is no rev-up: it has no stages, or more than five."));
+    QCOMPARE(revUpProblemText(file, {Kind::BadStage, 2}),
+        QStringLiteral("%2.json is no rev-up: the numbers of its stage 2 do not fit."));
+}
+
 void TestFileProblems::eachPieceCanBeTranslated()
 {
     QCOMPARE(csvProblemText({What::TimeRunsBack, 9, 1, "x"}, shouted),
         QStringLiteral("LINE 9, COLUMN 1: THE TIME x IS BEFORE THE ONE ABOVE IT"));
     QVERIFY(exportProblemText(ExportProblem::TooLong, *exportFormatNamed("mat"), shouted)
                 .contains(QStringLiteral("AT MOST 2 GIB OF NUMBERS")));
+    const QString a = QStringLiteral("a"), gain = QStringLiteral("Kp");
+    QCOMPARE(snapshotProblemText(a, {SnapshotProblem::NoId, 5, 2, gain, {}}, shouted),
+        QStringLiteral("a CANNOT BE USED: LINE 5, REGISTER Kp: IT HAS NO ID."));
+    QCOMPARE(revUpProblemText(a, {RevUpFileError::Kind::BadStage, 2}, shouted),
+        QStringLiteral("a IS NO REV-UP: THE NUMBERS OF ITS STAGE 2 DO NOT FIT."));
 }
 
 QTEST_GUILESS_MAIN(TestFileProblems)

@@ -110,9 +110,9 @@ QByteArray everyFile(const QString &folder)
     all += revUp;
     if (const auto again = readRevUpJson(revUp, 0.00123))
         all += revUpJson(*again, 0.00123);
-    drive::MotionEntry record;
-    record.act = drive::MotionAct::Stop;
-    all += motionLogText({{record, QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC)}},
+    drive::MotionEntry entry;
+    entry.act = drive::MotionAct::Stop;
+    all += motionLogText({{entry, QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC)}},
         QStringLiteral("kim"));
     const QString csv = folder + QStringLiteral("/run.csv");
     exportCsv(csv, 1);
@@ -130,10 +130,10 @@ QByteArray everyFile(const QString &folder)
 
 drive::MotionEntry motionAsked(std::int64_t ms, drive::MotionAct act)
 {
-    drive::MotionEntry record;
-    record.act = act;
-    record.asked = record.ended = TimePoint(std::chrono::milliseconds(ms));
-    return record;
+    drive::MotionEntry entry;
+    entry.act = act;
+    entry.asked = entry.ended = TimePoint(std::chrono::milliseconds(ms));
+    return entry;
 }
 
 int runWriter(const QString &folder)

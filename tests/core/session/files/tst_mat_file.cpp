@@ -22,6 +22,7 @@ private Q_SLOTS:
     void aRangeIsExact();
     void namesAreWhatMatlabTakes();
     void aPlaceThatTakesNoFileIsOneError();
+    void aTemporaryFolderThatCannotBeMadeIsOneError();
     void allItHoldsIsBounded();
     void itIsCancelledAnywhere();
 };
@@ -140,6 +141,23 @@ void TestMatFile::aPlaceThatTakesNoFileIsOneError()
     QVERIFY(!result.file.systemText.isEmpty());
     QCOMPARE(writeMatFile(folder.path(), support::everyChannel(matRecording())).file.error,
         FileError::NotAFile);
+}
+
+void TestMatFile::aTemporaryFolderThatCannotBeMadeIsOneError()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.mat"));
+    const QByteArray before = qgetenv("TMPDIR");
+    QFile noFolder(folder.filePath(QStringLiteral("file")));
+    QVERIFY(noFolder.open(QIODevice::WriteOnly));
+    qputenv("TMPDIR", QFile::encodeName(noFolder.fileName()));
+    const MatResult result = writeMatFile(path, support::everyChannel(matRecording()));
+    before.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+    QCOMPARE(result.file.error, FileError::CannotWrite);
+    QVERIFY(!result.file.systemText.isEmpty());
+    QVERIFY2(!result.file.systemText.contains(QStringLiteral("no room")),
+        qPrintable(result.file.systemText));
+    QVERIFY(!QFile::exists(path));
 }
 
 /// All columns of all structures, not one of them.

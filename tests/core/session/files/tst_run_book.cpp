@@ -213,6 +213,43 @@ private Q_SLOTS:
                 QStringLiteral("5.000 6.500")}));
     }
 
+    void aStretchIsOfTheMotorThatWasMeasuredInIt()
+    {
+        using recorded::Nanos;
+        constexpr Nanos kMilli = 1'000'000;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("two.pcapng"));
+        QString why;
+        session::RecordingFile file(
+            session::makeDiskSink(path, why), {1'700'000'000, "test", "sim"});
+        QVERIFY(file.open());
+        auto registers = *anEndedRun().registers;
+        registers.board.motorNames = {"Left", "Right"};
+        QVERIFY(file.add(0,
+            recorded::RegisterSnapshot{
+                "all registers", session::snapshotJson(registers).toStdString()}));
+        QVERIFY(file.add(0, recorded::PolledRegister{7, "BUS_VOLTAGE", "V"}));
+        const auto plan = [](const char *motor) {
+            return recorded::Happening{
+                "step plan", {{"motor", motor}, {"from rpm", "1000"}, {"to rpm", "1500"}}};
+        };
+        for (Nanos ms = 100; ms <= 4000; ms += 100) {
+            QVERIFY(file.add(ms * kMilli, recorded::PolledValues{{{7, ms * kMilli, 24.0}}}));
+            if (ms == 500 || ms == 2000)
+                QVERIFY(file.add(ms * kMilli, plan(ms == 500 ? "2" : "1")));
+        }
+        QVERIFY(file.end());
+        const auto kept = session::keepStretches(folder.path(), path);
+        QVERIFY2(kept, kept ? "" : qPrintable(kept.error()));
+        QCOMPARE(kept->runs.size(), 2U);
+        QCOMPARE(kept->runs[0].motor, 2);
+        QCOMPARE(kept->runs[0].motorName, QStringLiteral("Right"));
+        QCOMPARE(kept->runs[0].gains, (QMap<QString, double>{{QStringLiteral("SPEED_KP"), 5}}));
+        QCOMPARE(kept->runs[1].motor, 1);
+        QCOMPARE(kept->runs[1].motorName, QStringLiteral("Left"));
+        QCOMPARE(kept->runs[1].gains[QStringLiteral("SPEED_KP")], 700.0);
+    }
+
     void aNoteAndAStarStay()
     {
         QTemporaryDir folder;

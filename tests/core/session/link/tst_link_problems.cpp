@@ -40,6 +40,9 @@ void TestLinkProblems::aPortProblemNamesThePortAndTheDetail()
     QVERIFY(portErrorText(busy, port).startsWith(QStringLiteral("%2 is in use (%1). ")));
     QVERIFY(portErrorText({PortProblem::Other, {}}, port)
                 .startsWith(QStringLiteral("%2 cannot be opened. ")));
+    // Devices of SPI belong to another group than serial ports.
+    QVERIFY(portErrorText({PortProblem::NoPermission, {}}, port)
+                .startsWith(QStringLiteral("You may not use %2. Join the group that owns it ")));
     const auto shouted = [](const char *english) { return QString::fromUtf8(english).toUpper(); };
     QCOMPARE(portErrorText({PortProblem::Unplugged, QStringLiteral("gone")}, port, shouted),
         QStringLiteral("%2 WAS UNPLUGGED. CHECK THE CABLE."));

@@ -45,6 +45,7 @@ private Q_SLOTS:
     void aStopBetweenTwoPortsIsForBoth();
     void aPortThatFailsWhileClosingMakesRoomForTheNext();
     void whatWaitsIsDroppedBeforeABlindStop();
+    void whatIsDroppedWhileItIsWrittenTakesNoStopWithIt();
     void aPortThatIsLeftForgetsWhatCouldNotLeave();
     void whatIsKnownOfALineOutlivesItsPort();
     void aStalledReceiverGetsNoThirdBatch();
@@ -578,6 +579,28 @@ void TestSession::whatWaitsIsDroppedBeforeABlindStop()
     for (const auto &one : bench.port.written)
         written.push_back(one.bytes);
     QCOMPARE(written, (std::vector<Bytes>{{1}, {3}, {4}})); // the port has thrown away the 1
+}
+
+/// A line that answers within write(), as SPI does, on a computer that slept just then.
+void TestSession::whatIsDroppedWhileItIsWrittenTakesNoStopWithIt()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().outputs = {{bytes({1}), {}}, {bytes({2}), {}}};
+    bench.port.onWrite = [&] {
+        if (std::exchange(bench.slept, 8h) != 0s)
+            return;
+        bench.session.stopFromAnyThread();
+        bench.port.alive->hear(QByteArray("x"));
+        bench.drive().outputs = {{bytes({0x5A}), {}}};
+    };
+    bench.turn();
+    QCOMPARE(bench.board.stops, 1);
+    bench.runUntil(bench.now + 20ms);
+    std::vector<Bytes> written;
+    for (const auto &one : bench.port.written)
+        written.push_back(one.bytes);
+    QCOMPARE(written, (std::vector<Bytes>{{1}, {0x5A}}));
 }
 
 void TestSession::aPortThatIsLeftForgetsWhatCouldNotLeave()

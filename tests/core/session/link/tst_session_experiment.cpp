@@ -238,10 +238,10 @@ private Q_SLOTS:
                     && stops.back().word != drive::StopWord::NotConfirmed;
             },
             2s));
-        const auto records = world.all<drive::MotionEntry>();
-        const auto stop = std::find_if(records.begin(), records.end(),
-            [](const auto &record) { return record.act == drive::MotionAct::Stop; });
-        QVERIFY(stop != records.end());
+        const auto entries = world.all<drive::MotionEntry>();
+        const auto stop = std::find_if(entries.begin(), entries.end(),
+            [](const auto &entry) { return entry.act == drive::MotionAct::Stop; });
+        QVERIFY(stop != entries.end());
         QVERIFY2(stop->asked - at <= 1ms, qPrintable(QString::number(toSeconds(stop->asked - at))));
         QVERIFY(world.idles());
         QVERIFY(!world.session.nextStep() || world.status->state == MotorState::Idle);

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void theMotionLogIsInTheFile();
     void aRecordingThatBeginsLateKnowsWhatHolds();
     void theBytesOfTheLineAreThereIfAskedFor();
+    void whatFollowsFromBytesIsNotBeforeThem();
     void aSlowDiskStallsNobodyAndItsLossIsTold();
     void whatASlowDiskMissedIsDescribedAgain();
     void whatIsToldWhileARecordingEndsIsTakenAll();
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void aFileThatIsThereAlreadyIsAnError();
     void leavingWithoutAStopEndsTheFile();
     void aSecondRecordingIsAWholeOne();
+    void eachRecordingIsDatedWhenItBegins();
     void aNoteIsTakenUntilTheEndIsAskedFor();
 };
 
@@ -175,6 +177,20 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
     QCOMPARE(bench.tap->waiting(), std::size_t(0));
 }
 
+/// The session's clock and the system's part: here the first goes on for an hour while the second does not.
+void TestRecordingLive::eachRecordingIsDatedWhenItBegins()
+{
+    LiveBench bench;
+    bench.now += 1h;
+    const std::int64_t earliest = QDateTime::currentSecsSinceEpoch() - 3700;
+    bench.start();
+    const std::int64_t latest = QDateTime::currentSecsSinceEpoch() - 3700;
+    bench.stop();
+    const auto begins = support::readRecording(bench.path).all<recorded::Begin>();
+    QCOMPARE(begins.size(), 1U);
+    QVERIFY(begins[0].startSeconds >= earliest && begins[0].startSeconds <= latest);
+}
+
 void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
 {
     const recorded::Note note{1, 2, "look here"};
@@ -258,6 +274,35 @@ void TestRecordingLive::theBytesOfTheLineAreThereIfAskedFor()
         QByteArray(reinterpret_cast<const char *>(link[0].bytes.data()), 6), QByteArray("abcdef"));
     QCOMPARE(link[1].direction, recorded::LinkBytes::Direction::Sent);
     QCOMPARE(bench.board.received.size(), std::size_t(6)); // and the drive heard them all the same
+}
+
+/// On a line that answers within write(), as SPI does.
+void TestRecordingLive::whatFollowsFromBytesIsNotBeforeThem()
+{
+    LiveBench bench;
+    bench.start(RecordingTap::Content::SamplesAndLink);
+    bench.board.alive->outputs.push_back({Bytes{1}, {}});
+    bench.port.onWrite = [&] {
+        bench.now += 3ms;
+        bench.port.alive->hear("x");
+        bench.board.alive->events.push_back(
+            drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None});
+    };
+    bench.session.step(bench.now);
+    bench.stop();
+    using recorded::LinkBytes;
+    std::optional<recorded::Nanos> heard, followed;
+    const auto facts = support::readRecording(bench.path);
+    for (const recorded::Item &item : facts.items) {
+        const auto *bytes = std::get_if<LinkBytes>(&item.entry);
+        if (bytes != nullptr && bytes->direction == LinkBytes::Direction::Received)
+            heard = item.at;
+        if (const auto *what = std::get_if<recorded::Happening>(&item.entry);
+            what != nullptr && what->name == "link")
+            followed = item.at;
+    }
+    QVERIFY(heard && followed);
+    QVERIFY(*heard <= *followed);
 }
 
 void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()

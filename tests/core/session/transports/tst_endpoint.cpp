@@ -32,6 +32,9 @@ void TestEndpoint::theNameSaysWhatItIs()
     QVERIFY(none.kind == Endpoint::Kind::Serial);
     const Endpoint spi = endpointFor(QStringLiteral("/dev/spidev0.0"), 1'000'000);
     QVERIFY(spi.kind == Endpoint::Kind::Serial && spi.protocol == Protocol::Mcb);
+    const Endpoint chosen =
+        endpointFor(QStringLiteral("/dev/spidev0.0"), 20'000'000, Protocol::Mcp);
+    QVERIFY(chosen.protocol == Protocol::Mcb && chosen.baud == 20'000'000U);
     const Endpoint serial = endpointFor(QStringLiteral("/dev/ttyACM0"), 921600, Protocol::Mcp);
     QVERIFY(serial.kind == Endpoint::Kind::Serial && serial.protocol == Protocol::Mcp);
 }
