@@ -111,7 +111,7 @@ struct Scale {
 
 /// The number in a value, if it is one.
 std::optional<double> asNumber(const Value &value);
-/// The value in the digits of the wire, for those who want to see or write these.
+/// The value in the digits of the wire, for a caller that shows or writes these.
 Value onWire(const RegisterInfo &info, const Value &value);
 /// The other way round; empty if the register has no such digits.
 std::optional<Value> fromWire(const RegisterInfo &info, const Value &value);

@@ -33,8 +33,8 @@ std::optional<StopWord> wordIn(const Event &event)
 {
     if (const auto *progress = std::get_if<StopProgress>(&event))
         return progress->word;
-    const auto *record = std::get_if<MotionEntry>(&event);
-    return record != nullptr ? record->stop : std::nullopt;
+    const auto *entry = std::get_if<MotionEntry>(&event);
+    return entry != nullptr ? entry->stop : std::nullopt;
 }
 
 /// Whether this failure proves that a board of the row is there.
@@ -189,7 +189,7 @@ private:
     std::size_t m_which = 0;
     bool m_open = false;
     bool m_settled = false; ///< the candidate's board has answered
-    std::deque<std::size_t> m_plan; ///< who is still to come in this round
+    std::deque<std::size_t> m_plan; ///< candidates still to come in this round
     std::optional<std::size_t> m_proven; ///< whose board it is
     bool m_followed = false; ///< in this round a proof has led to another one
     bool m_hasty = true; ///< the candidate comes once more in this round
@@ -331,7 +331,7 @@ void AutoDrive::sift(TimePoint now)
     for (const StopProgress &progress : m_stop.takeProgress()) {
         if (progress.word != StopWord::NotConfirmed)
             continue; // the candidates tell the others
-        m_events.emplace_back(recordOf(progress, m_stopAsked));
+        m_events.emplace_back(entryOf(progress, m_stopAsked));
         m_events.emplace_back(progress);
     }
     std::optional<LinkReason> failed;

@@ -72,29 +72,21 @@ std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &writ
 
 struct Begin {
     const catalog::Catalog &catalog;
-    MotionEntry record;
+    MotionEntry entry;
 
     bool begin(MotionAct act, int motor, std::string detail = {})
     {
-        record.act = act;
-        record.motor = motor;
-        record.detail = std::move(detail);
+        entry.act = act;
+        entry.motor = motor;
+        entry.detail = std::move(detail);
         return true;
     }
 
     bool operator()(const Command &command)
     {
-        switch (command.action) {
-        case MotorAction::Start:
-            return begin(MotionAct::Start, command.motor);
-        case MotorAction::StopMotor:
-            return begin(MotionAct::StopMotor, command.motor);
-        case MotorAction::StopRamp:
-            return begin(MotionAct::StopRamp, command.motor);
-        case MotorAction::AcknowledgeFaults:
-            break;
-        }
-        return begin(MotionAct::AcknowledgeFaults, command.motor);
+        using enum MotionAct;
+        static constexpr MotionAct kActs[]{Start, StopMotor, StopRamp, AcknowledgeFaults};
+        return begin(kActs[static_cast<std::size_t>(command.action)], command.motor);
     }
     bool operator()(const SpeedRamp &ramp)
     {
@@ -129,7 +121,7 @@ struct Begin {
     }
     bool operator()(const Write &write)
     {
-        record.act = MotionAct::Write;
+        entry.act = MotionAct::Write;
         std::size_t named = 0;
         for (const RegisterWrite &one : write.writes) {
             const auto *info = catalog.find(one.id);
@@ -138,12 +130,12 @@ struct Begin {
             if (++named > kMostNamed)
                 continue;
             if (named == 1 && info->perMotor)
-                record.motor = catalog.motorOf(one.id);
-            record.detail +=
+                entry.motor = catalog.motorOf(one.id);
+            entry.detail +=
                 (named > 1 ? "; " : "") + catalog.nameOf(one.id) + " = " + valueText(catalog, one);
         }
         if (named > kMostNamed)
-            record.detail += "; and " + std::to_string(named - kMostNamed) + " more";
+            entry.detail += "; and " + std::to_string(named - kMostNamed) + " more";
         return named > 0;
     }
     bool operator()(const Read &) { return false; }
@@ -158,18 +150,18 @@ std::optional<MotionEntry> motionOf(
     const Wish &wish, const catalog::Catalog &catalog, TimePoint now)
 {
     Begin begin{catalog, {}};
-    begin.record.asked = begin.record.ended = now;
-    begin.record.source = wish.source;
+    begin.entry.asked = begin.entry.ended = now;
+    begin.entry.source = wish.source;
     if (!std::visit(begin, wish.what))
         return std::nullopt;
-    return std::move(begin.record);
+    return std::move(begin.entry);
 }
 
-void noteSent(MotionEntry &record, ByteView request)
+void noteSent(MotionEntry &entry, ByteView request)
 {
-    ++record.requests;
-    if (record.sent.size() < MotionEntry::kMostSent)
-        record.sent.emplace_back(request.begin(), request.end());
+    ++entry.requests;
+    if (entry.sent.size() < MotionEntry::kMostSent)
+        entry.sent.emplace_back(request.begin(), request.end());
 }
 
 std::string_view wordOf(MotionAct act)
@@ -212,20 +204,20 @@ std::string motionLogHeading()
 }
 
 std::string motionLogLine(
-    const MotionEntry &record, std::size_t number, std::string_view time, std::string_view who)
+    const MotionEntry &entry, std::size_t number, std::string_view time, std::string_view who)
 {
     std::string line = std::to_string(number);
     const auto add = [&line](std::string_view text) { line += ',' + cell(text); };
     add(time);
     add(who);
-    add(wordOf(record.source));
-    add(record.motor > 0 ? std::to_string(record.motor) : std::string());
-    add(wordOf(record.act));
-    add(record.detail);
-    add(record.stop ? wordOf(*record.stop) : wordOf(record.outcome));
-    add(record.reason);
-    add(milliseconds(record.ended - record.asked));
-    add(hex(record.sent, record.requests));
+    add(wordOf(entry.source));
+    add(entry.motor > 0 ? std::to_string(entry.motor) : std::string());
+    add(wordOf(entry.act));
+    add(entry.detail);
+    add(entry.stop ? wordOf(*entry.stop) : wordOf(entry.outcome));
+    add(entry.reason);
+    add(milliseconds(entry.ended - entry.asked));
+    add(hex(entry.sent, entry.requests));
     return line;
 }
 

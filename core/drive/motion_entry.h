@@ -1,4 +1,4 @@
-// The motion log: who asked a motor for what, when, how it ended, and which bytes left for it. A drive makes one record
+// The motion log: who asked a motor for what, when, how it ended, and which bytes left for it. A drive makes one entry
 // for each act once its end is known, a stop one for each of its four words. They are only appended.
 //
 // The texts here are the log's own words, the same in every language, because files of different people are compared.
@@ -47,29 +47,29 @@ struct MotionEntry {
     std::string detail; ///< numbers with units, names of registers; from core
     Outcome outcome{};
     std::string reason; ///< why not, the board's or the drive's word
-    std::optional<StopWord> stop; ///< what is known of a stop with this record
+    std::optional<StopWord> stop; ///< what is known of a stop with this entry
     std::size_t requests = 0; ///< how many left that can change something
     std::vector<Bytes> sent; ///< their payloads as on the wire, the first kMostSent of them
     static constexpr std::size_t kMostSent = 32;
 };
 
-/// The record that a wish begins; empty for wishes that move nothing and can harm nothing.
+/// The entry that a wish begins; empty for wishes that move nothing and can harm nothing.
 std::optional<MotionEntry> motionOf(
     const Wish &wish, const catalog::Catalog &catalog, TimePoint now);
 /// Notes a request that leaves for the act and can change something.
-void noteSent(MotionEntry &record, ByteView request);
+void noteSent(MotionEntry &entry, ByteView request);
 
 std::string_view wordOf(MotionAct act); ///< "SPEED_RAMP"
 std::string_view wordOf(Source source); ///< "person"
 std::string_view wordOf(Outcome outcome); ///< "ok"
 std::string_view wordOf(StopWord word); ///< "drive idle"
 
-/// One line a record, without line ends: comma-separated, quoted where needed, a point as decimal sign.
+/// One line an entry, without line ends: comma-separated, quoted where needed, a point as decimal sign.
 std::string motionLogHeading();
-/// @param number  of the record in its log, from 1
+/// @param number  of the entry in its log, from 1
 /// @param time    when it was asked, as the caller's clock tells it
 /// @param who     the user or program, e.g. "kim, Rotorscope"
 std::string motionLogLine(
-    const MotionEntry &record, std::size_t number, std::string_view time, std::string_view who);
+    const MotionEntry &entry, std::size_t number, std::string_view time, std::string_view who);
 
 } // namespace drive

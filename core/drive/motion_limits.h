@@ -38,7 +38,7 @@ MotionBounds realBoundsOf(const MotorLimits &limits, const UserLimits &user);
 /// Whether the user's limits are numbers that can bound something: finite and not negative.
 bool isPlausible(const UserLimits &user);
 
-/// Whether a full-scale current is one that an inverter can have: 0 (not known), or up to 10 kA.
+/// Whether a full-scale current is one that an inverter can have: 0 (not known), or up to kHighestAmps.
 bool isPlausible(const CurrentScale &scale);
 
 /// What one raw digit of a set-point's register asks for: rpm of a speed, A of a current, and of a torque the A that

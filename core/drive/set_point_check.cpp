@@ -43,7 +43,7 @@ struct Bound {
 std::string refuseBeyond(const Bound &bound, int motor, double value)
 {
     if (!std::isfinite(value))
-        return "not a finite number";
+        return kNotFinite;
     if (!(bound.most > 0.0))
         return unknown(bound.quantity, motor);
     if (std::abs(value) > bound.most)
@@ -128,6 +128,19 @@ std::string refuseStages(const BoardFacts &board, int motor, ByteView raw)
     return {};
 }
 
+std::string refuseDigits(double digits)
+{
+    return digits > kGreatestDigits ? "beyond what 16 bits hold" : "";
+}
+
+bool sameStages(const Value &written, const Value &read)
+{
+    const auto *bytes = std::get_if<Bytes>(&written);
+    const auto stages = motor::revUpOfBytes(bytes != nullptr ? *bytes : Bytes());
+    return bytes != nullptr && stages
+        && read == Value(motor::bytesOf(motor::keptByFirmware(*stages)));
+}
+
 std::string refusePosition(const BoardFacts &board, int motor, const Move &wanted)
 {
     constexpr double kRounding = 1e-6; // of a float
@@ -143,6 +156,8 @@ std::string refusePosition(const BoardFacts &board, int motor, const Move &wante
 
 std::string refuseWay(const BoardFacts &board, int motor, const Move &wanted, double position_rad)
 {
+    if (!std::isfinite(position_rad))
+        return "the board does not tell where the shaft is";
     const double rpm = motor::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
     const std::string why = refuseSpeed(board, motor, rpm);
     return why.empty() ? why : "the speed on the way is " + why;
@@ -175,8 +190,7 @@ std::string refuseSetPoint(const BoardFacts &board, const SetPoint &wanted)
     if (auto why = refuseCurrent(board, wanted.motor, amps); !why.empty())
         return why;
     const double most = std::max(std::abs(wanted.first), std::abs(wanted.second));
-    return roundedDigits(board, wanted.motor, most) > kGreatestDigits ? "beyond what 16 bits hold"
-                                                                      : "";
+    return refuseDigits(roundedDigits(board, wanted.motor, most));
 }
 
 std::int16_t digitsOf(const BoardFacts &board, int motor, double amps)

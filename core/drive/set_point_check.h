@@ -40,8 +40,14 @@ std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
 /// that a set-point of just the limit becomes are within it.
 double leastAmps(double digits, double ampsPerDigit);
 
+/// Why so many digits of a current are none of a set-point; empty if they are.
+std::string refuseDigits(double digits);
+
 /// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
 std::string refuseStages(const BoardFacts &board, int motor, ByteView raw);
+
+/// Whether stages read back as they were written, but for the speeds, which firmware keeps in steps of 0.1 Hz.
+bool sameStages(const catalog::Value &written, const catalog::Value &read);
 
 /// Where a position ramp goes.
 struct Move {
@@ -49,7 +55,7 @@ struct Move {
 };
 /// Why the shaft must not go there, wherever it is now; empty if it may.
 std::string refusePosition(const BoardFacts &board, int motor, const Move &wanted);
-/// The same from where it is, because of the speed on the way.
+/// The same from where it is, because of the speed on the way. @param position_rad  not finite: it is not told
 std::string refuseWay(const BoardFacts &board, int motor, const Move &wanted, double position_rad);
 
 /// A speed ramp, torque ramp or current reference, as protocols have it that hold whole rpm and currents in 16 bits.

@@ -1,8 +1,12 @@
 #include "drive/start_target.h"
 
 #include "base/bytes.h"
+#include "catalog/control_mode.h"
+#include "drive/set_point_check.h"
 #include "drive/values.h"
+#include "drive/write_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string_view>
@@ -21,6 +25,16 @@ const RegisterInfo *first(const Catalog &catalog, std::span<const std::string_vi
         if (const RegisterInfo *info = catalog.find(name); info != nullptr && info->readable())
             return info;
     return nullptr;
+}
+
+/// Of the last torque ramp: firmware keeps 16 bits, which come first in either length that it is read with.
+std::string refuseTorque(const BoardFacts &board, int motor, const catalog::Value &held)
+{
+    const auto *bytes = std::get_if<Bytes>(&held);
+    if (bytes == nullptr || bytes->size() < sizeof(std::int16_t))
+        return {};
+    const double digits = ByteReader(*bytes).s16();
+    return refuseCurrent(board, motor, leastAmps(digits, board.ampsPerDigit(motor)));
 }
 
 } // namespace
@@ -84,6 +98,57 @@ StartTarget startTarget(
             target.amps = reference(current, digits);
     }
     return target;
+}
+
+bool isSource(const RegisterInfo &info)
+{
+    return info.name == "OPENLOOP" || info.name == "FOC_SPEED_SOURCE_SELECT";
+}
+
+std::string refuseStartTarget(const BoardFacts &board, int motor, const std::vector<Reading> &found)
+{
+    const Catalog &catalog = *board.catalog;
+    const catalog::StartRegisters &start = catalog.start();
+    const auto held = [&](catalog::RegisterId id) -> std::optional<catalog::Value> {
+        const auto at = std::ranges::find(found, id, &Reading::id);
+        return at != found.end() && at->status == ReadStatus::Ok ? std::optional(at->value)
+                                                                 : std::nullopt;
+    };
+    const StartTarget target = startTarget(catalog, board.limitsOf(motor), motor, held);
+    const bool torque = target.control == ControlMode::Torque;
+    if (torque)
+        if (auto why = refuseTorqueControl(board); !why.empty())
+            return why;
+    // At rest the references of torque and flux read as 0, whatever a start goes to.
+    if (torque && start.torqueRamp.empty() && board.user.maxCurrentAmps > 0.0)
+        return "in torque control this board does not tell to which current a start goes; "
+               "take your own limit of current away first";
+    const RegisterInfo *modes = first(catalog, start.mode);
+    const auto mode = modes == nullptr ? std::nullopt : held(catalog.withMotor(*modes, motor));
+    if (mode && *mode != catalog::Value(catalog::kPositionModeNumber)
+        && target.control == ControlMode::Other)
+        return "in this control mode no limit of your own holds: take yours away first";
+    const bool byRamp = target.ramp.has_value(); // the reference is left from before, then
+    for (const Reading &reading : found) {
+        const RegisterInfo *info = catalog.find(reading.id);
+        if (reading.status != ReadStatus::Ok || info == nullptr)
+            continue;
+        const std::string name = catalog.nameOf(reading.id);
+        if (isSource(*info) && asNumber(reading.value).value_or(0.0) != 0.0)
+            return name + " is on, and then no limit of your own holds: turn it off first";
+        std::string why;
+        if (info->name == start.ramp[0])
+            why = byRamp ? refuseSpeed(board, motor, target.rpm.value_or(0.0)) : "";
+        else if (info->name == start.torqueRamp)
+            why = torque ? refuseTorque(board, motor, reading.value) : "";
+        else if (const auto *raw = std::get_if<Bytes>(&reading.value))
+            why = refuseStages(board, motor, *raw);
+        else if (torque || (info->setPoint == catalog::SetPoint::Speed && !byRamp))
+            why = refuseNumber(board, {reading.id, reading.value});
+        if (!why.empty())
+            return name + " is " + why;
+    }
+    return {};
 }
 
 } // namespace drive

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "drive/motion_limits.h"
+#include "drive/board_facts.h"
 #include "drive/motor_view.h"
 
 #include <chrono>
@@ -31,5 +31,13 @@ std::vector<catalog::RegisterId> startRegisters(const catalog::Catalog &catalog,
 /// @param held  what a register holds, as it was read
 StartTarget startTarget(
     const catalog::Catalog &catalog, const MotorLimits &limits, int motor, const ValueSource &held);
+
+/// Where it is not 0 the motor follows what is no set-point: an open loop, a potentiometer.
+bool isSource(const catalog::RegisterInfo &info);
+
+/// Why a START must not be, by what the board was set to before it; empty if it may.
+/// @param found  what was read for this judgement; what was not read refuses nothing
+std::string refuseStartTarget(
+    const BoardFacts &board, int motor, const std::vector<Reading> &found);
 
 } // namespace drive

@@ -7,17 +7,17 @@ namespace drive {
 
 bool isDriveIdle(const MotorStatus &status) { return rests(status.state) || status.waitsForBus; }
 
-MotionEntry recordOf(const StopProgress &progress, TimePoint asked, MotionEntry record)
+MotionEntry entryOf(const StopProgress &progress, TimePoint asked, MotionEntry entry)
 {
-    record.act = MotionAct::Stop;
-    record.motor = progress.motor;
-    record.asked = asked;
-    record.ended = std::max(asked, progress.at);
-    record.stop = progress.word;
+    entry.act = MotionAct::Stop;
+    entry.motor = progress.motor;
+    entry.asked = asked;
+    entry.ended = std::max(asked, progress.at);
+    entry.stop = progress.word;
     const bool sure =
         progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
-    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
-    return record;
+    entry.outcome = sure ? Outcome::Ok : Outcome::Unknown;
+    return entry;
 }
 
 void StopSequence::begin(int motors, TimePoint now, int expected)
@@ -28,7 +28,7 @@ void StopSequence::begin(int motors, TimePoint now, int expected)
     m_blindUntil = now + kBlindTime;
     std::erase_if(m_motors, [](const Motor &motor) { return motor.idle; });
     for (Motor &motor : m_motors)
-        motor.nextStop = std::min(motor.nextStop, now); // who waits for longer stays first
+        motor.nextStop = std::min(motor.nextStop, now); // the motor that waits longest stays first
     add(std::max(motors, expected), now);
 }
 

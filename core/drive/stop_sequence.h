@@ -19,8 +19,8 @@
 
 namespace drive {
 
-/// A word of a stop as the motion log has it. @param record  with the STOPs that left since the word before
-MotionEntry recordOf(const StopProgress &progress, TimePoint asked, MotionEntry record = {});
+/// A word of a stop as the motion log has it. @param entry  with the STOPs that left since the word before
+MotionEntry entryOf(const StopProgress &progress, TimePoint asked, MotionEntry entry = {});
 
 /// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
 bool isDriveIdle(const MotorStatus &status);

@@ -130,7 +130,7 @@ protected:
         m_ended.reason = std::move(reason);
         m_ended.byProgram = outcome == Outcome::Refused && !m_sent;
     }
-    /// The same for who is asked for a request: there is none.
+    /// The same for a caller that has to return a request: there is none.
     std::nullopt_t noRequest(Outcome outcome, std::string reason = {})
     {
         end(outcome, std::move(reason));

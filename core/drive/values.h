@@ -12,6 +12,11 @@ namespace drive {
 using catalog::asNumber;
 using catalog::Value;
 
+// Why a value is none for a register, in every protocol.
+inline constexpr const char *kNotFinite = "not a finite number",
+                            *kDoesNotFit = "does not fit the register",
+                            *kSetByStreaming = "is set by streaming";
+
 /// What was read is what was written; a board may hold a number in 32 bits only.
 bool sameValue(const Value &written, const Value &read);
 

@@ -63,10 +63,10 @@ void WishDrive::setArmed(bool armed)
 {
     if (std::exchange(m_armed, armed) == armed)
         return;
-    MotionEntry record;
-    record.act = armed ? MotionAct::Arm : MotionAct::Disarm;
-    record.asked = record.ended = m_workedAt;
-    m_events.emplace_back(std::move(record));
+    MotionEntry entry;
+    entry.act = armed ? MotionAct::Arm : MotionAct::Disarm;
+    entry.asked = entry.ended = m_workedAt;
+    m_events.emplace_back(std::move(entry));
 }
 
 void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now)
@@ -183,7 +183,7 @@ void WishDrive::collectStop()
 {
     for (const StopProgress &progress : m_stop.takeProgress()) {
         m_events.emplace_back(
-            recordOf(progress, m_stopAsked, std::exchange(m_stopsSent[progress.motor], {})));
+            entryOf(progress, m_stopAsked, std::exchange(m_stopsSent[progress.motor], {})));
         m_events.emplace_back(progress);
     }
 }

@@ -50,8 +50,9 @@ protected:
         return sameValue(write.value, read);
     }
 
-    /// Why a value that the board took does not read back yet; empty if it would.
-    virtual std::string notShownYet(const RegisterWrite &, const WriteResult &) const { return {}; }
+    /// Of a reference: it is read as what is in force now, not as what was asked for last. What is asked for at rest is
+    /// kept for the next start, and shown from then on.
+    virtual bool showsInForce(const catalog::RegisterInfo &) const { return false; }
 
     /// The value before, if it was read a moment ago: then the write leaves without another read. Parameters
     /// alone: what a motor follows, firmware changes by itself.
@@ -88,19 +89,24 @@ void WriteTask<P>::judge(Item &item)
 {
     WriteResult &result = item.result;
     const bool asWanted = result.readBack && same(item.write, *result.readBack);
+    const auto *info = m_board.catalog->find(item.write.id);
+    const bool waits = !asWanted && result.before && result.readBack == result.before
+        && info->effect == catalog::Effect::Reference && showsInForce(*info);
     if (item.state == State::Doubtful) {
         if (!result.readBack)
             endItem(item, Outcome::Unknown, "no answer");
         else if (asWanted)
             endItem(item, Outcome::Ok);
+        else if (waits)
+            endItem(item, Outcome::Unknown, "no answer; if it was taken the next start goes to it");
         else
             endItem(item, Outcome::Refused, "no answer, and another value is read back");
     }
     if (!result.readBack || result.outcome != Outcome::Ok)
         return;
-    if (!asWanted)
-        result.reason = notShownYet(item.write, result);
-    if (result.reason.empty())
+    if (waits)
+        result.reason = "taken, and shown from the next start on, if the motor rests";
+    else
         result.verified = asWanted;
 }
 

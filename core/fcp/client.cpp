@@ -315,13 +315,15 @@ void Client::onReplyWhileRecovering(const Reply &reply, TimePoint now)
     }
     if (ack == nullptr)
         return askFailed(now);
+    // While connecting nothing else was asked: any length will do, because the text of one dialect describes none.
     auto info = decodeBoardInfo(ack->data);
-    if (!info)
+    if (!info || (m_state == State::Recovering && ack->data.size() != m_infoSize))
         return; // a late answer to what was asked before
+    m_infoSize = ack->data.size();
     const bool again = std::exchange(m_connected, true);
     m_suspected = false;
     m_state = State::Settling;
-    rest(kFillPause, now);
+    rest(m_infoSize == kInfoSize ? kFillPause : kSettle, now); // else more may be on its way
     m_events.emplace_back(Connected{std::move(*info), again});
 }
 

@@ -147,6 +147,7 @@ private:
     TimePoint m_deadline; ///< of the state
     TimePoint m_noisyUntil; ///< silence has to have begun by then
     TimePoint m_lastByte;
+    std::size_t m_infoSize = kInfoSize; ///< of the GET_BOARD_INFO that this board was met by
     int m_filled = 0, m_round = 0;
     bool m_gentle = false; ///< this recovery begins without filling
     bool m_connected = false, m_motorDriven = false, m_suspected = false;

@@ -27,8 +27,8 @@ std::uint8_t checksumOf(ByteView bytes);
 /// The bytes for the wire; empty if the payload is longer than kMaxPayload.
 Bytes encodeFrame(std::uint8_t header, ByteView payload);
 
-/// There is no start mark, so it never searches for one: bytes are taken in order, and who finds something bad calls
-/// reset() when the line has been brought to rest.
+/// There is no start mark, so it never searches for one: bytes are taken in order. A caller that finds a bad frame
+/// calls reset() when the line has been brought to rest.
 class Framer {
 public:
     /// What may stand in the first byte.

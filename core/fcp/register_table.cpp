@@ -88,6 +88,7 @@ bool readType(std::string_view text, RegisterInfo &info)
     return true;
 }
 
+/// What a unit says of the number.
 void setQuantity(RegisterInfo &info)
 {
     if (info.unit == "s16A")
@@ -96,6 +97,10 @@ void setQuantity(RegisterInfo &info)
         info.quantity = catalog::Quantity::Voltage;
     else if (info.unit == "s16degree")
         info.quantity = catalog::Quantity::Angle;
+    if (info.unit == "0.1 %") { // a share: no more than all
+        info.least = 0.0;
+        info.greatest = 1000.0;
+    }
 }
 
 /// What the text alone says: the type's width where it can be read, and where it can be written.

@@ -90,9 +90,10 @@ Bytes encodeNack(ErrorCode error)
 
 Result<BoardInfo, ReplyError> decodeBoardInfo(ByteView data)
 {
-    if (data.size() != kInfoSize)
+    if (data.empty())
         return fail(ReplyError::BadLength);
-    return BoardInfo{versionOf(data.first(kVersionParts)), textOf(data.subspan(kVersionParts))};
+    const std::size_t parts = data.size() < kVersionParts ? 0 : kVersionParts;
+    return BoardInfo{versionOf(data.first(parts)), textOf(data.subspan(parts))};
 }
 
 Bytes encodeBoardInfo(const BoardInfo &info)

@@ -50,7 +50,9 @@ struct BoardInfo {
     std::string name; ///< bytes that are no printable ASCII appear as "?"
     bool operator==(const BoardInfo &) const = default;
 };
-constexpr std::size_t kInfoSize = 32; ///< of GET_BOARD_INFO and GET_FW_VERSION
+/// Of GET_BOARD_INFO, as STM32 boards answer it, and GET_FW_VERSION.
+constexpr std::size_t kInfoSize = 32;
+/// In any length but none: shorter ones lack the name, or the version, too.
 Result<BoardInfo, ReplyError> decodeBoardInfo(ByteView data);
 /// @param version  "5.4.3"; each part's first character is sent
 Bytes encodeBoardInfo(const BoardInfo &info);

@@ -10,7 +10,7 @@ constexpr std::size_t kFixedPart = 7; ///< of a configuration, without its ids
 constexpr double kFreshSeconds = 0.012;
 constexpr double kLineSeconds = 0.020;
 constexpr std::size_t kPacketHeader = 4;
-constexpr std::uint16_t kUsualBuffer = 2048;
+constexpr std::size_t kUsualBuffer = 2048;
 
 bool hasMotor(const std::vector<RegisterId> &ids)
 {
@@ -19,10 +19,10 @@ bool hasMotor(const std::vector<RegisterId> &ids)
 
 } // namespace
 
-DatalogConfig datalogStop()
+DatalogConfig datalogStop(std::size_t asyncMax)
 {
     DatalogConfig config;
-    config.bufferSize = kUsualBuffer;
+    config.bufferSize = static_cast<std::uint16_t>(std::min(kUsualBuffer, asyncMax));
     return config;
 }
 
@@ -108,9 +108,9 @@ void DatalogLayout::fill(std::size_t bufferSize)
     m_fullLength = at + (m_slowAtEnd ? m_slowBytes : 0) + 2;
 }
 
-std::optional<std::size_t> DatalogLayout::blocksIn(std::size_t length, bool cutShort) const
+std::optional<std::size_t> DatalogLayout::blocksIn(std::size_t length) const
 {
-    const std::size_t ends = kDatalogOverhead + (m_slowAtEnd && !cutShort ? m_slowBytes : 0);
+    const std::size_t ends = kDatalogOverhead + (endsInGroup(length) ? m_slowBytes : 0);
     if (length < ends)
         return std::nullopt;
     if (m_fastBytes == 0 && m_blocksAGroup == 0) // what a stop sends off holds no block then

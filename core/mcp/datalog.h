@@ -32,8 +32,9 @@ struct DatalogConfig {
     bool operator==(const DatalogConfig &) const = default;
 };
 
-/// What ends recording, as the vendor's tool sends it: 00 08 00 00 FF 00 00.
-DatalogConfig datalogStop();
+/// What ends recording, as the vendor's tool sends it: 00 08 00 00 FF 00 00. A board that agreed to less refuses a
+/// larger buffer, even where it is only to stop. @param asyncMax  negotiated, bytes
+DatalogConfig datalogStop(std::size_t asyncMax);
 
 /// Which register configures the datalog of the link that the Ping reply named; with motor 1, see DatalogConfig::fast.
 RegisterId datalogRegister(std::uint8_t linkId);
@@ -57,15 +58,17 @@ public:
     unsigned step() const { return m_step; } ///< ticks between two blocks
     /// Blocks between two MF groups; 0 if there is no repeating group.
     std::size_t blocksAGroup() const { return m_blocksAGroup; }
-    bool slowAtEnd() const { return m_slowAtEnd; }
 
     /// Payload of a packet that was filled to its end; empty if none is ever sent.
     std::optional<std::size_t> fullLength() const { return m_fullLength; }
     /// Blocks of a full packet.
     std::size_t fullBlocks() const { return m_fullBlocks; }
     /// Blocks in a payload of `length` bytes; empty if no number of blocks gives it.
-    /// @param cutShort  the packet that a stop sends off: with MF rate 254 it has no MF group
-    std::optional<std::size_t> blocksIn(std::size_t length, bool cutShort = false) const;
+    /// Any length below the full one is that of a packet that a stop or a fault sent off: with MF rate 254 it has no MF
+    /// group.
+    std::optional<std::size_t> blocksIn(std::size_t length) const;
+    /// Whether a payload of `length` bytes ends in an MF group.
+    bool endsInGroup(std::size_t length) const { return m_slowAtEnd && m_fullLength == length; }
     /// The smallest buffer that firmware accepts.
     std::size_t smallestBuffer() const { return m_fastBytes + m_slowBytes + kDatalogOverhead; }
 

@@ -95,24 +95,16 @@ struct Walk {
 } // namespace
 
 bool decodeBlocks(const DatalogConfig &config, const DatalogLayout &layout,
-    const Signedness &signedness, ByteView payload, bool stopped, capture::SampleBlock &block)
+    const Signedness &signedness, ByteView payload, capture::SampleBlock &block)
 {
-    // Asked to stop, and shorter than full: then the MF group of rate 254 is the one that is missing, also where both
-    // readings of the length would do.
-    const bool shorter = layout.fullLength() != payload.size();
-    bool cutShort = layout.slowAtEnd() && stopped && shorter;
-    std::optional<std::size_t> blocks = layout.blocksIn(payload.size(), cutShort);
-    if (!blocks && cutShort) {
-        cutShort = false;
-        blocks = layout.blocksIn(payload.size());
-    }
+    const std::optional<std::size_t> blocks = layout.blocksIn(payload.size());
     if (!blocks)
         return false;
     block.lostTicks = 0;
     block.firstTick = timestampOf(payload);
     block.count = config.fast.empty() ? 0 : static_cast<std::uint32_t>(*blocks);
     block.fast.resize(config.fast.size() * *blocks);
-    const bool endGroup = layout.slowAtEnd() && !cutShort && layout.slowBytes() > 0;
+    const bool endGroup = layout.endsInGroup(payload.size()) && layout.slowBytes() > 0;
     Walk{config, layout, signedness, payload, *blocks, endGroup}.into(block);
     for (std::size_t s = 0; s < config.fast.size(); ++s) {
         if (isUnsigned(signedness.fastUnsigned, s))
@@ -137,7 +129,6 @@ void DatalogDecoder::expect(
     if (m_known.size() == kMaxKnown)
         m_known.erase(m_known.begin());
     m_known.push_back({stream, config, DatalogLayout(config), std::move(signedness)});
-    m_stopping = false;
 }
 
 DatalogDecoder::Known *DatalogDecoder::find(std::uint8_t mark)
@@ -170,8 +161,7 @@ bool DatalogDecoder::decode(ByteView payload, capture::SampleBlock &block)
     }
     const auto full = known->layout.fullLength();
     if (!full || payload.size() > *full
-        || !decodeBlocks(
-            known->config, known->layout, known->signedness, payload, m_stopping, block)) {
+        || !decodeBlocks(known->config, known->layout, known->signedness, payload, block)) {
         ++m_stats.badLength;
         return false;
     }

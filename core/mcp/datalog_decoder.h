@@ -1,8 +1,8 @@
 // ASYNC payloads to sample blocks. Knows every configuration that may still be on its way, by its mark, and decodes a
 // packet only with its own. What does not fit exactly is counted and skipped: no sample is ever guessed.
 //
-// Call order: expect() with each configuration when it is sent, stopping() when a stop is sent, decode() with each
-// payload; a new one when the board was reset.
+// Call order: expect() with each configuration when it is sent, decode() with each payload; a new one when the board
+// was reset.
 #pragma once
 
 #include "capture/sample_block.h"
@@ -23,7 +23,7 @@ struct Signedness {
 /// False if the length does not fit. Shared with the trace decoder.
 /// @param block  all of it is written but the stream; what it holds of an earlier packet is room for this one
 bool decodeBlocks(const DatalogConfig &config, const DatalogLayout &layout,
-    const Signedness &signedness, ByteView payload, bool stopped, capture::SampleBlock &block);
+    const Signedness &signedness, ByteView payload, capture::SampleBlock &block);
 
 class DatalogDecoder {
 public:
@@ -44,8 +44,6 @@ public:
 
     /// From now on packets with config.mark may come. Earlier configurations stay until one of this mark was seen.
     void expect(capture::StreamId stream, const DatalogConfig &config, Signedness signedness = {});
-    /// A stop was sent: the last packet may come cut short.
-    void stopping() { m_stopping = true; }
 
     std::optional<capture::SampleBlock> decode(ByteView payload);
     /// The same into a block that is used again, without an allocation once it has its size; what is in it where this
@@ -79,7 +77,6 @@ private:
     std::optional<capture::StreamId> m_lastStream;
     std::optional<Clock> m_clock;
     std::optional<std::uint32_t> m_doubtful; ///< next timestamp if the strange packet was right
-    bool m_stopping = false;
     unsigned m_epoch = 0;
     Stats m_stats;
 };

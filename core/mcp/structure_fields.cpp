@@ -147,7 +147,7 @@ constexpr std::array kParts{
     Part{reg::kTorqueRamp, 4, "duration", kU16},
     Part{reg::kCurrentRef, 4, "Iq", kS16}, // s16A
     Part{reg::kCurrentRef, 4, "Id", kS16},
-    Part{reg::kPositionRamp, 8, "target", kF32}, // rad and s; read back swapped by 6.1 and 6.2.1
+    Part{reg::kPositionRamp, 8, "target", kF32}, // rad and s; up to 6.2.1 GET swaps them
     Part{reg::kPositionRamp, 8, "duration", kF32},
     Part{reg::kHallHewPins, 4, "pin", kU8, 3},
     Part{reg::kHallConnectedPins, 4, "pin", kU8, 3},

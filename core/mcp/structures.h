@@ -18,7 +18,7 @@ struct GlobalConfig { // 10 bytes
     bool operator==(const GlobalConfig &) const = default;
 };
 
-struct MotorConfig { // 60 bytes
+struct MotorConfig { // 60 bytes; ratedFlux: V/Hz in HSO and ZeST builds, else Ke in V/krpm
     float polePairs = 0, ratedFlux = 0, rs = 0, skinFactor = 0, lq = 0, ld = 0, maxCurrent = 0,
           copperMass = 0, coolingTau = 0;
     std::string name; ///< up to 23 bytes; the device's text
@@ -47,6 +47,8 @@ struct FirmwareConfig { // FOC and ACIM 14 bytes; six-step 10, 11 (6.3.2) or 13 
     std::optional<std::uint16_t> flags2;
     std::optional<std::uint8_t> driveMode; ///< six-step: 0 voltage, 1 current
     bool operator==(const FirmwareConfig &) const = default;
+    /// HSO and ZeST builds: other registers, per unit, and a rated flux in V/Hz.
+    bool hso() const { return !sixStep && (primarySensor == 5 || primarySensor == 6); }
 };
 
 struct ScaleConfig { // 12 bytes

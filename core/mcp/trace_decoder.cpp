@@ -160,10 +160,8 @@ void TraceDecoder::readSet(TraceRequest &item, ByteView content)
         if (!config)
             continue;
         item.datalog = m_pending = *config;
-        if (config->stops()) { // the last packet may come before the response
-            m_stopping = true;
+        if (config->stops())
             m_active = false;
-        }
     }
 }
 
@@ -175,7 +173,6 @@ void TraceDecoder::accept(const DatalogConfig &config)
     const bool same = m_active && !m_streams.empty() && m_streams.back().config.mark == config.mark;
     if (same)
         return;
-    m_stopping = false;
     m_active = true;
     std::erase_if(
         m_streams, [&config](const Stream &stream) { return stream.config.mark == config.mark; });
@@ -239,7 +236,7 @@ void TraceDecoder::decodeSamples(TraceAsync &item, Stream &stream, ByteView payl
     for (const RegisterId id : stream.config.slow)
         signedness.slowUnsigned.push_back(isUnsigned(id));
     capture::SampleBlock block;
-    if (!decodeBlocks(stream.config, stream.layout, signedness, payload, m_stopping, block))
+    if (!decodeBlocks(stream.config, stream.layout, signedness, payload, block))
         return;
     item.decoded = true;
     item.fastBlocks = block.count;

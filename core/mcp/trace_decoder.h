@@ -128,7 +128,6 @@ private:
     std::size_t m_written = 0; ///< registers of the last SET
     std::optional<DatalogConfig> m_pending; ///< of the last SET, not answered yet
     std::vector<Stream> m_streams; ///< oldest first
-    bool m_stopping = false; ///< a stop was sent, and nothing was configured since
     bool m_active = false; ///< the newest configuration may be running
 };
 

@@ -56,13 +56,11 @@ double kvOfFlux_rpmpv(double flux_wb, double polePairs)
 
 double ktOfFlux_nmpa(double flux_wb, double polePairs) { return 1.5 * polePairs * flux_wb; }
 
-double fluxOfConfiguration_wb(double ratedFlux, double polePairs)
+double fluxOfConfiguration_wb(double ratedFlux, double polePairs, bool perHertz)
 {
     if (!known(ratedFlux) || !known(polePairs))
         return 0.0;
-    constexpr double kSmallest_wb = 0.3e-3; // of a motor that a drive of this kind turns
-    const double asKe = fluxOfKe_wb(ratedFlux, polePairs), perHertz = ratedFlux / (2.0 * pi);
-    return asKe < kSmallest_wb && perHertz >= kSmallest_wb ? perHertz : asKe;
+    return perHertz ? ratedFlux / (2.0 * pi) : fluxOfKe_wb(ratedFlux, polePairs);
 }
 
 double torque_nm(const MotorParameters &m, double iq_a, double id_a)

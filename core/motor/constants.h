@@ -32,9 +32,9 @@ double fluxOfKv_wb(double kv_rpmpv, double polePairs); ///< KV: rpm per volt, pe
 double kvOfFlux_rpmpv(double flux_wb, double polePairs);
 double ktOfFlux_nmpa(double flux_wb, double polePairs); ///< torque per peak ampere
 
-/// Flux in the "rated flux" of a board's motor configuration [Wb]. Standard firmware puts Ke there (V rms line to line
-/// per 1000 rpm), HSO firmware V/Hz. Ke is taken, unless that makes less than 0.3 mWb and V/Hz makes more. 0: unknown.
-double fluxOfConfiguration_wb(double ratedFlux, double polePairs);
+/// Flux in the "rated flux" of a board's motor configuration [Wb]; 0: unknown.
+/// @param perHertz  it is in V/Hz, as HSO firmware has it; else it is Ke (V rms line to line per 1000 rpm)
+double fluxOfConfiguration_wb(double ratedFlux, double polePairs, bool perHertz);
 
 /// Torque with reluctance: 3/2 p (flux Iq + (Ld - Lq) Id Iq).
 double torque_nm(const MotorParameters &motor, double iq_a, double id_a = 0.0);

@@ -10,7 +10,7 @@ double quantisedSpeed_rpm(double rpm)
 {
     if (!std::isfinite(rpm))
         return 0.0;
-    const double whole = std::trunc(std::clamp(rpm, -kMostSpeed_rpm, kMostSpeed_rpm));
+    const double whole = std::trunc(std::clamp(rpm, -kMostInSteps_rpm, kMostInSteps_rpm));
     return std::trunc(whole / kSpeedStep_rpm) * kSpeedStep_rpm + 0.0;
 }
 

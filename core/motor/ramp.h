@@ -9,10 +9,11 @@
 namespace motor {
 
 constexpr double kSpeedStep_rpm = 6.0; ///< 0.1 Hz, mechanical
-/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
-constexpr double kMostSpeed_rpm = 32767.0;
+/// Firmware from 6.0 on takes speeds as 16 bits of rpm, older firmware as 16 bits of steps: beyond, they turn over into
+/// the other direction.
+constexpr double kMostSpeed_rpm = 32767.0, kMostInSteps_rpm = kSpeedStep_rpm * 32767.0;
 
-/// The speed that the firmware makes of it: 3001 -> 3000, -3005 -> -3000. Beyond 16 bits of rpm: clipped.
+/// The speed that the firmware makes of it: 3001 -> 3000, -3005 -> -3000. Beyond 16 bits of steps: clipped.
 double quantisedSpeed_rpm(double rpm);
 
 struct RampPoint {

@@ -1,7 +1,9 @@
 #include "drive/fcp/fcp_commands.h"
 
+#include "drive/start_target.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
+#include "motor/ramp.h"
 #include "motor/rev_up.h"
 
 namespace drive {
@@ -28,29 +30,10 @@ std::vector<RegisterId> FcpActTask::needs() const
     return ids;
 }
 
-/// What the board was set to before, against the user's own limits.
 std::string FcpActTask::plan()
 {
-    for (const Reading &reading : m_found) {
-        std::string why;
-        const auto number = asNumber(reading.value);
-        if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
-            why = refuseStages(m_board, m_motor, *raw);
-        } else if (number && fcpNumber(reading.id) == kControlMode) {
-            if (*number != static_cast<double>(catalog::kTorqueModeNumber))
-                continue;
-            if (why = refuseTorqueControl(m_board); !why.empty())
-                return why;
-            // At rest the references of torque and flux read as 0, whatever a start goes to.
-            if (m_board.user.maxCurrentAmps > 0.0)
-                return "in torque control this board does not tell to which current a start goes; "
-                       "take your own limit of current away first";
-        } else if (number) {
-            why = refuseSpeed(m_board, m_motor, *number);
-        }
-        if (!why.empty())
-            return m_board.catalog->nameOf(reading.id) + " is " + why;
-    }
+    if (auto why = refuseStartTarget(m_board, m_motor, m_found); !why.empty())
+        return why;
     request(fcpRequest(m_motor, encode()));
     return {};
 }
@@ -70,6 +53,16 @@ fcp::Command FcpActTask::encode() const
     default:
         return fcp::SetCurrentReference{digits(wanted.first), digits(wanted.second)};
     }
+}
+
+/// Speeds are kept in steps of 0.1 Hz.
+bool FcpWriteTask::same(const RegisterWrite &write, const Value &read) const
+{
+    if (sameValue(write.value, read) || sameStages(write.value, read))
+        return true;
+    const auto rpm = asNumber(write.value);
+    return rpm && write.id == fcpId(kFinalSpeed, m_board.catalog->motorOf(write.id))
+        && sameValue(motor::quantisedSpeed_rpm(*rpm), read);
 }
 
 std::string FcpWriteTask::plan(const RegisterWrite &write)

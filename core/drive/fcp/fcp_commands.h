@@ -38,6 +38,11 @@ public:
 
 private:
     std::string plan(const RegisterWrite &write) override;
+    bool same(const RegisterWrite &write, const Value &read) const override;
+    bool showsInForce(const catalog::RegisterInfo &info) const override
+    {
+        return info.setPoint == catalog::SetPoint::Current;
+    }
     bool repeats() const override { return true; }
     /// START is acknowledged in any state.
     bool acknowledgementCounts() const override { return false; }

@@ -18,8 +18,6 @@ namespace drive {
 
 namespace {
 
-using Link = fcp::Client;
-
 /// The motion log has only what can change something.
 bool changes(const fcp::Request &request)
 {

@@ -136,7 +136,7 @@ void FcpIdentification::addLimits()
     for (int motor = 1; motor <= m_board.motors; ++motor) {
         MotorLimits limits;
         limits.speedStepRpm = motor::kSpeedStep_rpm;
-        limits.wireRpm = motor::kMostSpeed_rpm;
+        limits.wireRpm = motor::kMostInSteps_rpm;
         const auto fastest = m_values.find(fcpId(kMaxSpeed, motor));
         if (fastest != m_values.end())
             limits.maxSpeedRpm = asNumber(fastest->second).value_or(0.0);

@@ -124,7 +124,7 @@ Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &val
     if (which.info.type == catalog::ValueType::F32) {
         const auto number = asNumber(value);
         if (!number || !std::isfinite(static_cast<float>(*number)))
-            return fail(std::string("not a finite number"));
+            return fail(std::string(kNotFinite));
         return fcp::encodeValue(which, Value(*number), which.writeBytes);
     }
     auto whole = wholeNumberFor(which.info.type, value);

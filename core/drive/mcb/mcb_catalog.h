@@ -16,6 +16,7 @@ struct McbFacts : BoardFacts {
     std::map<std::uint16_t, mcb::Info> infos; ///< what GET INFO said, by address
     mcb::TextOrder order = mcb::TextOrder::HighByteFirst;
     double countsPerTurn = 0.0; ///< of the position; 0: not known
+    bool quickStop = false; ///< the drive was last seen in a quick stop
 
     /// nullptr if the drive has no such register.
     const mcb::Info *infoOf(std::uint16_t address) const

@@ -131,7 +131,7 @@ std::string McbActTask::plan(const Command &command)
     case MotorAction::Start:
         return planStart();
     case MotorAction::StopMotor:
-        control(kShutdown);
+        control(mcbStopWord(m_board));
         break;
     case MotorAction::StopRamp:
         if (const auto velocity = valueOf(kVelocityNow); velocity
@@ -198,11 +198,7 @@ std::string McbActTask::planStart()
 
 std::string McbActTask::plan(const SpeedRamp &ramp)
 {
-    if (auto why = m_board.reasonAgainst(Feature::SpeedRamp); !why.empty())
-        return why;
-    if (auto why = refuseRampTime(ramp.duration); !why.empty())
-        return why;
-    if (auto why = refuseSpeed(m_board, m_motor, ramp.rpm); !why.empty())
+    if (auto why = refuseSetPoint(m_board, *setPointOf(ramp)); !why.empty())
         return why;
     const double target = ramp.rpm / kSecondsPerMinute;
     const double seconds = std::chrono::duration<double>(ramp.duration).count();
@@ -236,11 +232,8 @@ std::string McbActTask::plan(const PositionRamp &ramp)
     const Move wanted{ramp.radians, toSeconds(ramp.duration)};
     if (auto why = refusePosition(m_board, m_motor, wanted); !why.empty())
         return why;
-    const auto now = valueOf(kPositionNow);
-    if (!now)
-        return "the drive does not tell where the shaft is";
     const double counts = ramp.radians / kTurn_rad * m_board.countsPerTurn;
-    const double now_rad = *now / m_board.countsPerTurn * kTurn_rad;
+    const double now_rad = valueOf(kPositionNow).value_or(NAN) / m_board.countsPerTurn * kTurn_rad;
     if (auto why = refuseWay(m_board, m_motor, wanted, now_rad); !why.empty())
         return why;
     const double way_rad = ramp.radians - now_rad;
@@ -255,7 +248,7 @@ std::string McbWriteTask::plan(const RegisterWrite &write)
 {
     const std::uint16_t address = mcbAddressOf(write.id);
     if (isMcbMappingRegister(address))
-        return "is set by streaming";
+        return kSetByStreaming;
     if (address == mcbreg::kControl)
         return "the state machine is walked by start, stop and the acknowledging of faults";
     if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())

@@ -22,11 +22,11 @@ namespace drive {
 
 namespace {
 
-using Link = mcb::Master;
-
 /// Of the link, between two STOPs that are sent blind: what they lack is given up before, and the drive asked behind
 /// that, or the length of its frames found, without which no STOP may be of use.
 constexpr Duration kOwnTurn = std::chrono::milliseconds(130);
+
+constexpr std::int64_t kQuickStopActive = 0x07; ///< of the status word, masked
 
 LinkReason reasonOf(mcb::Master::Cause cause)
 {
@@ -204,6 +204,7 @@ void McbDrive::beginAnew(LinkReason reason, TimePoint now)
     m_stream.ended();
     endSetPoints();
     m_faulty = false;
+    m_board.quickStop = false;
     meet(reason, now);
 }
 
@@ -241,6 +242,7 @@ void McbDrive::onStatuses(const std::vector<MotorStatus> &statuses)
         if (fault && !std::exchange(m_faulty, fault))
             restSetPoints();
         m_faulty = fault;
+        m_board.quickStop = status.rawState == kQuickStopActive;
     }
 }
 
@@ -262,7 +264,7 @@ std::vector<Output> McbDrive::stopScript() const
     constexpr Duration kBehindFrame = std::chrono::milliseconds(2); // to be ready again
     // Byte streams forget an unfinished frame, see Master::quiet.
     constexpr Duration kBehindWrongFrame = std::chrono::milliseconds(60);
-    mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
+    mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {mcbStopWord(m_board)}, {}};
     std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
     if (const std::size_t words = m_link.mapping().words(); words > 0) {
         stop.cyclic.resize(words);
@@ -299,7 +301,7 @@ void McbDrive::sendStop(int motor, TimePoint now)
     const bool blind = m_stopWaits && now >= *m_stopWaits + StopSequence::kRepeat;
     if (!blind && !m_link.canSend())
         return; // the length of frames is changing: in a moment it is known
-    const Link::Request stop{mcb::Command::Write, mcbreg::kControl, {kShutdown}};
+    const Link::Request stop{mcb::Command::Write, mcbreg::kControl, {mcbStopWord(m_board)}};
     noteStop(motor, mcbChanges(stop), now);
     m_stopSince = now;
     m_stopUnderWay = !blind;
@@ -382,7 +384,7 @@ bool McbDrive::tookAlong(std::uint16_t address, const mcb::Words &words) const
     return false;
 }
 
-Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travelling)
+mcb::Master::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travelling)
 {
     const mcb::Words &wanted = travelling.wanted;
     Link::Done write = read;
@@ -396,7 +398,7 @@ Link::Done McbDrive::confirmed(const Link::Done &read, const Travelling &travell
         return write;
     const bool same = read.words.size() >= wanted.size()
         && std::equal(wanted.begin(), wanted.end(), read.words.begin());
-    if (!same) { // the drive has its own mind: it is left with it
+    if (!same) { // the drive took another value: it is not written again
         write.end = Link::End::Refused;
         write.code = kOtherValueRead;
         if (!travelling.rests)

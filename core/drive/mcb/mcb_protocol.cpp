@@ -1,6 +1,7 @@
 #include "drive/mcb/mcb_protocol.h"
 
 #include "base/text.h"
+#include "drive/values.h"
 
 #include <cmath>
 
@@ -70,7 +71,7 @@ Result<mcb::Words, std::string> mcbWordsOf(
         return std::move(*words);
     switch (words.error()) {
     case mcb::ValueError::OutOfRange:
-        return fail(std::string("does not fit the register"));
+        return fail(std::string(kDoesNotFit));
     case mcb::ValueError::WrongKind:
         return fail(std::string("is no value for this register"));
     case mcb::ValueError::WrongSize:

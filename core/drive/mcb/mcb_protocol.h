@@ -25,8 +25,14 @@ constexpr std::uint16_t kLastError = 0x00F, kControl = 0x010, kStatus = 0x011, k
                         kProduct = 0x6E1, kRevision = 0x6E2, kVersion = 0x6E4, kWeb = 0x6E5,
                         kSerial = 0x6E6, kPeakCurrent = 0x71F;
 } // namespace mcbreg
-/// Into kControl: ready, without power. The power stage goes off in every state but a fault, where it is off.
+/// Into kControl: ready, without power. The power stage goes off in every state but a fault, where it is off, and a
+/// quick stop, which may hold the motor for ever.
 constexpr std::uint16_t kShutdown = 0x06;
+/// Into kControl, to stop: a quick stop ends with the disabling of the voltage alone (DS402).
+inline std::uint16_t mcbStopWord(const McbFacts &board)
+{
+    return board.quickStop ? std::uint16_t{0x00} : kShutdown;
+}
 constexpr double kSecondsPerMinute = 60.0; ///< speeds are turns a second on the wire
 
 /// The way into the cyclic state, and out of it.

@@ -29,8 +29,6 @@ private:
     std::string plan() override;
     void conclude(const McpRequest &asked, AnswerEnd said) override;
     void onRead() override;
-    std::string refuseStartTarget() const;
-    std::string refuseTorque(const Value &held) const;
 
     Command m_command;
     std::string m_refusal; ///< the board's word, while the state that explains it is read

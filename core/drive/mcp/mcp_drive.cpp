@@ -21,26 +21,24 @@ namespace drive {
 
 namespace {
 
-using Link = aspep::Controller;
-
 /// Where another protocol is tried next a second of Beacons into silence is enough: a third of a second each at 115200
 /// baud.
 constexpr int kHastyOffers = 3;
 
-LinkReason reasonOf(Link::LostReason reason)
+LinkReason reasonOf(aspep::Controller::LostReason reason)
 {
     switch (reason) {
-    case Link::LostReason::NoAnswer:
+    case aspep::Controller::LostReason::NoAnswer:
         return LinkReason::NoAnswer;
-    case Link::LostReason::OnlyGarbage:
+    case aspep::Controller::LostReason::OnlyGarbage:
         return LinkReason::OnlyGarbage;
-    case Link::LostReason::OldProtocol:
+    case aspep::Controller::LostReason::OldProtocol:
         return LinkReason::OldProtocol;
-    case Link::LostReason::NoAgreement:
+    case aspep::Controller::LostReason::NoAgreement:
         return LinkReason::NoAgreement;
-    case Link::LostReason::Silence:
+    case aspep::Controller::LostReason::Silence:
         return LinkReason::Silence;
-    case Link::LostReason::RecoveryFailed:
+    case aspep::Controller::LostReason::RecoveryFailed:
         break;
     }
     return LinkReason::RecoveryFailed;

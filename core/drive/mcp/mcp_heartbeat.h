@@ -1,6 +1,7 @@
 // The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while the user has the
-// drive armed: who only looks on keeps no motor alive. It starts nothing. It is never sent to firmware whose name does
-// not ask for it, because user commands mean something else elsewhere (HSO builds write and read flash with them).
+// drive armed: a session that only reads keeps no motor alive. It starts nothing. It is never sent to firmware whose
+// name does not ask for it, because user commands mean something else elsewhere (HSO builds write and read flash with
+// them).
 // Contract: docs/drive-watchdog.md.
 #pragma once
 

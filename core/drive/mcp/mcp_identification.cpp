@@ -15,8 +15,7 @@ namespace {
 constexpr int kMaxMotors = 7; // what three bits can number
 constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
-constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4,
-                       kSensorHso = 5, kSensorZest = 6;
+constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4;
 
 constexpr catalog::StartRegisters kStart{{"CONTROL_MODE"}, {"SPEED_RAMP"},
     {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}, catalog::controlModeOf,
@@ -65,6 +64,7 @@ void McpIdentification::restart()
     m_stopLosses = 0;
     m_board.forget();
     m_board.structureSizes.clear();
+    m_board.sensors.clear();
     m_board.hso = false;
     m_board.version = 0;
     m_unanswered = {mcp::reg::kGlobalConfig.bits};
@@ -74,7 +74,7 @@ void McpIdentification::restart()
 std::optional<McpRequest> McpIdentification::nextRequest(TimePoint)
 {
     if (m_phase == Phase::StopDatalog)
-        return datalogRequest(m_board.linkId, mcp::datalogStop());
+        return datalogRequest(m_board.linkId, mcp::datalogStop(m_board.streamBytes));
     if (m_phase == Phase::Count || m_phase == Phase::Describe)
         return m_reader.nextRequest();
     return std::nullopt;
@@ -199,8 +199,7 @@ void McpIdentification::finish()
         if (const auto *bytes = std::get_if<Bytes>(&value))
             m_board.structureSizes[id] = bytes->size();
     const auto &first = motors.front().firmware;
-    m_board.hso = first && !first->sixStep
-        && (first->primarySensor == kSensorHso || first->primarySensor == kSensorZest);
+    m_board.hso = first && first->hso();
 
     for (const McpMotorDescription &motor : motors) {
         m_board.scales.push_back(
@@ -209,6 +208,8 @@ void McpIdentification::finish()
         m_board.speedMeasured.push_back(motor.firmware && m_board.knownFirmware
             && (motor.firmware->primarySensor == kSensorEncoder
                 || motor.firmware->primarySensor == kSensorHall));
+        m_board.sensors.push_back(
+            m_board.knownFirmware ? sensorsOf(motor) : std::set<std::uint8_t>());
     }
     const unsigned streams = m_board.linkId == 1 ? m_global.streamsUartB : m_global.streamsUartA;
     m_board.streaming = streamLimitsOf(motors, streams, m_board.streamBytes, m_board.baud);

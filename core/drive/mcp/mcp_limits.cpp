@@ -10,8 +10,6 @@ namespace drive {
 
 namespace {
 
-constexpr double kGreatestDigits = 32767.0;
-
 std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, double id)
 {
     const double digits = std::hypot(iq, id);
@@ -23,7 +21,7 @@ std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, doub
     if (auto why = refuseCurrent(board, motor, leastAmps(digits, board.ampsPerDigit(motor)));
         !why.empty())
         return why;
-    return digits > kGreatestDigits ? "beyond what 16 bits hold" : "";
+    return refuseDigits(digits);
 }
 
 /// How long the bytes of a set-point are; 0: it is none.

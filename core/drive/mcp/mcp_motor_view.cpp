@@ -1,5 +1,4 @@
-// The structures of MCP boards for drive/motor_view.h. Facts: mcp-aspep sections 8 and 9; what "rated flux" means is in
-// motor::fluxOfConfiguration_wb.
+// The structures of MCP boards for drive/motor_view.h. Facts: mcp-aspep sections 8 and 9.
 #include "catalog/names.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/motor_view.h"
@@ -47,13 +46,6 @@ std::optional<Bytes> bytesOf(
     auto value = known(catalog.withMotor(*info, motor));
     auto *bytes = value ? std::get_if<Bytes>(&*value) : nullptr;
     return bytes != nullptr ? std::optional(std::move(*bytes)) : std::nullopt;
-}
-
-/// "Rated flux" is Ke in standard firmware and V/Hz in HSO firmware: told apart as the flux is.
-bool givenPerHertz(const mcp::MotorConfig &motor)
-{
-    const double flux = motor::fluxOfConfiguration_wb(motor.ratedFlux, motor.polePairs);
-    return flux > 0.0 && flux != motor::fluxOfKe_wb(motor.ratedFlux, motor.polePairs);
 }
 
 std::string fluxUnit(const MotorFacts &facts) { return facts.fluxPerHertz ? "V/Hz" : "V/krpm"; }
@@ -138,16 +130,20 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
         return bytesOf(catalog, name, motor, known).value_or(Bytes{});
     };
     McpMotorDescription board;
+    if (const auto config = mcp::decodeFirmwareConfig(structure("FOCFW_CONFIG"))) {
+        board.firmware = *config;
+        facts.fluxPerHertz = config->hso();
+    }
     if (const auto config = mcp::decodeMotorConfig(structure("MOTOR_CONFIG"))) {
         board.motor = *config;
         facts.motor = {.polePairs = config->polePairs,
             .rs_ohm = config->rs,
             .lq_h = config->lq,
             .ld_h = config->ld,
-            .flux_wb = motor::fluxOfConfiguration_wb(config->ratedFlux, config->polePairs),
+            .flux_wb = motor::fluxOfConfiguration_wb(
+                config->ratedFlux, config->polePairs, facts.fluxPerHertz),
             .nominalCurrent_a = config->maxCurrent};
         facts.name = config->name;
-        facts.fluxPerHertz = givenPerHertz(*config);
     }
     if (const auto config = mcp::decodeApplicationConfig(structure("APPLICATION_CONFIG"))) {
         board.application = *config;
@@ -155,7 +151,7 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
         facts.sixStep = config->driveType == 1;
     }
     facts.limits = limitsOf(board);
-    if (const auto config = mcp::decodeFirmwareConfig(structure("FOCFW_CONFIG"))) {
+    if (const auto &config = board.firmware) {
         facts.sixStep = facts.sixStep || config->sixStep;
         if (config->primarySensor == kEncoder || config->primarySensor == kHall)
             facts.angleSensor = catalog::valueName("primary sensor", config->primarySensor);

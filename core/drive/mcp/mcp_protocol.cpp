@@ -38,6 +38,17 @@ bool sizeFits(const McpFacts &board, RegisterId id, const Value &value)
         && fits(mcp::reg::kScaleConfig, mcp::decodeScaleConfig);
 }
 
+/// Up to 6.2.1 boards give the duration before the target, but take it behind.
+void putInOrder(const McpFacts &board, mcp::RegisterId id, Value &value)
+{
+    constexpr std::uint32_t kLastSwapped = 0x060201;
+    auto *raw = std::get_if<Bytes>(&value);
+    if (raw != nullptr && raw->size() == 2 * sizeof(float)
+        && id.withMotor(0) == mcp::reg::kPositionRamp && board.knownFirmware
+        && board.version <= kLastSwapped)
+        std::rotate(raw->begin(), raw->begin() + sizeof(float), raw->end());
+}
+
 } // namespace
 
 Result<Bytes, mcp::CodecError> encode(const McpRequest &request, std::size_t room)
@@ -75,7 +86,7 @@ Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, con
             return fail(std::string("not a number"));
         if (auto bits = mcp::bitsOf(*number, info.type))
             return std::move(*bits);
-        return fail(std::string("not a finite number"));
+        return fail(std::string(kNotFinite));
     }
     default: {
         const auto number = wholeNumberFor(info.type, value);
@@ -83,7 +94,7 @@ Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, con
             return fail(number.error());
         if (auto bits = mcp::bitsOf(*number, info.type))
             return std::move(*bits);
-        return fail(std::string("does not fit the register"));
+        return fail(std::string(kDoesNotFit));
     }
     }
 }
@@ -157,6 +168,7 @@ std::optional<std::vector<Reading>> McpReads::readings(
         Value value = mcp::interpret(*bits, info != nullptr ? info->type : mcp::plainType(onWire));
         if (!sizeFits(m_board, id, value))
             return std::nullopt;
+        putInOrder(m_board, onWire, value);
         readings.push_back({id, ReadStatus::Ok, std::move(value), now});
     }
     const bool ok = status == static_cast<std::uint8_t>(mcp::Status::Ok);

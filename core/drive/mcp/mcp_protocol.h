@@ -12,6 +12,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -29,6 +30,8 @@ struct McpFacts : BoardFacts {
     bool hso = false; ///< register family: HSO/ZeST instead of the standard one
     std::uint32_t version = 0; ///< 0xMMmmpp
 
+    /// One a motor: the sensors that its FOC build has, as FOCFW_CONFIG numbers them; none: not known.
+    std::vector<std::set<std::uint8_t>> sensors;
     std::map<RegisterId, std::size_t> structureSizes; ///< as read twice when it was met
 
     std::uint32_t baud = 1843200;

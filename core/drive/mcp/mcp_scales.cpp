@@ -51,6 +51,15 @@ catalog::Scales scalesOf(const McpMotorDescription &motor, std::uint32_t version
     return scales;
 }
 
+std::set<std::uint8_t> sensorsOf(const McpMotorDescription &motor)
+{
+    constexpr std::uint8_t kFoc = 0; // the numbers of ACIM builds were not seen
+    if (!motor.application || motor.application->driveType != kFoc || !motor.firmware
+        || motor.firmware->sixStep || motor.firmware->primarySensor == 0)
+        return {};
+    return {motor.firmware->primarySensor, motor.firmware->auxiliarySensor};
+}
+
 MotorLimits limitsOf(const McpMotorDescription &motor)
 {
     MotorLimits limits{.speedStepRpm = motor::kSpeedStep_rpm, .wireRpm = motor::kMostSpeed_rpm};
@@ -61,7 +70,9 @@ MotorLimits limitsOf(const McpMotorDescription &motor)
     }
     if (const auto &told = motor.motor) {
         limits.polePairs = plausible(told->polePairs, kMaxPolePairs);
-        const double flux = motor::fluxOfConfiguration_wb(told->ratedFlux, limits.polePairs);
+        const bool perHertz = motor.firmware && motor.firmware->hso();
+        const double flux =
+            motor::fluxOfConfiguration_wb(told->ratedFlux, limits.polePairs, perHertz);
         limits.torquePerAmp =
             plausible(motor::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
         limits.saliency_h = plausible(told->ld > 0 ? told->lq - told->ld : 0, kMaxInductance_h);

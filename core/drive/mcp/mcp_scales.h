@@ -6,6 +6,7 @@
 #include "mcp/structures.h"
 
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace drive {
@@ -21,6 +22,9 @@ struct McpMotorDescription {
 /// From SCALE_CONFIG, or (firmware 6.0 and 6.1) from APPLICATION_CONFIG. Six-step: all unknown, its scales mean
 /// something else. @param version 0xMMmmpp
 catalog::Scales scalesOf(const McpMotorDescription &motor, std::uint32_t version);
+
+/// Main and auxiliary one of a FOC build; empty: not known.
+std::set<std::uint8_t> sensorsOf(const McpMotorDescription &motor);
 
 /// Zero for what is missing, not finite, not positive or beyond a hard ceiling.
 MotorLimits limitsOf(const McpMotorDescription &motor);

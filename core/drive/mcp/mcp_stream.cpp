@@ -4,6 +4,7 @@
 #include "mcp/protocol.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace drive {
 
@@ -25,6 +26,23 @@ capture::StreamSignal signalOf(const McpFacts &board, RegisterId id, bool fast)
     const catalog::Scale scale = board.catalog->streamScale(id);
     return {id, board.catalog->nameOf(id), scale.unit, scale.factor,
         fast && isUnsigned(board, id) ? kUnsignedOffset : 0.0};
+}
+
+/// Whether a signal is of a sensor that the build lacks: boards take it, and log zeros.
+bool lacksSensor(const McpFacts &board, RegisterId id)
+{
+    struct Row {
+        std::string_view begins;
+        std::uint8_t sensor;
+    };
+    constexpr Row kRows[] = {{"STOPLL_", 1}, {"STOCORDIC_", 2}, {"ENCODER_", 3}, {"HALL_", 4}};
+    const auto *info = board.catalog->find(id);
+    const auto motor = static_cast<std::size_t>(board.catalog->motorOf(id)) - 1;
+    if (info == nullptr || motor >= board.sensors.size() || board.sensors[motor].empty())
+        return false;
+    return std::ranges::any_of(kRows, [&](const Row &row) {
+        return info->name.starts_with(row.begins) && !board.sensors[motor].contains(row.sensor);
+    });
 }
 
 /// Bytes a second that a configuration puts on the line.
@@ -72,6 +90,10 @@ std::string McpStreamControl::refuse(const Stream &stream) const
 {
     if (auto why = m_board.reasonAgainst(stream, "control period"); !why.empty())
         return why;
+    for (const auto *list : {&stream.fast, &stream.slow})
+        for (const RegisterId id : *list)
+            if (lacksSensor(m_board, id))
+                return m_board.catalog->nameOf(id) + ": this motor does not have it";
     if (stream.fast.size() + stream.slow.size() > m_board.streaming.maxSignals)
         return "at most " + std::to_string(m_board.streaming.maxSignals) + " signals at a time";
     if (stream.slowEvery < 1 || stream.slowEvery > Stream::kSlowOncePerPacket)
@@ -212,9 +234,7 @@ std::optional<McpRequest> McpStreamTask::nextRequest(TimePoint)
     markSent();
     if (stops || m_control.m_stopNeeded) {
         m_stopping = !stops;
-        m_config = mcp::datalogStop();
-        if (m_control.m_decoder)
-            m_control.m_decoder->stopping();
+        m_config = mcp::datalogStop(m_control.m_board.streamBytes);
         return datalogRequest(m_control.m_board.linkId, m_config);
     }
     m_stopping = false;

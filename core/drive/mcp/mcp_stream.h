@@ -27,12 +27,7 @@ public:
 
     void restart(); ///< identified; nothing about its counter is known any more
     /// The stop was sent, and answered in whichever way.
-    void stopSent()
-    {
-        m_stopNeeded = false;
-        if (m_decoder)
-            m_decoder->stopping();
-    }
+    void stopSent() { m_stopNeeded = false; }
     void close(); ///< the link is given up: nothing is wanted any more
     /// Again, or after a recovery: the board may be streaming by itself.
     void connected() { m_stopNeeded = true; }

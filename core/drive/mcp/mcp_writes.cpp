@@ -3,7 +3,6 @@
 #include "drive/mcp/mcp_limits.h"
 #include "mcp/datalog.h"
 #include "motor/ramp.h"
-#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,26 +57,14 @@ bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
         return read == Value(Bytes{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]});
     if (bare == mcp::reg::kSpeedRamp.bits && bytes->size() == kRampSize)
         return read == Value(keptSpeedRamp(*bytes));
-    if (bare == mcp::reg::kRevUpData.bits)
-        if (const auto stages = motor::revUpOfBytes(*bytes))
-            return read == Value(motor::bytesOf(motor::keptByFirmware(*stages)));
-    return false;
-}
-
-/// A reference for the speed is taken for the next start, and shown from then on.
-std::string McpWriteTask::notShownYet(const RegisterWrite &write, const WriteResult &result) const
-{
-    const bool isReference = (write.id & ~RegisterId{7}) == mcp::reg::kSpeedRef.bits;
-    return isReference && result.before && result.readBack == result.before
-        ? "shown from the next start on, if the motor rests"
-        : "";
+    return bare == mcp::reg::kRevUpData.bits && sameStages(write.value, read);
 }
 
 /// Why it must not be written; empty if it may, like that.
 std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
 {
     if (mcp::isDatalogRegister({static_cast<std::uint16_t>(item.write.id)}))
-        return "is set by streaming";
+        return kSetByStreaming;
     if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty())
         return why;
     auto value = wireValue(*m_board.catalog->find(item.write.id), item.write.value);
@@ -160,11 +147,8 @@ void McpWriteTask::judgeWays()
         const auto at = position == nullptr
             ? m_numbers.end()
             : m_numbers.find(m_board.catalog->withMotor(*position, motor));
-        const auto now = at == m_numbers.end() ? std::nullopt : std::optional(at->second);
-        const std::string why = now && std::isfinite(*now)
-            ? refuseWay(m_board, motor, *positionIn(*bytes), *now)
-            : "the board does not tell where the shaft is";
-        if (!why.empty())
+        const double now = at == m_numbers.end() ? NAN : at->second;
+        if (auto why = refuseWay(m_board, motor, *positionIn(*bytes), now); !why.empty())
             endItem(item, Outcome::Refused, why);
     }
 }

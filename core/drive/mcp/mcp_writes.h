@@ -29,7 +29,11 @@ private:
         return item.state == State::Waiting && !item.repeated;
     }
     bool same(const RegisterWrite &write, const Value &read) const override;
-    std::string notShownYet(const RegisterWrite &write, const WriteResult &result) const override;
+    /// Ramps tell the one that was asked for last.
+    bool showsInForce(const catalog::RegisterInfo &info) const override
+    {
+        return wireWidth(info.id) != 0 || info.id == mcp::reg::kCurrentRef.bits;
+    }
     std::string check(const Item &item, mcp::Value &encoded) const;
     void judgeWays();
     McpSet nextSet();

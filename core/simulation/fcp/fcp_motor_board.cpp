@@ -81,7 +81,8 @@ public:
     void rampSpeed(std::size_t motor, std::int32_t rpm, std::uint16_t duration_ms) override
     {
         firmware(motor).setControlMode(kSpeedMode);
-        firmware(motor).rampSpeed({to16(rpm), duration_ms});
+        // Behind it motors turn at 16 bits of rpm at most.
+        firmware(motor).rampSpeed({to16(std::clamp(rpm, -INT16_MAX, INT16_MAX)), duration_ms});
     }
     void rampTorque(std::size_t motor, std::int16_t digits, std::uint16_t duration_ms) override
     {

@@ -63,6 +63,10 @@ void TestWriteLimits::aRangeOfTheTableBoundsAWrite()
     QVERIFY(takes("SPEED_KP_DIV", std::int64_t{15}));
     QVERIFY(!takes("SPEED_KP_DIV", std::int64_t{16}));
     QVERIFY(!takes("SPEED_KP_DIV", std::int64_t{-1}));
+    QVERIFY(takes("OPENLOOP_DC_FILTER", std::int64_t{1})); // an exponent
+    QVERIFY(takes("OPENLOOP_DC_FILTER", std::int64_t{12}));
+    QVERIFY(!takes("OPENLOOP_DC_FILTER", std::int64_t{0}));
+    QVERIFY(!takes("OPENLOOP_DC_FILTER", std::int64_t{13}));
     QVERIFY(takes("SPEED_KP", std::int64_t{-32768}));
     QVERIFY(!takes("SPEED_KP", std::int64_t{32768}));
     QVERIFY(takes("SPEED_KP", 12.0));

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void currentsNeedTheirScale();
     void aCurrentInAmpereIsWhatFlows();
     void aStartInTorqueControlIsWithinOnesOwnLimit();
+    void aCurrentThatIsAskedForAtRestIsNotRefused();
     void aNewScaleMovesNothing();
     void theScaleIsForOneMotorAndOneConnection();
     void whatIsNoScaleIsRefused();
@@ -125,6 +126,36 @@ void TestFcpCurrents::aStartInTorqueControlIsWithinOnesOwnLimit()
         Write{{{bench.id("CONTROL_MODE"), catalog::kSpeedModeNumber}}, Reach::Everything})));
     QVERIFY(refusal(0.1).starts_with("REVUP_DATA is beyond your own limit"));
     QCOMPARE(refusal(2.9), std::string());
+}
+
+/// It is kept for the next start; until then the board shows 0.
+void TestFcpCurrents::aCurrentThatIsAskedForAtRestIsNotRefused()
+{
+    for (const bool lost : {false, true}) {
+        Bench bench("legacy");
+        bench.submit(CurrentScale{1, 40.0});
+        bench.drive->arm();
+        bench.exchange();
+        bench.submit(UserLimits{0.0, 2.0});
+        bench.submit(ExpertMode{1});
+        const RegisterId reference = bench.id("I_Q_REF"); // 0x08
+        const auto sent = [&] {
+            return std::any_of(bench.requests.begin(), bench.requests.end(), [](const Bytes &one) {
+                return one.size() > 2 && one[0] == 0x21 && one[2] == 0x08;
+            });
+        };
+        const WishId wish = bench.submit(Write{{{reference, std::int64_t{800}}}});
+        QVERIFY(bench.runUntil(sent, 1s));
+        bench.toDrive.cut = lost;
+        bench.runFor(300ms);
+        bench.toDrive.cut = false;
+        QVERIFY(bench.runUntilEnded(wish));
+        const Ended &ended = bench.ended.at(wish).front();
+        QVERIFY2(ended.outcome == (lost ? Outcome::Unknown : Outcome::Ok), ended.reason.c_str());
+        QCOMPARE(ended.writes.size(), std::size_t{1});
+        QVERIFY(ended.writes[0].before && ended.writes[0].readBack == ended.writes[0].before);
+        QVERIFY(!ended.writes[0].verified && !ended.writes[0].reason.empty());
+    }
 }
 
 void TestFcpCurrents::aNewScaleMovesNothing()

@@ -42,12 +42,14 @@ private Q_SLOTS:
     void aWriteNeedsArming();
     void aRefusedWriteIsRefused();
     void stagesOfTheRevUpAreOneRegister();
+    void speedsThatTheBoardRoundsAreWrittenAllTheSame();
     void withoutARevUpItsStagesAreNeverSent();
     void withoutKnownLimitsNothingMoves_data() { fcpProfileRows(); }
     void withoutKnownLimitsNothingMoves();
     void theMotorStartsRampsAndStops_data() { fcpProfileRows(); }
     void theMotorStartsRampsAndStops();
     void beyondAPersonsLimitNothingIsSent();
+    void aSpeedOf16BitsOfStepsIsSent();
     void ofTwoMotorsOnlyTheNamedOneMoves();
     void afterAStopNothingButStopsAndReads();
     void aStopWithoutALinkIsSentBlind();
@@ -234,6 +236,44 @@ void TestFcpDrive::stagesOfTheRevUpAreOneRegister()
     QCOMPARE(bench.outcome(wish), Outcome::Refused);
 }
 
+/// It keeps whole steps of 0.1 Hz, 6 rpm, cut towards zero.
+void TestFcpDrive::speedsThatTheBoardRoundsAreWrittenAllTheSame()
+{
+    support::FcpBench bench("legacy");
+    bench.expert();
+    const RegisterId speed = bench.id("RAMP_FINAL_SPEED"), revUp = bench.id("REVUP_DATA");
+    Bytes stages;
+    for (const std::int32_t rpm : {200, 400, 600, 800, 1000}) {
+        const Bytes stage = ByteWriter().s32(rpm).s16(300).u16(200).take();
+        stages.insert(stages.end(), stage.begin(), stage.end());
+    }
+    const WishId wish = bench.submit(Write{{{speed, std::int64_t{1000}}, {revUp, stages}}});
+    QVERIFY(bench.runUntilEnded(wish));
+    const Ended &ended = bench.ended.at(wish).front();
+    QVERIFY2(ended.outcome == Outcome::Ok, ended.reason.c_str());
+    QVERIFY(ended.writes[0].readBack == Value(std::int64_t{996}));
+    QCOMPARE(ended.writes[0].verified, std::optional<bool>(true));
+    QVERIFY(ended.writes[1].readBack != Value(stages));
+    QCOMPARE(ended.writes[1].verified, std::optional<bool>(true));
+
+    // The same where the answer is lost: what is read back decides.
+    const auto sent = [&] {
+        return std::count_if(bench.requests.begin(), bench.requests.end(), [](const Bytes &frame) {
+            return frame.size() > 2 && frame[0] == 0x21 && frame[2] == 0x5B;
+        });
+    };
+    QCOMPARE(sent(), 1);
+    const WishId lost = bench.submit(Write{{{speed, std::int64_t{-1999}}}});
+    QVERIFY(bench.runUntil([&] { return sent() == 2; }, 1s));
+    bench.toDrive.cut = true;
+    bench.runFor(300ms);
+    bench.toDrive.cut = false;
+    QVERIFY(bench.runUntilEnded(lost));
+    QVERIFY(bench.ended.at(lost).front().writes[0].readBack == Value(std::int64_t{-1998}));
+    QCOMPARE(bench.outcome(lost), Outcome::Ok);
+    QCOMPARE(sent(), 2);
+}
+
 void TestFcpDrive::withoutARevUpItsStagesAreNeverSent()
 {
     simulation::BoardOptions options = boardOf("legacy");
@@ -304,6 +344,30 @@ void TestFcpDrive::beyondAPersonsLimitNothingIsSent()
     }
     for (const Bytes &frame : bench.requests)
         QVERIFY(isRead(frame));
+}
+
+/// The ramp has 32 bits of rpm on the wire, and the board keeps 16 bits of 0.1 Hz.
+void TestFcpDrive::aSpeedOf16BitsOfStepsIsSent()
+{
+    support::FcpBench bench("legacy");
+    bench.judge.line().maxRpm = 0.0; // which this board does not tell
+    QCOMPARE(bench.identified->limits.front().wireRpm, 196602.0);
+    bench.submit(ExpertMode{1});
+    const WishId wish = bench.submit(SpeedRamp{1, -40000, 100ms});
+    QVERIFY(bench.runUntilEnded(wish));
+    QVERIFY2(bench.outcome(wish) == Outcome::Ok, bench.ended.at(wish).front().reason.c_str());
+    const Bytes frame = fcp::encodeRequest({1, fcp::SetRamp{-40000, 100}}).value();
+    QCOMPARE(std::count(bench.requests.begin(), bench.requests.end(), frame), 1);
+    const WishId read = bench.submit(Read{{bench.id("RAMP_FINAL_SPEED")}});
+    QVERIFY(bench.runUntilEnded(read));
+    const Value &kept = bench.values.at(bench.id("RAMP_FINAL_SPEED")).value;
+    QVERIFY(std::get<std::int64_t>(kept) < 0); // not the other way
+    bench.requests.clear();
+    const WishId beyond = bench.submit(SpeedRamp{1, 196608, 100ms});
+    QVERIFY(bench.runUntilEnded(beyond));
+    QCOMPARE(bench.outcome(beyond), Outcome::Refused);
+    for (const Bytes &other : bench.requests)
+        QVERIFY(isRead(other));
 }
 
 void TestFcpDrive::ofTwoMotorsOnlyTheNamedOneMoves()

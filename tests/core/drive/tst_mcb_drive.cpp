@@ -35,6 +35,7 @@ private Q_SLOTS:
     void aFaultIsToldAndAcknowledged();
     void aStopGoesBeforeEverything();
     void aStopIsConfirmedByWhatIsRead();
+    void aStopTakesThePowerOffAQuickStop();
     void aStopThatIsNotObeyedIsAlarmed();
     void aDriveThatIsNotReadyIsStoppedBlind();
     void aDriveThatAnswersNobodyIsStoppedBlind();
@@ -374,6 +375,35 @@ void TestMcbDrive::aStopIsConfirmedByWhatIsRead()
         QVERIFY(pair.stops[i].word == words[i]);
     QVERIFY(pair.stops[2].at - asked < 200ms);
     QVERIFY(std::abs(pair.board->servo().axis().plant.speed_radps()) < 2.0);
+}
+
+/// A drive may hold its motor in a quick stop for ever: shutdown, which stops it in all other states, is nothing there.
+void TestMcbDrive::aStopTakesThePowerOffAQuickStop()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    QVERIFY(start(pair));
+    pair.toBoard = [](Bytes &bytes) {
+        auto frame = mcb::decodeFrame(bytes);
+        if (frame && frame->command == mcb::Command::Write && frame->address == 0x010) {
+            frame->config[0] = 0x02; // quick stop
+            bytes = mcb::encodeFrame(*frame);
+        }
+    };
+    pair.submit(Command{MotorAction::StopMotor, 1});
+    QVERIFY(pair.runUntil([&] { return pair.status->stateName == "QUICK_STOP_ACTIVE"; }, 200ms));
+    pair.toBoard = {};
+    pair.writes.clear();
+    pair.drive->stop(pair.now);
+    pair.exchange();
+    QVERIFY(!pair.writes.empty());
+    QCOMPARE(pair.writes.front().address, std::uint16_t{0x010});
+    QCOMPARE(pair.writes.front().config[0], std::uint16_t{0x00});
+    const auto off = [&] {
+        return pair.board->servo().state() == simulation::Servo::State::SwitchOnDisabled;
+    };
+    QVERIFY(pair.runUntil(off, 50ms)); // by itself it takes 400 ms
+    QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
 }
 
 void TestMcbDrive::aStopThatIsNotObeyedIsAlarmed()

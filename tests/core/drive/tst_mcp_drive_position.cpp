@@ -75,6 +75,25 @@ private Q_SLOTS:
         QCOMPARE(servo.sets(), 1);
     }
 
+    /// Up to 6.2.1 boards give duration and target in the other order.
+    void itIsReadAsItWasWritten()
+    {
+        for (const char *profile : {"mcsdk-6.1", "mcsdk-6.2", "mcsdk-6.4"}) {
+            simulation::BoardOptions options = positions();
+            options.profile = profile;
+            Servo servo(true, options);
+            QVERIFY(servo.ready);
+            const auto id = servo.id("POSITION_RAMP");
+            const drive::Value ramp = ByteWriter().f32(1.0F).f32(5.0F).take();
+            const auto write = servo.submit(drive::Write{{{id, ramp}}});
+            QVERIFY(servo.runUntilEnded(write));
+            const drive::Ended &written = servo.ended[write].front();
+            QVERIFY2(written.outcome == Outcome::Ok, written.reason.c_str());
+            QVERIFY(servo.runUntilEnded(servo.submit(drive::Read{{id}})));
+            QVERIFY(servo.values[id].value == ramp);
+        }
+    }
+
     void whatWouldBeTooFastOrSenselessIsNotSent()
     {
         Servo servo;

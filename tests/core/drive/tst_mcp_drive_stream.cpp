@@ -69,8 +69,8 @@ private:
             return value > 220 && value < 280;
         if (name == "V_Q")
             return value > 1000;
-        if (name == "HALL_SPEED" || name == "ENCODER_SPEED")
-            return value == 0; // not in this build: the firmware logs 0
+        if (name == "I_D_REF")
+            return value == 0; // without flux weakening
         return false;
     }
 
@@ -88,7 +88,9 @@ private Q_SLOTS:
     void slowSignalsComeAtTheirOwnRate();
     void slowSignalsMayComeOnceAPacket();
     void whatCannotBeStreamedIsRefusedAndTheOldStreamStays();
+    void aSignalOfASensorThatIsNotThereIsRefused();
     void anEmptyWishStops();
+    void aBoardOfSmallPacketsIsStoppedToo();
     void theDatalogIsStoppedBeforeTheFirstConfiguration();
     void aRecoveryBehindTheFirstStopAsksForAnother();
     void aConfigurationThatWasDamagedOnItsWayIsSentAgain();
@@ -111,9 +113,9 @@ void TestMcpDriveStream::reconfiguredThreeHundredTimesInFlightEverySampleHasItsS
     session.runFor(1s);
     Judge judge(session);
     const RegisterId speed = session.id("STOPLL_ROT_SPEED"), vq = session.id("V_Q"),
-                     hall = session.id("HALL_SPEED"), encoder = session.id("ENCODER_SPEED");
+                     still = session.id("I_D_REF");
     const std::vector<std::vector<RegisterId>> choices{{speed}, {vq}, {speed, vq}, {vq, speed},
-        {hall, speed, vq}, {vq, hall, encoder}, {encoder, hall, vq, speed}};
+        {still, speed, vq}, {vq, still, still}, {still, still, vq, speed}};
     support::Random random(7);
     for (int i = 0; i < 300; ++i) {
         Stream stream;
@@ -202,6 +204,33 @@ void TestMcpDriveStream::whatCannotBeStreamedIsRefusedAndTheOldStreamStays()
     QVERIFY(blocks > before);
 }
 
+/// The board would take it, and zeros look like a motor at rest.
+void TestMcpDriveStream::aSignalOfASensorThatIsNotThereIsRefused()
+{
+    const auto outcomeOf = [](Session &session, const Stream &stream) {
+        const WishId wish = session.submit(stream);
+        return session.runUntilEnded(wish) ? session.outcome(wish) : Outcome::Unknown;
+    };
+    Session observer;
+    const RegisterId current = observer.id("I_A");
+    for (const char *name : {"ENCODER_SPEED", "ENCODER_EL_ANGLE", "HALL_SPEED", "HALL_EL_ANGLE",
+             "STOCORDIC_ROT_SPEED", "STOCORDIC_BEMF_ALPHA"}) {
+        QVERIFY(outcomeOf(observer, Stream{{current, observer.id(name)}, 1, {}, 1})
+            == Outcome::Refused);
+        QVERIFY(
+            outcomeOf(observer, Stream{{current}, 1, {observer.id(name)}, 1}) == Outcome::Refused);
+    }
+    QVERIFY(
+        outcomeOf(observer, Stream{{observer.id("STOPLL_ROT_SPEED")}, 1, {}, 1}) == Outcome::Ok);
+    simulation::BoardOptions options;
+    options.motor = "servo24"; // an encoder, and an observer that runs beside it
+    Session servo(true, options);
+    QVERIFY(outcomeOf(
+                servo, Stream{{servo.id("ENCODER_SPEED"), servo.id("STOPLL_ROT_SPEED")}, 1, {}, 1})
+        == Outcome::Ok);
+    QVERIFY(outcomeOf(servo, Stream{{servo.id("HALL_SPEED")}, 1, {}, 1}) == Outcome::Refused);
+}
+
 void TestMcpDriveStream::anEmptyWishStops()
 {
     Session session;
@@ -222,6 +251,30 @@ void TestMcpDriveStream::anEmptyWishStops()
     QVERIFY(session.runUntil([&] { return layout->empty(); }, 200ms));
     session.runFor(300ms);
     QCOMPARE(afterStop, 0U);
+}
+
+/// A stop whose buffer is larger than what was agreed is refused.
+void TestMcpDriveStream::aBoardOfSmallPacketsIsStoppedToo()
+{
+    simulation::BoardOptions options;
+    options.txAsyncMax = 512;
+    Session session(false, options);
+    QVERIFY(session.ready);
+    const Bytes stop{0x08, 0x00, 0x29, 0x05, 0x07, 0x00, 0x00, 0x02, 0x00, 0x00, 0xFF, 0x00, 0x00};
+    QVERIFY(session.requests.at(3) == stop); // while it was identified
+    const auto heard = [&] {
+        return session.counters.streamPackets + session.counters.streamSkipped;
+    };
+    QVERIFY(session.runUntilEnded(session.submit(Stream{{session.id("I_A")}, 1, {}, 1})));
+    session.runFor(1500ms);
+    QVERIFY(heard() > 10);
+    const WishId end = session.submit(Stream{});
+    QVERIFY(session.runUntilEnded(end));
+    QVERIFY(session.outcome(end) == Outcome::Ok);
+    session.runFor(1500ms);
+    const std::uint64_t before = heard();
+    session.runFor(1500ms);
+    QCOMPARE(heard(), before);
 }
 
 void TestMcpDriveStream::theDatalogIsStoppedBeforeTheFirstConfiguration()
@@ -454,9 +507,9 @@ void TestMcpDriveStream::aLostByteCostsLittle_data()
     QTest::newRow("one signal, every fourth period") << QStringList{"V_Q"} << 4U;
     QTest::newRow("two signals") << QStringList{"V_Q", "STOPLL_ROT_SPEED"} << 1U;
     QTest::newRow("most of what the line carries")
-        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "HALL_SPEED", "ENCODER_SPEED"} << 1U;
+        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "I_D_REF", "I_D_REF"} << 1U;
     QTest::newRow("four signals, every eighth period")
-        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "HALL_SPEED", "ENCODER_SPEED"} << 8U;
+        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "I_D_REF", "I_D_REF"} << 8U;
 }
 
 /// Two packets of the stream in a row prove where they begin: the link is mended while the samples go on.

@@ -15,16 +15,16 @@ std::vector<MotionEntry> logOf(const Session &session)
 {
     std::vector<MotionEntry> log;
     for (const Event &event : session.events)
-        if (const auto *record = std::get_if<MotionEntry>(&event))
-            log.push_back(*record);
+        if (const auto *entry = std::get_if<MotionEntry>(&event))
+            log.push_back(*entry);
     return log;
 }
 
 std::vector<MotionAct> actsOf(const Session &session)
 {
     std::vector<MotionAct> acts;
-    for (const MotionEntry &record : logOf(session))
-        acts.push_back(record.act);
+    for (const MotionEntry &entry : logOf(session))
+        acts.push_back(entry.act);
     return acts;
 }
 
@@ -68,10 +68,10 @@ void TestMotionEntry::whatWasNotSentIsLoggedToo()
     const WishId wish = session.submit(Command{MotorAction::Start, 1});
     QVERIFY(session.outcome(wish) == Outcome::NotSent);
     QCOMPARE(logOf(session).size(), 1U);
-    const MotionEntry record = logOf(session).front();
-    QVERIFY(record.outcome == Outcome::NotSent);
-    QCOMPARE(QString::fromStdString(record.reason), QStringLiteral("not armed"));
-    QCOMPARE(record.requests, 0U);
+    const MotionEntry entry = logOf(session).front();
+    QVERIFY(entry.outcome == Outcome::NotSent);
+    QCOMPARE(QString::fromStdString(entry.reason), QStringLiteral("not armed"));
+    QCOMPARE(entry.requests, 0U);
 
     session.drive->arm();
     const WishId refused = session.submit(SpeedRamp{1, 1000000, 100ms});
@@ -90,7 +90,7 @@ void TestMotionEntry::aLostAnswerIsLoggedAsUnknown()
     QVERIFY(session.runUntilEnded(wish, 10s));
     const auto log = logOf(session);
     const auto start = std::find_if(log.begin(), log.end(),
-        [](const MotionEntry &record) { return record.act == MotionAct::Start; });
+        [](const MotionEntry &entry) { return entry.act == MotionAct::Start; });
     QVERIFY(start != log.end());
     QVERIFY(start->outcome == session.outcome(wish));
     QVERIFY(start->outcome == Outcome::Unknown);
@@ -106,12 +106,12 @@ void TestMotionEntry::theStopsWordsAreLoggedWithTheirBytes()
     QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     std::vector<StopWord> words;
     std::size_t stops = 0;
-    for (const MotionEntry &record : logOf(session))
-        if (record.stop) {
-            QVERIFY(record.act == MotionAct::Stop);
-            QCOMPARE(record.motor, 1);
-            words.push_back(*record.stop);
-            stops += record.requests;
+    for (const MotionEntry &entry : logOf(session))
+        if (entry.stop) {
+            QVERIFY(entry.act == MotionAct::Stop);
+            QCOMPARE(entry.motor, 1);
+            words.push_back(*entry.stop);
+            stops += entry.requests;
         }
     QVERIFY(words
         == (std::vector{
@@ -130,11 +130,11 @@ void TestMotionEntry::onlyDangerousWritesAreMotion()
     const WishId both = session.submit(Write{{{session.id("SPEED_KP"), std::int64_t{1001}},
         {session.id("SPEED_REF"), std::int64_t{600}}}});
     QVERIFY(session.runUntilEnded(both));
-    const MotionEntry record = logOf(session).back();
-    QVERIFY(record.act == MotionAct::Write);
-    QCOMPARE(QString::fromStdString(record.detail), QStringLiteral("SPEED_REF = 600 rpm"));
-    QCOMPARE(record.motor, 1);
-    QVERIFY(record.requests >= 1U);
+    const MotionEntry entry = logOf(session).back();
+    QVERIFY(entry.act == MotionAct::Write);
+    QCOMPARE(QString::fromStdString(entry.detail), QStringLiteral("SPEED_REF = 600 rpm"));
+    QCOMPARE(entry.motor, 1);
+    QVERIFY(entry.requests >= 1U);
 }
 
 void TestMotionEntry::everyByteThatCanMoveSomethingIsInTheLog()
@@ -155,8 +155,8 @@ void TestMotionEntry::everyByteThatCanMoveSomethingIsInTheLog()
     for (std::size_t i = before; i < session.requests.size(); ++i)
         if (support::changesSomething(session.requests[i]))
             left.push_back(session.requests[i]);
-    for (const MotionEntry &record : logOf(session))
-        logged.insert(logged.end(), record.sent.begin(), record.sent.end());
+    for (const MotionEntry &entry : logOf(session))
+        logged.insert(logged.end(), entry.sent.begin(), entry.sent.end());
     QVERIFY(left.size() > 5);
     std::sort(left.begin(), left.end());
     std::sort(logged.begin(), logged.end());

@@ -6,7 +6,9 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace drive;
 using simulation::Lie;
@@ -52,6 +54,7 @@ private Q_SLOTS:
     void theLowerLimitWins();
     void loweringALimitEndsWhatWaits();
     void aMotorIsSalientByWhatItsBoardTells();
+    void theSensorTellsWhatTheRatedFluxMeans();
     void limitsOfNoUseAreRefused();
     void ownLimitsOutliveTheConnection();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
@@ -254,6 +257,30 @@ void TestMotionLimits::aMotorIsSalientByWhatItsBoardTells()
     QCOMPARE(saliencyOf(nan, 0.25e-3F), 0.0);
     QCOMPARE(saliencyOf(0.6e-3F, nan), 0.0);
     QCOMPARE(saliencyOf(infinity, 0.25e-3F), 0.0);
+}
+
+/// The rated flux is Ke in standard firmware, and V/Hz in that of the HSO and ZeST sensors.
+void TestMotionLimits::theSensorTellsWhatTheRatedFluxMeans()
+{
+    const auto torqueOf = [](int primarySensor, bool sixStep = false) {
+        McpMotorDescription description;
+        description.motor.emplace();
+        description.motor->polePairs = 14.0F;
+        description.motor->ratedFlux = 8.2F;
+        description.firmware.emplace();
+        description.firmware->primarySensor = static_cast<std::uint8_t>(primarySensor);
+        description.firmware->sixStep = sixStep;
+        return limitsOf(description).torquePerAmp;
+    };
+    // 8.2 V/krpm, rms between two wires: 4.567 mWb; 1.5 * 14 * 4.567 mWb
+    const double ofKe = 1.5 * 8.2 * std::sqrt(2.0 / 3.0) / (1000.0 * std::numbers::pi / 30.0);
+    // 8.2 V/Hz, peak of a phase: 1.305 Wb
+    const double ofHertz = 1.5 * 14.0 * 8.2 / (2.0 * std::numbers::pi);
+    for (const int sensor : {1, 2, 3, 4})
+        QVERIFY(std::abs(torqueOf(sensor) - ofKe) < 1e-6);
+    for (const int sensor : {5, 6})
+        QVERIFY(std::abs(torqueOf(sensor) - ofHertz) < 1e-4);
+    QVERIFY(std::abs(torqueOf(5, true) - ofKe) < 1e-6);
 }
 
 void TestMotionLimits::limitsOfNoUseAreRefused()

@@ -1,4 +1,4 @@
-// The words of the motion log: what was asked for, as a record says it, and its line for a spreadsheet. No board.
+// The words of the motion log: what was asked for, as an entry says it, and its line for a spreadsheet. No board.
 #include "drive/event.h"
 #include "drive/motion_entry.h"
 
@@ -37,7 +37,7 @@ RegisterId ofMotor(RegisterId id, int motor)
     return registers().withMotor(*registers().find(id), motor);
 }
 
-std::optional<MotionEntry> recordOf(const What &what)
+std::optional<MotionEntry> entryOf(const What &what)
 {
     return motionOf(
         {.id = 7, .what = what, .source = Source::CommandLine}, registers(), TimePoint(3s));
@@ -50,7 +50,7 @@ Write writeOf(std::vector<RegisterWrite> writes)
     return write;
 }
 
-std::string lineOf(const MotionEntry &record) { return motionLogLine(record, 1, "", ""); }
+std::string lineOf(const MotionEntry &entry) { return motionLogLine(entry, 1, "", ""); }
 
 } // namespace
 
@@ -95,17 +95,17 @@ void TestMotionTexts::eachActSaysWhatWasAskedFor()
         {CurrentScale{2, 0.0}, MotionAct::CurrentScale, 2, "none"},
     };
     for (const Row &row : rows) {
-        const auto record = recordOf(row.what);
-        QVERIFY2(record.has_value(), row.detail);
-        QVERIFY2(record->act == row.act, row.detail);
-        QCOMPARE(record->motor, row.motor);
-        QCOMPARE(record->detail, std::string(row.detail));
-        QVERIFY(record->source == Source::CommandLine);
-        QVERIFY(record->asked == TimePoint(3s) && record->ended == TimePoint(3s));
+        const auto entry = entryOf(row.what);
+        QVERIFY2(entry.has_value(), row.detail);
+        QVERIFY2(entry->act == row.act, row.detail);
+        QCOMPARE(entry->motor, row.motor);
+        QCOMPARE(entry->detail, std::string(row.detail));
+        QVERIFY(entry->source == Source::CommandLine);
+        QVERIFY(entry->asked == TimePoint(3s) && entry->ended == TimePoint(3s));
     }
     for (const What &what :
         std::initializer_list<What>{Read{}, Stream{}, Watch{}, CyclicSetPoints{}, Write{}})
-        QVERIFY(!recordOf(what));
+        QVERIFY(!entryOf(what));
 }
 
 void TestMotionTexts::writesNameWhatCanMoveSomething()
@@ -130,22 +130,22 @@ void TestMotionTexts::writesNameWhatCanMoveSomething()
         {{{ofMotor(kControlMode, 1), std::string("text")}}, 1, "MODE@1 = ?"},
     };
     for (const Row &row : rows) {
-        const auto record = recordOf(writeOf(row.writes));
-        QCOMPARE(record.has_value(), *row.detail != 0);
-        if (!record)
+        const auto entry = entryOf(writeOf(row.writes));
+        QCOMPARE(entry.has_value(), *row.detail != 0);
+        if (!entry)
             continue;
-        QVERIFY(record->act == MotionAct::Write);
-        QCOMPARE(record->detail, std::string(row.detail));
-        QCOMPARE(record->motor, row.motor);
+        QVERIFY(entry->act == MotionAct::Write);
+        QCOMPARE(entry->detail, std::string(row.detail));
+        QCOMPARE(entry->motor, row.motor);
     }
 }
 
 void TestMotionTexts::aLongListIsCut()
 {
     for (const std::size_t count : {8U, 9U, 11U}) {
-        const auto record = recordOf(writeOf(
+        const auto entry = entryOf(writeOf(
             std::vector<RegisterWrite>(count, {ofMotor(kControlMode, 1), std::int64_t{3}})));
-        const QString detail = QString::fromStdString(record->detail);
+        const QString detail = QString::fromStdString(entry->detail);
         QCOMPARE(detail.count(QLatin1String("MODE@1 = 3")), 8);
         QCOMPARE(detail.endsWith(QStringLiteral("3; and %1 more").arg(count - 8)), count > 8);
     }
@@ -153,14 +153,14 @@ void TestMotionTexts::aLongListIsCut()
 
 void TestMotionTexts::onlyTheFirstBytesAreKept()
 {
-    MotionEntry record;
+    MotionEntry entry;
     const Bytes request{1, 2};
     for (std::size_t i = 1; i <= MotionEntry::kMostSent + 2; ++i) {
-        noteSent(record, request);
-        QCOMPARE(record.sent.size(), std::min(i, std::size_t{MotionEntry::kMostSent}));
+        noteSent(entry, request);
+        QCOMPARE(entry.sent.size(), std::min(i, std::size_t{MotionEntry::kMostSent}));
     }
-    QCOMPARE(record.sent.front(), request);
-    QCOMPARE(std::size_t{record.requests}, std::size_t{34});
+    QCOMPARE(entry.sent.front(), request);
+    QCOMPARE(std::size_t{entry.requests}, std::size_t{34});
 }
 
 void TestMotionTexts::everyWordIsItsOwn()
@@ -187,28 +187,28 @@ void TestMotionTexts::everyWordIsItsOwn()
 
 void TestMotionTexts::linesAreForSpreadsheets()
 {
-    MotionEntry record;
-    record.act = MotionAct::SpeedRamp;
-    record.motor = 2;
-    record.detail = "-1200 rpm in 500 ms";
-    record.outcome = Outcome::Refused;
-    record.reason = "beyond \"this\", says the board\nand more";
-    record.asked = TimePoint(1s);
-    record.ended = TimePoint(1s + 12300us);
-    record.requests = 3;
-    record.sent = {{0x11, 0x02}, {0x0A}};
-    QCOMPARE(motionLogLine(record, 7, "2024-05-06T07:08:09.123", "=kim, here"),
+    MotionEntry entry;
+    entry.act = MotionAct::SpeedRamp;
+    entry.motor = 2;
+    entry.detail = "-1200 rpm in 500 ms";
+    entry.outcome = Outcome::Refused;
+    entry.reason = "beyond \"this\", says the board\nand more";
+    entry.asked = TimePoint(1s);
+    entry.ended = TimePoint(1s + 12300us);
+    entry.requests = 3;
+    entry.sent = {{0x11, 0x02}, {0x0A}};
+    QCOMPARE(motionLogLine(entry, 7, "2024-05-06T07:08:09.123", "=kim, here"),
         std::string("7,2024-05-06T07:08:09.123,\"'=kim, here\",person,2,SPEED_RAMP,"
                     "'-1200 rpm in 500 ms,refused,\"beyond \"\"this\"\", says the board and "
                     "more\",12.3,11 02 | 0A | and 1 more"));
     QCOMPARE(motionLogHeading(),
         std::string("number,time,who,source,motor,command,detail,outcome,reason,took [ms],bytes"));
-    record = {};
-    record.act = MotionAct::Stop;
-    record.stop = StopWord::NotConfirmed; // before the outcome
-    QCOMPARE(lineOf(record), std::string("1,,,person,,STOP,,NOT confirmed,,0.0,"));
-    record.motor = 1;
-    QVERIFY(lineOf(record).starts_with("1,,,person,1,STOP,"));
+    entry = {};
+    entry.act = MotionAct::Stop;
+    entry.stop = StopWord::NotConfirmed; // before the outcome
+    QCOMPARE(lineOf(entry), std::string("1,,,person,,STOP,,NOT confirmed,,0.0,"));
+    entry.motor = 1;
+    QVERIFY(lineOf(entry).starts_with("1,,,person,1,STOP,"));
 }
 
 void TestMotionTexts::cellsAreNoFormulas()
@@ -220,27 +220,27 @@ void TestMotionTexts::cellsAreNoFormulas()
             "a b c"},
         {"a,b", "\"a,b\""}, {"a\"b", "\"a\"\"b\""}, {"\xC2\xB5", "\xC2\xB5"}, {"", ""}};
     for (const auto &[text, cell] : cells) {
-        MotionEntry record;
-        record.outcome = Outcome::Ok;
-        record.reason = text;
-        QCOMPARE(lineOf(record), "1,,,person,,START,,ok," + std::string(cell) + ",0.0,");
+        MotionEntry entry;
+        entry.outcome = Outcome::Ok;
+        entry.reason = text;
+        QCOMPARE(lineOf(entry), "1,,,person,,START,,ok," + std::string(cell) + ",0.0,");
     }
 }
 
 void TestMotionTexts::bytesAreInHex()
 {
-    MotionEntry record;
+    MotionEntry entry;
     const auto bytes = [&] {
-        const std::string line = lineOf(record);
+        const std::string line = lineOf(entry);
         return line.substr(line.rfind(',') + 1);
     };
-    record.sent = {{0x00, 0xA5, 0xFF}};
-    record.requests = 1;
+    entry.sent = {{0x00, 0xA5, 0xFF}};
+    entry.requests = 1;
     QCOMPARE(bytes(), std::string("00 A5 FF"));
-    record.sent.push_back({0x10});
-    record.requests = 2;
+    entry.sent.push_back({0x10});
+    entry.requests = 2;
     QCOMPARE(bytes(), std::string("00 A5 FF | 10"));
-    record.requests = 5;
+    entry.requests = 5;
     QCOMPARE(bytes(), std::string("00 A5 FF | 10 | and 3 more"));
 }
 

@@ -489,13 +489,13 @@ void TestStopSequence::eachWordHasItsRecord()
     MotionEntry sent;
     sent.requests = 3;
     for (const auto &[word, outcome] : rows) {
-        const MotionEntry record = recordOf({2, word, t + 30ms}, t, sent);
-        QVERIFY(record.act == MotionAct::Stop && record.stop == word);
-        QVERIFY(record.outcome == outcome);
-        QCOMPARE(record.motor, 2);
-        QCOMPARE(std::size_t{record.requests}, std::size_t{3});
-        QVERIFY(record.asked == t && record.ended == t + 30ms);
-        QVERIFY(recordOf({2, word, t - 1ms}, t).ended == t); // asked for again meanwhile
+        const MotionEntry entry = entryOf({2, word, t + 30ms}, t, sent);
+        QVERIFY(entry.act == MotionAct::Stop && entry.stop == word);
+        QVERIFY(entry.outcome == outcome);
+        QCOMPARE(entry.motor, 2);
+        QCOMPARE(std::size_t{entry.requests}, std::size_t{3});
+        QVERIFY(entry.asked == t && entry.ended == t + 30ms);
+        QVERIFY(entryOf({2, word, t - 1ms}, t).ended == t); // asked for again meanwhile
     }
 }
 

@@ -199,7 +199,7 @@ void TestWishQueue::eachEndIsToldOnceWithItsResults()
     probe->readings = {Reading{}};
     probe->motion() = MotionEntry{};
     probe->motion()->asked = kAdded;
-    QCOMPARE(bench.collect().size(), std::size_t{1}); // its record waits for its end
+    QCOMPARE(bench.collect().size(), std::size_t{1}); // its entry waits for its end
     probe->readings = {Reading{}};
     probe->cut("gone");
     const auto events = bench.collect(kAdded + 5ms);

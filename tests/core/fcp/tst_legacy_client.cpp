@@ -89,6 +89,7 @@ class TestFcpClient : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void itFindsABoardAndReadsItsName();
+    void aBoardWhoseInfoHasAnotherLengthIsFoundAndFoundAgain();
     void withoutABoardItGivesUp();
     void aLineThatBabblesIsGivenUp();
     void aBoardThatBeginsToBabbleIsGivenUp();
@@ -121,6 +122,39 @@ void TestFcpClient::itFindsABoardAndReadsItsName()
     QVERIFY(!found[0].again);
     pair.ask(kSpeed, 20ms);
     QCOMPARE(pair.all<Client::Answer>().size(), std::size_t{1});
+}
+
+/// The text of one dialect describes no layout of it.
+void TestFcpClient::aBoardWhoseInfoHasAnotherLengthIsFoundAndFoundAgain()
+{
+    for (const std::size_t length : {1U, 3U, 9U, 40U}) {
+        Pair pair;
+        fcp::Framer framer(fcp::Framer::Side::Client);
+        const auto other = [&](const Bytes &bytes) { // which come one by one
+            Bytes out;
+            fcp::Frame frame;
+            for (ByteView left(bytes); !left.empty();)
+                if (framer.next(left, frame) == fcp::Framer::Step::Frame)
+                    out = frame.payload.size() == fcp::kInfoSize
+                        ? fcp::encodeAck(Bytes(length, '7'))
+                        : fcp::encodeFrame(frame.header, frame.payload);
+            return out;
+        };
+        pair.toClient = other;
+        QVERIFY(pair.connect());
+        auto found = pair.all<Client::Connected>();
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].board.version, std::string(length < 3 ? "" : "7.7.7"));
+        QCOMPARE(found[0].board.name.size(), length < 3 ? length : length - 3);
+        pair.ask(kSpeed, 20ms);
+        QCOMPARE(pair.all<Client::Answer>().size(), std::size_t{1});
+        pair.toClient = [](const Bytes &) { return Bytes(); };
+        pair.ask(kSpeed, 1100ms); // its answer is lost, and the line recovers
+        pair.toClient = other;
+        pair.runFor(6s);
+        found = pair.all<Client::Connected>();
+        QVERIFY(found.size() == 1 && found[0].again && pair.client.canSend());
+    }
 }
 
 void TestFcpClient::withoutABoardItGivesUp()

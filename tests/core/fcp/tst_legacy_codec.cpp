@@ -30,6 +30,7 @@ private Q_SLOTS:
     void anAcknowledgedCommandTellsTheDialect();
     void bothTablesAreWhole();
     void dialectsDifferWhereTheyShould();
+    void sharesOfTheBusAreInTenthsOfAPercent();
     void valuesAreOnlyReadInAWidthOfTheirRegister();
     void aTableWithAFlawIsRefused_data();
     void aTableWithAFlawIsRefused();
@@ -185,7 +186,7 @@ void TestFcpCodec::answersOfAnotherLengthAreRefused()
     QVERIFY(decodeReply(frameOf(0xE0, 14)).error() == ReplyError::BadLength);
     for (std::size_t size = 0; size <= kMaxPayload; ++size) {
         const Bytes data(size, 0x41);
-        QCOMPARE(decodeBoardInfo(data).has_value(), size == 32);
+        QCOMPARE(decodeBoardInfo(data).has_value(), size > 0); // one dialect describes no layout
         QCOMPARE(decodeFirmwareVersion(data).has_value(), size == 32);
         QCOMPARE(decodeRevUp(data).has_value(), size == 8);
     }
@@ -240,6 +241,17 @@ void TestFcpCodec::bothTablesAreWhole()
     }
     QVERIFY(findRegister(Dialect::Stm32, 0x89) == nullptr);
     QVERIFY(findRegister(Dialect::PowerPc, 0x23) == nullptr);
+}
+
+void TestFcpCodec::sharesOfTheBusAreInTenthsOfAPercent()
+{
+    for (const int id : {0x18, 0x21}) {
+        const auto &info = findRegister(Dialect::Stm32, static_cast<std::uint8_t>(id))->info;
+        QCOMPARE(info.unit, std::string("0.1 %"));
+        QCOMPARE(info.least.value(), 0.0);
+        QCOMPARE(info.greatest.value(), 1000.0);
+    }
+    QVERIFY(!findRegister(Dialect::Stm32, 0x05)->info.greatest); // a gain
 }
 
 void TestFcpCodec::dialectsDifferWhereTheyShould()

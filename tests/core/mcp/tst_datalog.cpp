@@ -18,7 +18,7 @@ private Q_SLOTS:
     void theBufferHoldsWholeGroups();
     void samplesComeOutSignalBySignal();
     void slowValuesFollowTheirBlocks();
-    void theLastPacketOfAStopHasNoSlowGroup();
+    void aPacketThatIsSentOffEarlyHasNoSlowGroup();
     void aBlockThatIsUsedAgainKeepsItsRoom();
     void unsignedSignalsAreStoredLessHalfTheirRange();
     void missingTicksAreCountedAsLost();
@@ -60,7 +60,8 @@ using Samples = std::vector<std::int16_t>;
 
 void TestDatalog::configurationsMatchTheWire()
 {
-    QCOMPARE(*encodeDatalog(datalogStop()), hex("00 08 00 00 FF 00 00")); // captured
+    QCOMPARE(*encodeDatalog(datalogStop(8128)), hex("00 08 00 00 FF 00 00")); // captured
+    QCOMPARE(*encodeDatalog(datalogStop(512)), hex("00 02 00 00 FF 00 00"));
     const DatalogConfig start = config(2048, {{0x08D1}, {0x0911}});
     const Bytes wire = hex("00 08 00 02 FF 00 D1 08 11 09 01");
     QCOMPARE(*encodeDatalog(start), wire);
@@ -115,9 +116,9 @@ void TestDatalog::lengthsThatFitNoLayoutAreTold()
     QVERIFY(!layout.blocksIn(6 + 15));
     QVERIFY(!layout.blocksIn(5));
     c.slowRate = kSlowAtEnd;
-    QVERIFY(!DatalogLayout(c).blocksIn(6));
-    QCOMPARE(*DatalogLayout(c).blocksIn(6 + 4 + 2), std::size_t{1});
-    QCOMPARE(*DatalogLayout(c).blocksIn(6 + 4, true), std::size_t{1});
+    QCOMPARE(*DatalogLayout(c).blocksIn(6 + 62 * 4 + 2), std::size_t{62}); // full: 256 bytes
+    QCOMPARE(*DatalogLayout(c).blocksIn(6 + 4), std::size_t{1}); // sent off early: no group
+    QVERIFY(!DatalogLayout(c).blocksIn(6 + 4 + 2));
     c.fast.clear();
     QVERIFY(!DatalogLayout(c).fullLength()); // never sent
 }
@@ -206,9 +207,9 @@ void TestDatalog::slowValuesFollowTheirBlocks()
     QVERIFY((block->slow[1].values == std::vector<std::int32_t>{1, 5, 2}));
 }
 
-void TestDatalog::theLastPacketOfAStopHasNoSlowGroup()
+void TestDatalog::aPacketThatIsSentOffEarlyHasNoSlowGroup()
 {
-    DatalogConfig c = config(64, {kIa});
+    DatalogConfig c = config(14, {kIa}); // full with three blocks
     c.slowRate = kSlowAtEnd;
     c.slow = {kSpeed};
     DatalogDecoder decoder(16000);
@@ -217,8 +218,7 @@ void TestDatalog::theLastPacketOfAStopHasNoSlowGroup()
     QVERIFY((whole->fast == Samples{1, 2, 3}));
     QCOMPARE(whole->slow.at(0).values.at(0), 77);
     QCOMPARE(whole->slow.at(0).tick, capture::Tick{2});
-    decoder.stopping();
-    const auto last = decoder.decode(payload(3, {4, 5}));
+    const auto last = decoder.decode(payload(3, {4, 5})); // a stop or a fault cut it short
     QVERIFY((last->fast == Samples{4, 5}));
     QVERIFY(last->slow.empty());
     QCOMPARE(last->lostTicks, capture::Tick{0});

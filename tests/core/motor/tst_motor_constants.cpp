@@ -15,7 +15,7 @@ class TestMotorConstants : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void fluxKeAndKvAreOneMotor();
-    void ratedFluxIsKeUnlessThatMakesNoMotor();
+    void ratedFluxIsReadAsTheFirmwareMeansIt();
     void constantsOfAKnownMotor();
     void baseSpeedIsWhereTheVoltageIsUsedUp();
     void whatIsMissingIsEmptyAndNeverNan();
@@ -44,14 +44,16 @@ void TestMotorConstants::fluxKeAndKvAreOneMotor()
     QVERIFY(nearByShare(ktOfFlux_nmpa(6.5e-3, 4), 0.039, 1e-12));
 }
 
-void TestMotorConstants::ratedFluxIsKeUnlessThatMakesNoMotor()
+void TestMotorConstants::ratedFluxIsReadAsTheFirmwareMeansIt()
 {
-    QVERIFY(nearByShare(fluxOfConfiguration_wb(3.3346, 4), 6.5e-3, 1e-4));
-    QVERIFY(nearByShare(fluxOfConfiguration_wb(6.5e-3 * 2 * M_PI, 4), 6.5e-3, 1e-9)); // V/Hz
-    QVERIFY(nearByShare(fluxOfConfiguration_wb(0.9, 1), fluxOfKe_wb(0.9, 1), 1e-12));
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(3.3346, 4, false), 6.5e-3, 1e-4));
+    // Also of a small motor, and of a strong one: no figure tells its unit.
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(0.05, 4, false), fluxOfKe_wb(0.05, 4), 1e-12));
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(6.5e-3 * 2 * M_PI, 4, true), 6.5e-3, 1e-9));
+    QVERIFY(nearByShare(fluxOfConfiguration_wb(0.5 * 2 * M_PI, 4, true), 0.5, 1e-9));
     for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-        QCOMPARE(fluxOfConfiguration_wb(none, 4), 0.0);
-    QCOMPARE(fluxOfConfiguration_wb(3.3, 0), 0.0);
+        QCOMPARE(fluxOfConfiguration_wb(none, 4, false), 0.0);
+    QCOMPARE(fluxOfConfiguration_wb(3.3, 0, true), 0.0);
 }
 
 void TestMotorConstants::constantsOfAKnownMotor()
