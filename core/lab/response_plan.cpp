@@ -1,6 +1,7 @@
 #include "lab/response_plan.h"
 
 #include "base/random.h"
+#include "base/text.h"
 #include "drive/motion_limits.h"
 
 #include <algorithm>
@@ -16,6 +17,10 @@ using namespace std::chrono_literals;
 constexpr double kMostSpeed = 0.4; ///< of the allowed speed
 constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
 constexpr double kMarginAmplitudes = 3.0; ///< amplitudes beyond both
+/// Between two samples. A current is known at its samples alone, and what is faster folds into the highest points: of a
+/// speed's response they are 1 % off here. The speed loop holds a current's reference for a millisecond each: its jumps
+/// fold into all frequencies, by 7 % of the gain where samples are 0.94 ms apart.
+constexpr double kFarthestOfSpeed_s = 1.25e-3, kFarthestOfCurrent_s = 0.5e-3;
 constexpr int kMostGain = 32767; ///< of a register of 16 bits
 
 class ResponseCourse : public Course {
@@ -82,10 +87,26 @@ int usualAmplitudeRpm(const Subject &subject, int rpm)
         std::max(kLeastDigits * subject.limits.speedStepRpm, kSpeedShare * std::abs(rpm))));
 }
 
+std::string tooFarApart(double step_s, bool ofCurrent)
+{
+    constexpr double kRounding = 1e-9, kMilliseconds = 1e3;
+    const double most_s = ofCurrent ? kFarthestOfCurrent_s : kFarthestOfSpeed_s;
+    if (step_s <= most_s + kRounding)
+        return {};
+    return "its samples are " + decimalText(step_s * kMilliseconds, 3)
+        + " ms apart, too far for the response of a " + (ofCurrent ? "current" : "speed") + ": "
+        + decimalText(most_s * kMilliseconds, 3) + " ms are the most";
+}
+
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
 {
+    constexpr std::size_t kSignals = 4;
     if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
         return "this board does not record the angle of its rotor";
+    if (const auto why =
+            tooFarApart(subject.fastEvery(kSignals) / subject.tickHz, plan.current != 0);
+        subject.tickHz > 0.0 && !why.empty())
+        return why;
     if (plan.length < 4s || plan.length > 40s)
         return "it takes 4 to 40 s";
     if (plan.amplitudeRpm < 1)

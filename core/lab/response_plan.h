@@ -54,6 +54,8 @@ void eachGain(const ResponsePlan &, SpeedRegulator &regulator, Field &&field)
     field("period s", regulator.period_s);
 }
 
+/// Why samples that are so far apart tell no response; empty if they do.
+std::string tooFarApart(double step_s, bool ofCurrent);
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject);
 Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject);

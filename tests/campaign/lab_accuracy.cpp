@@ -214,9 +214,12 @@ void responses(const Motor &motor, std::uint64_t seeds)
         phase_deg = std::abs(turned) > std::abs(phase_deg) ? turned : phase_deg;
         to_hz = hz;
     }
-    std::printf("| %s | %zu of %llu | %.0f Hz | %+.2f | %+.2f | %.2f | %.0f %% | %s |\n",
+    constexpr double kLeastHeld = 90.0, kMostHeld = 99.0;
+    const double share = std::round(kPercent * held / std::max(1, points));
+    const char *const bold = share < kLeastHeld || share > kMostHeld ? "**" : "";
+    std::printf("| %s | %zu of %llu | %.0f Hz | %+.2f | %+.2f | %.2f | %s%.0f %%%s | %s |\n",
         motor.name.c_str(), results, static_cast<unsigned long long>(seeds), to_hz, gain, phase_deg,
-        kPercent * std::sqrt(squares / std::max(1, points)), kPercent * held / std::max(1, points),
+        kPercent * std::sqrt(squares / std::max(1, points)), bold, share, bold,
         reasons.empty() ? "" : reasons.front().c_str());
     std::fflush(stdout);
 }

@@ -49,6 +49,7 @@ struct LabBench {
     Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
     std::function<void()> eachTurn; ///< as the world goes on
     std::function<void(recorded::Nanos, const recorded::Entry &)> eachEntry; ///< for a file of it
+    std::function<bool(const recorded::Entry &)> loses; ///< and keeps out of the capture
 
     explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
         : pair(true, options, seed)
@@ -174,7 +175,7 @@ private:
             eachEntry(at, entry);
         if (const auto *happening = std::get_if<recorded::Happening>(&entry))
             happenings.emplace_back(at, *happening);
-        else
+        else if (!loses || !loses(entry))
             restorer.accept(entry);
     }
 

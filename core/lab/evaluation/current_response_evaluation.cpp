@@ -9,12 +9,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace lab {
 
 namespace {
 
-constexpr std::size_t kCurrentTransform = 2048;
+constexpr double kCurrentTransform_s = 0.128;
 constexpr std::size_t kLowestBin = 3; ///< what is slower leaks into the first ones
 constexpr double kNear = 0.08; ///< of a frequency: bins this near are taken together
 constexpr double kHighest = 0.4; ///< of the sample rate
@@ -135,8 +136,12 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
     const std::vector<Segment> segments = segmentsOf(*angle, others, span.from, span.to);
     if (segments.empty())
         return fail(std::string("it holds no samples of that time"));
-    const double sampleHz = 1.0 / segments.front().step_s;
-    CrossSpectrum sum(kCurrentTransform, sampleHz, 1);
+    const double step_s = segments.front().step_s;
+    if (auto why = tooFarApart(step_s, true); !why.empty())
+        return fail(std::move(why));
+    const std::size_t size =
+        2 * static_cast<std::size_t>(std::lround(kCurrentTransform_s / step_s / 2.0));
+    CrossSpectrum sum(size, 1.0 / step_s, 1);
     double turned_deg = 0.0, time_s = 0.0, amps = 0.0, samples = 0.0;
     for (const Segment &segment : segments) {
         sum.add(segment.values);
@@ -154,13 +159,14 @@ Result<FrequencyResponse, std::string> evaluateCurrentResponse(
         .turn_hz = 1.0 / plan->regulator.period_s,
         .bin_hz = fine.binHz};
     FrequencyResponse found;
-    const auto end = static_cast<std::size_t>(kHighest * static_cast<double>(kCurrentTransform));
+    const auto end = static_cast<std::size_t>(kHighest * static_cast<double>(size));
     for (std::size_t bin = kLowestBin; bin < end;)
         bin = addPoint(found, fine, bin, mask);
     if (found.points.empty())
         return fail(std::string("the current does not follow its reference in it"));
     found.notes.push_back("it is the loop at " + decimalText(std::abs(amps) / samples, 3)
         + " A: what a bridge loses by its dead time damps it the more the smaller the current is");
+    noteGaps(found.notes, missingIn(segments));
     noteEnd(found.notes, span.over, span.reason);
     constexpr double kSure = 0.8;
     addMargins(found, kSure);

@@ -205,6 +205,7 @@ struct Parts {
     std::optional<TurningFit> turning;
     double bus_v = 0.0; ///< what a board's full scale of voltage is of
     double period_s = 0.0; ///< of the control loops, while it turned
+    double missing_s = 0.0; ///< samples, of both
 };
 
 /// @return  why nothing follows, empty if it does
@@ -221,7 +222,9 @@ std::string addResting(Parts &parts, const Recorded<RestPlan> &rest,
         ++at;
     const Nanos to = at == end ? std::numeric_limits<Nanos>::max() : at->first;
     Plateaus plateaus(rest.nominalAmps, byEncoder(rest.angle) || byHall(rest.angle));
-    for (const Segment &segment : segmentsFor(rest, capture, from, to, true))
+    const std::vector<Segment> segments = segmentsFor(rest, capture, from, to, true);
+    parts.missing_s += missingIn(segments);
+    for (const Segment &segment : segments)
         plateaus.accept(segment);
     constexpr double kLeastRatio = 1.3;
     if (!(plateaus.strongest_a >= kLeastRatio * plateaus.weakest_a))
@@ -249,6 +252,7 @@ std::string addTurning(Parts &parts, const Recorded<SpinPlan> &spin,
     const std::vector<Segment> driven = segmentsFor(spin, capture, span->from, span->to, false);
     if (driven.empty())
         return "it holds no samples of the signals that it needs";
+    parts.missing_s += missingIn(driven);
     constexpr double kFullScale = 32767.0; // of a phase: bus / sqrt(3)
     parts.bus_v =
         fastChannel(capture, spin.voltage)->info().factor * kFullScale * std::numbers::sqrt3;
@@ -320,7 +324,7 @@ void takeSwingOut(Parts &parts)
     }
     if (!(*turning.lost_v.low > 0.0))
         return; // the bridge makes up for its dead time
-    const auto fitWith = [&parts](double swing_a) {
+    const auto rowsWith = [&parts](double swing_a) {
         const Rows &all = parts.rest->rows;
         Rows rows;
         for (std::size_t row = 0; row < all.known.size(); ++row)
@@ -329,20 +333,30 @@ void takeSwingOut(Parts &parts)
                 rows.wanted.push_back(all.wanted[row]);
                 rows.cluster.push_back(all.cluster[row]);
             }
-        return leastSquares(rows, std::array{kResistance, kDeadTime});
+        return rows;
     };
+    constexpr std::array kBoth{kResistance, kDeadTime};
     const double swing_a = turning.swing_a;
-    const auto fit = fitWith(swing_a);
+    const Rows rows = rowsWith(swing_a);
+    const auto fit = leastSquares(rows, kBoth);
     if (!fit || !(fit->values[kResistance] > 0.0))
         return;
     Estimate rs = withScale(fit->estimate(kResistance), kScaleAtRest);
     constexpr double kUnsure = 1.25; // from one swing that was tried to the next
     for (const double other : {swing_a / kUnsure, swing_a * kUnsure})
-        if (const auto beside = fitWith(other)) {
+        if (const auto beside = leastSquares(rowsWith(other), kBoth)) {
             rs.low = std::min(*rs.low, beside->values[kResistance]);
             rs.high = std::max(*rs.high, beside->values[kResistance]);
         }
     found.rs_ohm = rs;
+    // What it takes of one phase, as much as of the voltage along the currents of the rows.
+    double along = 0.0;
+    for (const Row &row : rows.known)
+        along += row[kDeadTime] / static_cast<double>(rows.known.size());
+    Estimate lost = fit->estimate(kDeadTime);
+    for (double *value : {&lost.value, &*lost.low, &*lost.high})
+        *value *= along;
+    found.deadTime_v = lost;
 }
 
 } // namespace
@@ -374,6 +388,7 @@ Result<Electrics, std::string> evaluateElectrics(
         return fail(found.notes.empty() ? std::string("nothing follows from it") : found.notes[0]);
     if (parts.rest && found.ld_h)
         takeSwingOut(parts);
+    noteGaps(found.notes, parts.missing_s);
     noteEnd(found.notes, over, {}); // why it ended early stands with what turned
     return found;
 }

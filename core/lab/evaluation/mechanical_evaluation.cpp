@@ -110,6 +110,7 @@ std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
 }
 
 struct Fits {
+    const Rows &rows; ///< of both
     const Fit &plain, &fan; ///< without a fan, and with one
     double fastest; ///< rad/s
     double digit_nm; ///< of the current
@@ -130,7 +131,7 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
     const double friction = fan.values[kViscous] * fastest + fan.values[kDry];
     const double blown = fan.values[kFan] * fastest * fastest;
     const bool better = fan.estimate(kFan).low > 0.0 && blown > kNoticeable * friction
-        && (impossible || fan.criterion() < plain.criterion());
+        && (impossible || explainsBetter(fits.rows, fan, plain));
     found.fan = better && (impossible || blown > (kNoticeable + kBends * unsure) * friction);
     const auto told = [](const Fit &fit, std::size_t unknown, double digit) {
         const Estimate own = fit.estimate(unknown);
@@ -307,7 +308,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
     const double turn_rad = stretches.fastest * plan->polePairs * segments.front().period_s;
     const double unsure = std::hypot(lag, seldomSeen(turn_rad));
-    Mechanics found = mechanicsOf(*plan, {*plain, *fan, stretches.fastest, digit_nm, unsure});
+    Mechanics found = mechanicsOf(*plan, {rows, *plain, *fan, stretches.fastest, digit_nm, unsure});
     if (unsure > lag)
         found.notes.push_back(seldomSeenNote(turn_rad));
     const Fit &chosen = found.fan ? *fan : *plain;
@@ -322,11 +323,12 @@ Result<Mechanics, std::string> evaluateMechanics(
     if (beganSwinging(after, plan->motor, span->from))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
+    noteGaps(found.notes, missingIn(all));
     noteEnd(found.notes, span->over, span->reason);
     constexpr double kNoticed_s = 0.02;
     if (stood_s > kNoticed_s)
-        found.notes.push_back("the rotor all but stood for " + decimalText(stood_s, 2)
-            + " s of it, which count for nothing");
+        found.notes.push_back("the rotor nearly stood still for " + decimalText(stood_s, 2)
+            + " s: that time was left out");
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;
     if (lost > kMany)

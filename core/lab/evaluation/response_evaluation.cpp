@@ -12,14 +12,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace lab {
 
 namespace {
 
-constexpr double kSample_s = 1e-3;
+constexpr double kPeriod_s = 1e-3; ///< as near to it as whole samples are
 /// Shorter ones leak from below, where the speed moves most.
-constexpr std::size_t kTransform = 2048;
+constexpr double kTransform_s = 2.048;
 /// Of a frequency: bins this near are taken together, at most so many:
 constexpr double kBand = 0.25;
 constexpr std::size_t kMostBins = 4;
@@ -122,14 +123,38 @@ double sinc(double x)
     return std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
 }
 
-/// Signals once a millisecond: the set-point, then those of Signal. A sample is the mean over a millisecond around its
-/// time, the speed of the shaft over two.
+/// How often signals are taken, once in about a millisecond, and what their means leave of a frequency.
+struct Pace {
+    explicit Pace(double sample_s)
+        : step_s(sample_s)
+        , every(2 * static_cast<std::size_t>(std::max(1L, std::lround(kPeriod_s / sample_s / 2.0))))
+    {
+    }
+    double step_s; ///< between two samples
+    std::size_t every; ///< samples; even, so that one of them is in the middle of a mean
+
+    double period_s() const { return static_cast<double>(every) * step_s; }
+    /// Samples of a transform, even.
+    std::size_t transform() const
+    {
+        return 2 * static_cast<std::size_t>(std::lround(kTransform_s / period_s() / 2.0));
+    }
+    /// Of a current: the mean by trapezoids over a period.
+    double ofMean(double hz) const
+    {
+        const double phase = std::numbers::pi * hz * step_s, many = static_cast<double>(every);
+        return std::sin(many * phase) / (many * std::tan(phase));
+    }
+    /// Of the shaft's speed: the difference of its angle over two periods.
+    double ofSpeed(double hz) const { return sinc(2.0 * hz * period_s()); }
+};
+
+/// Signals once a period: the set-point, then those of Signal.
 std::array<std::vector<double>, kSignals + 1> resampled(
-    const Segment &segment, const std::vector<Edge> &edges, double polePairs)
+    const Segment &segment, const std::vector<Edge> &edges, double polePairs, const Pace &pace)
 {
     std::array<std::vector<double>, kSignals + 1> signals;
-    const auto every =
-        static_cast<std::size_t>(std::max(2L, std::lround(kSample_s / segment.step_s)));
+    const std::size_t every = pace.every;
     const double toRad = std::numbers::pi / 180.0 / polePairs;
     const auto mean = [&](std::size_t value, std::size_t from) {
         const std::vector<double> &samples = segment.values[value];
@@ -141,14 +166,13 @@ std::array<std::vector<double>, kSignals + 1> resampled(
     auto edge = edges.begin();
     for (std::size_t at = every; at + 2 * every < segment.turned_deg.size(); at += every) {
         const std::size_t centre = at + every / 2;
-        const Nanos time =
-            segment.at + capture::toNanos(static_cast<double>(centre) * segment.step_s);
+        const Nanos time = segment.at + capture::toNanos(static_cast<double>(centre) * pace.step_s);
         while (edge + 1 != edges.end() && (edge + 1)->at <= time)
             ++edge;
         signals[0].push_back(edge->rpm);
         signals[1 + Speed].push_back(
             (segment.turned_deg[centre + every] - segment.turned_deg[centre - every]) * toRad
-            / (2.0 * static_cast<double>(every) * segment.step_s));
+            / (2.0 * pace.period_s()));
         signals[1 + Current].push_back(mean(1, at));
         signals[1 + Reference].push_back(mean(0, at));
         signals[1 + Sensed].push_back(mean(2, at));
@@ -160,11 +184,40 @@ std::array<std::vector<double>, kSignals + 1> resampled(
 double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
 {
     constexpr double kHann = 0.375, kBothSides = 2.0;
+    const auto size = 2.0 * static_cast<double>(spectra.instrument.size() - 1);
     double sum = 0.0;
     for (std::size_t bin = 1; bin < spectra.instrument.size(); ++bin)
         sum += (1.0 - spectra.coherence(signal, bin)) * spectra.own[signal][bin];
-    return std::sqrt(kBothSides * sum
-        / (kHann * static_cast<double>(kTransform) * static_cast<double>(kTransform) * transforms));
+    return std::sqrt(kBothSides * sum / (kHann * size * size * transforms));
+}
+
+/// @param found  with the regulator that closed its loop
+void addPoints(SpeedResponse &found, const CrossSpectra &fine, const Pace &pace)
+{
+    for (std::size_t first = static_cast<std::size_t>(kLowest_hz / fine.binHz), width = 1;
+         first + width <= fine.instrument.size(); first += width) {
+        const double lowest = static_cast<double>(first) * fine.binHz;
+        width = std::clamp<std::size_t>(
+            static_cast<std::size_t>(kBand * lowest / fine.binHz), 1, kMostBins);
+        const CrossSpectra spectra = fine.band(first, width);
+        constexpr std::size_t bin = 0;
+        ResponsePoint point;
+        point.hz = lowest + static_cast<double>(width - 1) / 2.0 * fine.binHz;
+        point.coherence = std::min(spectra.coherence(Speed, bin), spectra.coherence(Current, bin));
+        if (point.hz < kLowest_hz || point.hz > kHighest_hz
+            || point.coherence < kLeastMarginCoherence)
+            continue;
+        const auto cross = [&](Signal signal) { return spectra.cross[signal][bin]; };
+        point.plant =
+            cross(Speed) / cross(Current) * pace.ofMean(point.hz) / pace.ofSpeed(point.hz);
+        point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
+            + varianceOf(spectra.coherence(Current, bin), spectra.averages));
+        if (found.regulator.proportional != 0.0)
+            point.loop = cross(Sensed) / cross(Reference) * regulatorAt(found.regulator, point.hz);
+        point.loopRelative = std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages)
+            + varianceOf(spectra.coherence(Reference, bin), spectra.averages));
+        found.points.push_back(point);
+    }
 }
 
 /// What is told of a written register behind a word, e.g. 350 of "ok, was 700, is 350"; empty: nothing.
@@ -365,49 +418,29 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(std::string("the set-point was never moved in it"));
     if (edges.gainsChanged)
         return fail(std::string(kGainsChanged));
-    CrossSpectrum sum(kTransform, 1.0 / kSample_s, kSignals);
-    for (const Segment &segment : segmentsOf(*angle, others, edges.edges.front().at, edges.end))
-        if (static_cast<double>(segment.turned_deg.size()) * segment.step_s
-            > static_cast<double>(kTransform + 4) * kSample_s)
-            sum.add(resampled(segment, edges.edges, plan->polePairs));
+    const std::vector<Segment> segments =
+        segmentsOf(*angle, others, edges.edges.front().at, edges.end);
+    const Pace pace(segments.empty() ? kPeriod_s : segments.front().step_s);
+    if (auto why = tooFarApart(pace.step_s, false); !why.empty())
+        return fail(std::move(why));
+    CrossSpectrum sum(pace.transform(), 1.0 / pace.period_s(), kSignals);
+    for (const Segment &segment : segments)
+        sum.add(resampled(segment, edges.edges, plan->polePairs, pace));
     if (sum.count() < kLeastSegments)
         return fail(
             std::string("too little of it is without a gap: stretches of two seconds are needed"));
     SpeedResponse found;
-    const bool knownGains = plan->regulator.proportional != 0.0;
-    const CrossSpectra fine = sum.result();
     found.regulator = plan->regulator;
+    const CrossSpectra fine = sum.result();
     found.referenceNoise_a = noiseOf(fine, Reference, sum.count());
-    for (std::size_t first = static_cast<std::size_t>(kLowest_hz / fine.binHz), width = 1;
-         first + width <= fine.instrument.size(); first += width) {
-        const double lowest = static_cast<double>(first) * fine.binHz;
-        width = std::clamp<std::size_t>(
-            static_cast<std::size_t>(kBand * lowest / fine.binHz), 1, kMostBins);
-        const CrossSpectra spectra = fine.band(first, width);
-        constexpr std::size_t bin = 0;
-        ResponsePoint point;
-        point.hz = lowest + static_cast<double>(width - 1) / 2.0 * fine.binHz;
-        point.coherence = std::min(spectra.coherence(Speed, bin), spectra.coherence(Current, bin));
-        if (point.hz < kLowest_hz || point.hz > kHighest_hz
-            || point.coherence < kLeastMarginCoherence)
-            continue;
-        const auto cross = [&](Signal signal) { return spectra.cross[signal][bin]; };
-        point.plant = cross(Speed) / cross(Current) * sinc(point.hz * kSample_s)
-            / sinc(2.0 * point.hz * kSample_s);
-        point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
-            + varianceOf(spectra.coherence(Current, bin), spectra.averages));
-        if (knownGains)
-            point.loop = cross(Sensed) / cross(Reference) * regulatorAt(plan->regulator, point.hz);
-        point.loopRelative = std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages)
-            + varianceOf(spectra.coherence(Reference, bin), spectra.averages));
-        found.points.push_back(point);
-    }
+    addPoints(found, fine, pace);
     if (found.points.empty())
         return fail(std::string("nothing in it follows the set-point"));
     if (!byEncoder(plan->angle))
         correctObserved(found, plan->polePairs);
+    noteGaps(found.notes, missingIn(segments));
     noteEnd(found.notes, edges.over, edges.reason);
-    if (knownGains)
+    if (plan->regulator.proportional != 0.0)
         addMargins(found, kLeastMarginCoherence);
     return found;
 }

@@ -121,6 +121,27 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     return segments;
 }
 
+double missingIn(const std::vector<Segment> &segments)
+{
+    constexpr double kRounding = 0.5; // of a sample
+    double missing_s = 0.0;
+    for (std::size_t at = 1; at < segments.size(); ++at) {
+        const Segment &before = segments[at - 1];
+        const double gap_s = capture::toSeconds(segments[at].at - before.at)
+            - before.step_s * static_cast<double>(before.turned_deg.size());
+        if (gap_s > kRounding * before.step_s)
+            missing_s += gap_s;
+    }
+    return missing_s;
+}
+
+void noteGaps(std::vector<std::string> &notes, double missing_s)
+{
+    if (missing_s > 0.0)
+        notes.push_back("samples of " + decimalText(missing_s, 2)
+            + " s are missing in it: only what is without a gap counts");
+}
+
 std::vector<Segment> whileTurning(
     std::vector<Segment> segments, double least_degPerS, double edge_s)
 {

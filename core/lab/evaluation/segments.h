@@ -26,6 +26,11 @@ struct Segment {
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to);
 
+/// Between the segments of segmentsOf(), s: samples that are not in any of them.
+double missingIn(const std::vector<Segment> &segments);
+/// Says how much is missing, if anything is.
+void noteGaps(std::vector<std::string> &notes, double missing_s);
+
 /// What of it the rotor turned through, in pieces of one direction: friction holds a rotor that stands by whatever it
 /// takes, and no equation of a motor that turns is true of it.
 /// @param least_degPerS  electrical; slower is as good as standing

@@ -112,6 +112,7 @@ struct Margins {
     double crossover_hz = 0.0, phaseMargin_deg = 0.0;
     double ms = 0.0; ///< with every point as it was measured
     double worstMs = 0.0; ///< at the worst end of each point's error
+    double last = 0.0; ///< gain of the loop at the end of the band
 };
 
 Margins marginsOf(const std::vector<Known> &band, const SpeedRegulator &regulator)
@@ -138,6 +139,7 @@ Margins marginsOf(const std::vector<Known> &band, const SpeedRegulator &regulato
         before = loop;
         before_hz = point.hz;
     }
+    margins.last = std::abs(before);
     return margins;
 }
 
@@ -153,7 +155,8 @@ void predictStep(LoopForecast &candidate, const Model &model, const SpeedRegulat
     constexpr double kPart_s = 1e-4, kLength_s = 2.0, kLow = 0.1, kHigh = 0.9;
     const auto each = static_cast<int>(std::max(1L, std::lround(regulator.period_s / kPart_s)));
     std::deque<double> late(static_cast<std::size_t>(std::lround(model.delay_s / kPart_s)) + 1);
-    double speed = 0.0, sum = 0.0, amps = 0.0, most = 0.0, low_s = -1.0, high_s = -1.0;
+    double speed = 0.0, sum = 0.0, amps = 0.0, most = 0.0;
+    std::optional<double> low_s, high_s;
     for (int part = 0; part * kPart_s < kLength_s; ++part) {
         if (part % each == 0) {
             const double error = 1.0 - late.front();
@@ -164,12 +167,13 @@ void predictStep(LoopForecast &candidate, const Model &model, const SpeedRegulat
         late.pop_front();
         late.push_back(speed);
         most = std::max(most, speed);
-        if (low_s < 0.0 && speed >= kLow)
+        if (!low_s && speed >= kLow)
             low_s = part * kPart_s;
-        if (high_s < 0.0 && speed >= kHigh)
+        if (!high_s && speed >= kHigh)
             high_s = part * kPart_s;
     }
-    candidate.rise_s = high_s - low_s;
+    if (high_s)
+        candidate.rise_s = *high_s - *low_s;
     candidate.overshoot_pct = std::max(0.0, most - 1.0) * 100.0;
 }
 
@@ -228,8 +232,10 @@ LoopForecast forecastOf(
         regulatorOf(digits, proportional, integral, motor.now.period_s);
     const Margins margins = marginsOf(motor.band, regulator);
     LoopForecast forecast{proportional, integral, margins.crossover_hz, margins.phaseMargin_deg,
-        margins.ms, 0.0, 0.0};
-    if (!(margins.crossover_hz > 0.0))
+        margins.ms, std::nullopt, 0.0};
+    // Where the gain is still above 1 at the end of the band, nothing is known of the phase at its crossover.
+    forecast.stable = margins.last < 1.0;
+    if (!forecast.stable || !(margins.crossover_hz > 0.0))
         return forecast;
     predictStep(forecast, fitted(motor.points, margins.crossover_hz), regulator);
     constexpr double kMostOvershoot_pct = 100.0; // a swing that does not grow stays below
@@ -308,19 +314,27 @@ SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regula
 
 Promise promiseOf(const LoopForecast &forecast, std::optional<Goal> goal)
 {
-    return {goal ? distanceOf(*goal).ms : forecast.ms, forecast.crossover_hz};
+    return {
+        goal ? distanceOf(*goal).ms : forecast.ms, forecast.crossover_hz, forecast.overshoot_pct};
 }
 
-Kept keptBy(const FrequencyResponse &proof, const Promise &promise)
+Kept keptBy(const FrequencyResponse &proof, const std::optional<Estimate> &overshoot_pct,
+    const Promise &promise)
 {
     constexpr double kMostMs = 1.1;
     constexpr double kLeastCrossover = 0.8; // measured twice the same loop differs by some 8 %
+    constexpr double kMoreOvershoot = 8.0; // points: loops that keep the rest differ by up to 5
     if (proof.ms && proof.ms->value > kMostMs * promise.ms)
         return Kept::TooLively;
     if (!proof.ms || !proof.crossover_hz)
         return Kept::Unclear;
     const double most_hz = proof.crossover_hz->high.value_or(proof.crossover_hz->value);
-    return most_hz < kLeastCrossover * promise.crossover_hz ? Kept::TooSlow : Kept::Yes;
+    if (most_hz < kLeastCrossover * promise.crossover_hz)
+        return Kept::TooSlow;
+    if (!overshoot_pct)
+        return Kept::Unclear;
+    const double least_pct = overshoot_pct->low.value_or(overshoot_pct->value);
+    return least_pct > promise.overshoot_pct + kMoreOvershoot ? Kept::Overshoots : Kept::Yes;
 }
 
 } // namespace lab

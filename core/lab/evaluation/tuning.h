@@ -34,7 +34,9 @@ struct GainDigits {
 struct LoopForecast {
     int proportional = 0, integral = 0; ///< digits
     double crossover_hz = 0.0, phaseMargin_deg = 0.0, ms = 0.0; ///< as measured points tell them
-    double rise_s = 0.0, overshoot_pct = 0.0; ///< of a small step
+    /// Of a small step; no rise: it is not at 90 % within 2 s.
+    std::optional<double> rise_s;
+    double overshoot_pct = 0.0;
     bool stable = true; ///< else the loop cannot be run, and Ms and step mean nothing
 };
 struct GainCandidate : LoopForecast {
@@ -58,7 +60,7 @@ SpeedResponse withRegulator(SpeedResponse measured, const SpeedRegulator &regula
 /// What gains are to do, before they are written.
 struct Promise {
     double ms = 0.0; ///< at most
-    double crossover_hz = 0.0; ///< as predicted
+    double crossover_hz = 0.0, overshoot_pct = 0.0; ///< as predicted
 };
 /// A goal's own distance where the gains are those of a goal, else the predicted one.
 Promise promiseOf(const LoopForecast &forecast, std::optional<Goal> goal);
@@ -68,10 +70,13 @@ enum class Kept : std::uint8_t {
     Yes,
     TooLively, ///< Ms is above a tenth more: nearer to instability
     TooSlow, ///< the crossover's interval ends below four fifths
-    Unclear, ///< one of the two is not known
+    Overshoots, ///< the overshoot's interval begins more than 8 points above
+    Unclear, ///< one of the three is not known
 };
-Kept keptBy(const FrequencyResponse &proof, const Promise &promise);
+/// @param overshoot_pct  of its steps, as measured
+Kept keptBy(const FrequencyResponse &proof, const std::optional<Estimate> &overshoot_pct,
+    const Promise &promise);
 /// It is known not to do what was promised: gains from its own response are nearer to that.
-constexpr bool missed(Kept kept) { return kept == Kept::TooLively || kept == Kept::TooSlow; }
+constexpr bool missed(Kept kept) { return kept != Kept::Yes && kept != Kept::Unclear; }
 
 } // namespace lab

@@ -98,6 +98,7 @@ struct Solver {
         if (!inverse || !(fit.rows > static_cast<double>(n)))
             return std::nullopt;
         fit.unknowns = n;
+        fit.counts = counts;
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < n; ++k)
                 fit.values[columns[i]] += (*inverse)[i][k] * right[k] / scale[columns[i]];
@@ -152,11 +153,6 @@ Estimate Fit::estimate(std::size_t unknown) const
     return {values[unknown], values[unknown] - half, values[unknown] + half};
 }
 
-double Fit::criterion() const
-{
-    return rows * std::log(residual * residual) + static_cast<double>(unknowns) * std::log(rows);
-}
-
 std::optional<Fit> leastSquares(const Rows &rows, std::span<const std::size_t> columns)
 {
     const std::vector<Row> &instruments = rows.instruments.empty() ? rows.known : rows.instruments;
@@ -176,6 +172,25 @@ std::optional<Fit> leastSquares(const Rows &rows, std::span<const std::size_t> c
         fit = solver.solve(counts);
     }
     return fit;
+}
+
+bool explainsBetter(const Rows &rows, const Fit &one, const Fit &other)
+{
+    const auto both = [&](std::size_t row) { return one.counts[row] && other.counts[row]; };
+    const auto criterion = [&](const Fit &fit) {
+        double many = 0.0, squares = 0.0;
+        for (std::size_t row = 0; row < rows.known.size(); ++row) {
+            if (!both(row))
+                continue;
+            double left = rows.wanted[row];
+            for (std::size_t column = 0; column < kMostUnknowns; ++column)
+                left -= rows.known[row][column] * fit.values[column];
+            squares += left * left;
+            many += 1.0;
+        }
+        return many * std::log(squares / many) + static_cast<double>(fit.unknowns) * std::log(many);
+    };
+    return criterion(one) < criterion(other);
 }
 
 } // namespace lab

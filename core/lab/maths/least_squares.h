@@ -35,15 +35,18 @@ struct Fit {
     Row errors{}; ///< standard errors
     double residual = 0.0; ///< root mean square
     double rows = 0.0; ///< that count
+    std::vector<bool> counts; ///< each row, whether it does
     std::size_t clusters = 0;
     Estimate estimate(std::size_t unknown) const; ///< with its 95 % interval
-    /// Bayesian information criterion: smaller is better; models of the same rows may be compared.
-    double criterion() const;
 };
 
 /// Solves wanted = known x unknowns. Rows further from it than four deviations count for nothing; this is decided anew
 /// three times. Empty if the rows do not determine the unknowns, or are of fewer than three clusters.
 /// @param columns  which places of a row are unknowns of the model; the others' values and errors are 0
 std::optional<Fit> leastSquares(const Rows &rows, std::span<const std::size_t> columns);
+
+/// Whether one of two models of the same rows explains them better than the other: Bayesian information criterion, over
+/// the rows that count for both. Over other rows it says nothing: a model that leaves out more would be another one.
+bool explainsBetter(const Rows &rows, const Fit &one, const Fit &other);
 
 } // namespace lab

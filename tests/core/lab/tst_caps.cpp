@@ -5,6 +5,7 @@
 
 using lab::capsOf;
 using lab::covers;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -77,6 +78,38 @@ private Q_SLOTS:
         boundless.mostAmps = 0.0;
         QVERIFY(covers(boundless, agreed));
         QVERIFY(!covers(agreed, boundless));
+    }
+    void aLongerOneIsAnotherPlan()
+    {
+        const auto agreedTo = [](int repeat, std::chrono::milliseconds hold) {
+            lab::Experiment experiment = steps(1000, 1500);
+            auto &plan = std::get<lab::StepPlan>(experiment.plan);
+            plan.repeat = repeat;
+            plan.hold = hold;
+            return lab::agreementTo(experiment, 0.0);
+        };
+        const lab::Agreement agreed = agreedTo(1, 200ms);
+        QCOMPARE(agreed.length, 16'400ms); // twice 8 s for the ways there and back
+        QVERIFY(covers(agreed, agreed)); // again, with another gain
+        QVERIFY(covers(agreed, agreedTo(4, 50ms)));
+        QVERIFY(!covers(agreed, agreedTo(2, 200ms)));
+        QVERIFY(!covers(agreed, agreedTo(1, 201ms)));
+    }
+    void otherGainsMeanwhileAreAnotherPlan()
+    {
+        const auto agreedTo = [](int kp, int ki) {
+            lab::Experiment experiment = steps(1000, 1500);
+            experiment.subject.registers.gain = 17;
+            experiment.subject.registers.integral = 18;
+            experiment.plan = lab::ResponsePlan{.rpm = 1000, .kp = kp, .ki = ki};
+            return lab::agreementTo(experiment, 0.0);
+        };
+        const lab::Agreement own = agreedTo(0, 0), calm = agreedTo(500, 30);
+        QCOMPARE(own.lent.size(), 0U);
+        QCOMPARE(calm.lent.size(), 2U);
+        QVERIFY(!covers(own, calm));
+        QVERIFY(covers(calm, calm) && covers(calm, own));
+        QVERIFY(!covers(calm, agreedTo(501, 30)) && !covers(calm, agreedTo(500, 31)));
     }
 };
 

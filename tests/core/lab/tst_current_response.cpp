@@ -1,11 +1,14 @@
 // The frequency response of current loops on simulated boards, against the exact model of windings and regulator. A
 // bridge without dead time is such a model; what a dead time makes of it is seen apart.
+#include "core/lab/lost_samples.h"
 #include "lab/evaluation/current_response_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/current_loop_model.h"
 #include "support/lab_bench.h"
 
+#include <array>
 #include <functional>
+#include <numbers>
 
 using namespace lab;
 using support::LabBench;
@@ -48,6 +51,60 @@ simulation::PlantParameters ideal(std::string_view motor)
     return plant;
 }
 
+/// A current that follows its reference as a first order does; the reference is another one each millisecond.
+struct DrawnCurrent {
+    static constexpr double kTick_hz = 16000.0, kBandwidth_hz = 150.0;
+    int every = 1; ///< ticks a sample
+
+    static double gainAt(double hz) { return 1.0 / std::hypot(1.0, hz / kBandwidth_hz); }
+
+    Result<FrequencyResponse, std::string> evaluated(const Subject &subject) const
+    {
+        const recorded::Happening entry =
+            entryOf(currentResponsePlanFor(subject, {}), subject, {0.01, 1e-4, 1e-3});
+        const auto names = recordedPlan<ResponsePlan>(entry);
+        if (!names)
+            return fail(std::string("it is no plan"));
+        constexpr double kAmps = 1e-3, kTurn_hz = 100.0;
+        constexpr int kLength = 6 * 16000, kTurn = 16;
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = kTick_hz;
+        layout.fastStep = static_cast<std::uint32_t>(every);
+        layout.fast = {{1, names->reference, "A", kAmps}, {2, names->current, "A", kAmps},
+            {3, names->angle, "deg", 360.0 / 65536.0}};
+        capture::Capture capture;
+        capture.begin(layout);
+        std::array<std::vector<std::int16_t>, 3> columns;
+        const auto put = [&columns](std::size_t column, double digits) {
+            columns[column].push_back(static_cast<std::int16_t>(std::lround(digits)));
+        };
+        const double left = std::exp(-2.0 * std::numbers::pi * kBandwidth_hz / kTick_hz);
+        support::Random random(3);
+        double reference = 0.0, amps = 0.0;
+        for (int tick = 0; tick < kLength; ++tick) {
+            if (tick % kTurn == 0)
+                reference = 3.0 + static_cast<double>(random.next() >> 11) * 0x1p-52 - 1.0;
+            if (tick % every == 0) {
+                put(0, reference / kAmps);
+                put(1, amps / kAmps);
+                put(2, std::remainder(std::floor(tick * kTurn_hz / kTick_hz * 65536.0), 65536.0));
+            }
+            amps = reference + (amps - reference) * left;
+        }
+        capture::SampleBlock block;
+        block.stream = layout.id;
+        block.count = static_cast<std::uint32_t>(columns[0].size());
+        for (const auto &column : columns)
+            block.fast.insert(block.fast.end(), column.begin(), column.end());
+        capture.append(block);
+        const recorded::Happening moved{
+            "speed ramp", {{"motor", std::to_string(subject.motor)}, {"rpm", "1500"}, {"ms", "0"}}};
+        return evaluateCurrentResponse(
+            capture, {{-1, entry}, {0, moved}, {6'000'000'000, entryOfEnd({})}});
+    }
+};
+
 /// Where it falls through a level for the first time.
 double fallsThrough(const std::function<double(double)> &gain, double level)
 {
@@ -76,6 +133,53 @@ double fallsThrough(const FrequencyResponse &found, double level)
 class TestCurrentResponse : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// Of 16 kHz a link of 230400 baud carries each eighth sample of four signals.
+    void slowLinksTellItToo_data()
+    {
+        QTest::addColumn<int>("every");
+        QTest::newRow("every sample") << 1;
+        QTest::newRow("230400 baud") << 8;
+    }
+    void slowLinksTellItToo()
+    {
+        QFETCH(const int, every);
+        const LabBench bench;
+        const auto found = DrawnCurrent{every}.evaluated(bench.experiment.subject);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        int clear = 0;
+        for (const ResponsePoint &point : found->points) {
+            QVERIFY(point.hz > 20.0);
+            if (point.hz > 300.0 || point.coherence < 0.9)
+                continue;
+            ++clear;
+            const double ratio = std::abs(point.plant) / DrawnCurrent::gainAt(point.hz);
+            QVERIFY2(std::abs(ratio - 1.0) < 0.05,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(ratio)));
+        }
+        QVERIFY2(clear >= 5, qPrintable(QString::number(clear)));
+    }
+
+    void samplesTooFarApartTellNoResponse()
+    {
+        const LabBench bench;
+        for (const int every : {15, 24, 8000}) {
+            const auto found = DrawnCurrent{every}.evaluated(bench.experiment.subject);
+            QVERIFY(!found);
+            QVERIFY2(found.error().find("ms apart") != std::string::npos, found.error().c_str());
+        }
+    }
+
+    void aGapIsSaid()
+    {
+        LabBench bench;
+        bench.experiment.plan = currentResponsePlanFor(bench.experiment.subject, {});
+        const LostSamples lost(bench, std::chrono::seconds(4), std::chrono::milliseconds(400));
+        VERIFY_END(bench.run(), End::Complete);
+        const auto found = evaluateCurrentResponse(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(lost.saidIn(found->notes));
+    }
+
     void itIsThatOfTheExactLoop_data()
     {
         QTest::addColumn<QString>("motor");

@@ -3,7 +3,9 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "core/lab/fast_motor.h"
+#include "core/lab/lost_samples.h"
 #include "lab/evaluation/finding.h"
+#include "lab/evaluation/turning_slices.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 
@@ -92,13 +94,58 @@ void startUpIsInterrupted(LabBench &bench)
     bench.runner->interrupt("somebody stopped the motor");
 }
 
-/// A motor whose currents jump while it goes between two speeds, without noise or dead time: its voltages are those of
-/// its equation, so what is told of it is what the samples leave.
+/// A motor whose currents jump while it goes between two speeds, without noise: its voltages are those of its equation,
+/// so what is told of it is what the samples leave.
 struct DrawnSpin {
     static constexpr double kRs_ohm = 0.2, kInductance_h = 0.4e-3, kFlux_wb = 6e-3;
     static constexpr double kTick_hz = 16000.0;
     int every = 1; ///< control periods a sample
     double aside_deg = 0.0; ///< of the board's angle: so much of what flows along d makes torque
+    double dead_v = 0.0; ///< of a phase, by a dead time; with one it is measured at rest, too
+
+    static constexpr double kBus_v = 24.0, kVolts = kBus_v / (32767.0 * std::numbers::sqrt3);
+    static constexpr double kAmps = 1e-3;
+    using Columns = std::array<std::vector<std::int16_t>, 6>;
+
+    static void put(Columns &columns, std::size_t column, double digits)
+    {
+        columns[column].push_back(static_cast<std::int16_t>(std::lround(digits)));
+    }
+    double lost_v(double angle_rad, double q_a, double d_a) const
+    {
+        constexpr double kSwing_a = kBus_v / kTick_hz / (16.0 * kInductance_h);
+        return dead_v * PhaseCurrents(angle_rad, q_a, d_a).lossAlongQ(kSwing_a);
+    }
+    /// Along the magnets, at an angle at which two phases share it: in these the weakest swings through zero.
+    static constexpr std::array kRest_a{0.4, 0.6, 0.8, 1.0};
+    double lostAtRest_v(double amps) const { return lost_v(0.0, amps, 0.0); }
+    void putRest(Columns &columns) const
+    {
+        constexpr int kHold = 6400; // 0.4 s
+        for (const double amps : kRest_a)
+            for (int tick = 0; tick < kHold; tick += every) {
+                put(columns, 0, 16384.0); // the magnets are at 90 degrees
+                put(columns, 1, 0.0);
+                put(columns, 2, amps / kAmps);
+                put(columns, 3, 0.0);
+                put(columns, 4, (kRs_ohm * amps + lostAtRest_v(amps)) / kVolts);
+                put(columns, 5, amps / kAmps);
+            }
+    }
+    static Result<Electrics, std::string> evaluatedOf(const capture::Capture &capture,
+        const Subject &subject, const recorded::Happening &turning, Nanos rested)
+    {
+        const recorded::Happening driven{
+            "current reference", {{"motor", std::to_string(subject.motor)}}};
+        Happenings happenings;
+        if (rested > 0)
+            happenings = {{-4, entryOf(restPlanFor(subject, {}), subject, {})}, {-3, driven},
+                {rested - 3, entryOfEnd({})}};
+        happenings.insert(happenings.end(),
+            {{rested - 2, turning}, {rested - 1, driven},
+                {std::numeric_limits<Nanos>::max(), entryOfEnd({})}});
+        return evaluateElectrics(capture, happenings);
+    }
 
     Result<Electrics, std::string> evaluated(const Subject &subject) const
     {
@@ -106,20 +153,20 @@ struct DrawnSpin {
         const auto motor = recordedPlan<SpinPlan>(plan);
         if (!motor)
             return fail(std::string("it is no plan"));
-        constexpr double kAmps = 1e-3, kDegrees = 180.0 / 32768.0;
-        const double volts = 24.0 / (32767.0 * std::numbers::sqrt3);
+        constexpr double kDegrees = 180.0 / 32768.0;
         capture::StreamLayout layout;
         layout.id = 1;
         layout.tickHz = kTick_hz;
         layout.fastStep = static_cast<std::uint32_t>(every);
         layout.fast = {{1, motor->angle, "deg", kDegrees}, {2, motor->current, "A", kAmps},
-            {3, motor->currentD, "A", kAmps}, {4, motor->voltage, "V", volts}};
+            {3, motor->currentD, "A", kAmps}, {4, motor->voltage, "V", kVolts},
+            {5, motor->voltageD, "V", kVolts}, {6, motor->referenceD, "A", kAmps}};
         capture::Capture capture;
         capture.begin(layout);
-        std::array<std::vector<std::int16_t>, 4> columns;
-        const auto put = [&columns](std::size_t column, double digits) {
-            columns[column].push_back(static_cast<std::int16_t>(std::lround(digits)));
-        };
+        Columns columns;
+        if (dead_v > 0.0)
+            putRest(columns);
+        const auto rested = static_cast<double>(columns[0].size()) * every / kTick_hz;
         constexpr int kTicks = 8 * 16000;
         constexpr int kJump = 811; // 50 ms, each time at another place between two samples
         constexpr double kPeriod_s = 1.0 / kTick_hz, kRise_s = 0.5e-3; // as a current loop
@@ -138,14 +185,17 @@ struct DrawnSpin {
             const double nextQ = q + (wantedQ - q) * kPeriod_s / kRise_s;
             const double nextD = d + (wantedD - d) * kPeriod_s / kRise_s;
             if (tick % every == 0) {
-                put(0, std::remainder(std::floor(angle / std::numbers::pi * 32768.0), 65536.0));
-                put(1, q / kAmps);
-                put(2, d / kAmps);
+                put(columns, 0,
+                    std::remainder(std::floor(angle / std::numbers::pi * 32768.0), 65536.0));
+                put(columns, 1, q / kAmps);
+                put(columns, 2, d / kAmps);
                 const double turns = kInductance_h * (d + nextD) / 2.0 + kFlux_wb;
-                put(3,
+                put(columns, 3,
                     (kRs_ohm * (q + nextQ) / 2.0 + kInductance_h * (nextQ - q) / kPeriod_s
-                        + speed * turns)
-                        / volts);
+                        + speed * turns + lost_v(angle, q, d))
+                        / kVolts);
+                put(columns, 4, 0.0);
+                put(columns, 5, 0.0);
             }
             const double torque_a = q + d * std::tan(aside_deg * std::numbers::pi / 180.0);
             speed += kPush * (torque_a - kHold_a) * kPeriod_s;
@@ -159,10 +209,7 @@ struct DrawnSpin {
         for (const auto &column : columns)
             block.fast.insert(block.fast.end(), column.begin(), column.end());
         capture.append(block);
-        const recorded::Happening driven{
-            "current reference", {{"motor", std::to_string(subject.motor)}}};
-        return evaluateElectrics(capture,
-            {{-2, plan}, {-1, driven}, {std::numeric_limits<Nanos>::max(), entryOfEnd({})}});
+        return evaluatedOf(capture, subject, plan, capture::toNanos(rested));
     }
 };
 
@@ -386,6 +433,42 @@ private Q_SLOTS:
             QVERIFY2(
                 found.error().find("too far apart") != std::string::npos, found.error().c_str());
         }
+    }
+
+    /// A line through currents of which the weakest swings would tell 22 % more resistance, and 8 % less for the
+    /// bridge: both are of the fit that takes the swing into account.
+    void theDeadTimeIsToldTogetherWithTheResistance()
+    {
+        const LabBench bench;
+        const DrawnSpin drawn{.dead_v = 0.3};
+        const auto found = drawn.evaluated(bench.experiment.subject);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(found->rs_ohm && found->deadTime_v && found->ld_h);
+        QVERIFY2(std::abs(found->rs_ohm->value / DrawnSpin::kRs_ohm - 1.0) < 0.06,
+            qPrintable(QString::number(found->rs_ohm->value)));
+        double lost_v = 0.0;
+        for (const double amps : DrawnSpin::kRest_a)
+            lost_v += drawn.lostAtRest_v(amps) / double(DrawnSpin::kRest_a.size());
+        QVERIFY2(std::abs(found->deadTime_v->value / lost_v - 1.0) < 0.03,
+            qPrintable(QString::number(found->deadTime_v->value / lost_v)));
+        QVERIFY(*found->deadTime_v->low <= found->deadTime_v->value
+            && found->deadTime_v->value <= *found->deadTime_v->high);
+    }
+
+    void aGapIsSaid()
+    {
+        LabBench bench;
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        VERIFY_END(bench.run(), End::Complete);
+        bench.experiment.plan = fluxPlanFor(bench.experiment.subject, {});
+        const LostSamples lost(bench, 8s, 400ms);
+        VERIFY_END(bench.run(), End::Complete);
+        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(lost.saidIn(found->notes));
+        const simulation::MotorParameters &motor = simulation::findPreset("servo24")->motor;
+        verifyWithin("Ld", found->ld_h, motor.ld_h, 2.0);
+        verifyWithin("flux", found->flux_wb, motor.flux_wb, 1.5);
     }
 
     /// Dividing by the cosine of any angle would make magnets of nothing, or turn them round.

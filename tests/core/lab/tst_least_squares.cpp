@@ -117,14 +117,37 @@ private Q_SLOTS:
         const Rows rows = rowsOf(400, 0.1, 3);
         const auto both = leastSquares(rows, kBoth);
         const auto one = leastSquares(rows, std::array<std::size_t, 1>{0});
-        QVERIFY(one->criterion() < both->criterion()); // the second is a millionth
+        QVERIFY(explainsBetter(rows, *one, *both)); // the second is a millionth
+        QVERIFY(!explainsBetter(rows, *both, *one));
         Rows clear = rows;
         for (std::size_t i = 0; i < clear.known.size(); ++i) {
             clear.known[i][1] *= 1e6;
             clear.wanted[i] -= 3.0 * clear.known[i][1];
         }
-        QVERIFY(leastSquares(clear, kBoth)->criterion()
-            < leastSquares(clear, std::array<std::size_t, 1>{0})->criterion());
+        QVERIFY(explainsBetter(clear, *leastSquares(clear, kBoth),
+            *leastSquares(clear, std::array<std::size_t, 1>{0})));
+    }
+
+    /// Four rows are far off for the better model alone. In a small unit each row that counts makes a criterion better.
+    void modelsAreComparedByTheRowsOfBoth()
+    {
+        constexpr double kUnit = 1e-12, kFarOff = 4.6;
+        const auto sign = [](int way) { return way % 2 == 0 ? 1.0 : -1.0; };
+        Rows rows;
+        for (int i = 0; i < 404; ++i) {
+            const bool off = i >= 400;
+            const double a = off ? 0.0 : sign(i / 20), b = off ? 0.0 : sign(i / 2);
+            rows.known.push_back({a, b});
+            rows.wanted.push_back(kUnit * (2.0 * a + 0.5 * b + (off ? kFarOff : sign(i))));
+            rows.cluster.push_back(static_cast<std::size_t>(i / 20));
+        }
+        const auto both = leastSquares(rows, kBoth);
+        const auto one = leastSquares(rows, std::array<std::size_t, 1>{0});
+        QVERIFY(both && one);
+        QCOMPARE(both->rows, 400.0);
+        QCOMPARE(one->rows, 404.0);
+        QVERIFY(explainsBetter(rows, *both, *one));
+        QVERIFY(!explainsBetter(rows, *one, *both));
     }
 };
 

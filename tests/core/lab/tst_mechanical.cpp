@@ -1,6 +1,7 @@
 // Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals.
 #include "core/lab/fast_motor.h"
+#include "core/lab/lost_samples.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
@@ -8,6 +9,7 @@
 using namespace lab;
 using simulation::PlantParameters;
 using support::LabBench;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -350,7 +352,7 @@ private Q_SLOTS:
         VERIFY_WITHIN(found->dry_nm, truth.motor.coulomb_nm, 5.0);
         VERIFY_HOLDS(found->inertia_kgm2, truth.motor.inertia_kgm2);
         QCOMPARE(found->notes.size(), 1U);
-        QVERIFY(found->notes[0].find("all but stood") != std::string::npos);
+        QVERIFY(found->notes[0].find("nearly stood still") != std::string::npos);
     }
 
     void aLoopThatSwingsIsNotWaitedFor_data()
@@ -434,6 +436,21 @@ private Q_SLOTS:
         QVERIFY(!cut.found);
         QVERIFY2(
             cut.found.error().find("are needed") != std::string::npos, cut.found.error().c_str());
+    }
+
+    void aGapIsSaidAndTakesNoMoreThanItself()
+    {
+        LabBench bench;
+        bench.experiment.plan = spinPlanFor(bench.experiment.subject, {});
+        const LostSamples lost(bench, std::chrono::seconds(8), std::chrono::milliseconds(400));
+        VERIFY_END(bench.run(), End::Complete);
+        const auto found = evaluateMechanics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(lost.saidIn(found->notes));
+        QCOMPARE(found->notes.size(), 1U);
+        const simulation::MotorParameters &truth = simulation::findPreset("servo24")->motor;
+        VERIFY_WITHIN(found->inertia_kgm2, truth.inertia_kgm2, 1.5);
+        VERIFY_HOLDS(found->inertia_kgm2, truth.inertia_kgm2);
     }
 
     /// As of a program that was killed.

@@ -1,9 +1,11 @@
 // The frequency response of simulated motors and their speed loops, against the model that they are.
+#include "core/lab/lost_samples.h"
 #include "lab/evaluation/response_evaluation.h"
 #include "lab/maths/cross_spectra.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 
+#include <array>
 #include <numbers>
 
 using namespace lab;
@@ -62,6 +64,88 @@ SpeedResponse observed(const std::function<Complex(Complex)> &motor, double angl
     return found;
 }
 
+/// A speed loop as it is computed, without noise: an inertia with friction, and a current that is its reference.
+struct DrawnLoop {
+    static constexpr double kGain = 600.0, kPole = 5.0; ///< rad/s^2 for each ampere; 1/s
+    static constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
+    static constexpr SpeedRegulator kRegulator{7.5e-3, 8e-5, 1e-3};
+    double tick_hz = 16000.0;
+    int every = 1; ///< ticks a sample
+
+    static Complex plantAt(double hz) { return kGain / (laplaceOf(hz) + kPole); }
+    static double crossover_hz()
+    {
+        double hz = 1.0;
+        while (std::abs(plantAt(hz) * kRpm * regulatorAt(kRegulator, hz)) > 1.0)
+            hz += 0.01;
+        return hz;
+    }
+
+    Result<SpeedResponse, std::string> evaluated(const Subject &subject) const
+    {
+        const ResponsePlan plan = responsePlanFor(subject, {});
+        Happenings happenings{{-1, entryOf(plan, subject, kRegulator)}};
+        const auto names = recordedPlan<ResponsePlan>(happenings[0].second);
+        if (!names)
+            return fail(std::string("it is no plan"));
+        constexpr double kAmps = 2e-4, kSpeed_rpm = 0.1, kDegrees = 180.0 / 32768.0;
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = tick_hz;
+        layout.fastStep = static_cast<std::uint32_t>(every);
+        layout.fast = {{1, names->reference, "A", kAmps}, {2, names->current, "A", kAmps},
+            {3, names->speed, "rpm", kSpeed_rpm}, {4, names->angle, "deg", kDegrees}};
+        capture::Capture capture;
+        capture.begin(layout);
+        std::array<std::vector<std::int16_t>, 4> columns;
+        const auto put = [&columns](std::size_t column, double digits) {
+            columns[column].push_back(static_cast<std::int16_t>(std::lround(digits)));
+        };
+        const int perRegulation = static_cast<int>(std::lround(tick_hz * kRegulator.period_s));
+        constexpr int kLength_ms = 16000, kHold_ms = 30;
+        support::Random random(7);
+        double speed = plan.rpm / kRpm, sum = speed * kPole / kGain, amps = sum, turned = 0.0;
+        int wanted_rpm = plan.rpm, next_ms = 0;
+        for (int tick = 0; tick < kLength_ms * perRegulation; ++tick) {
+            const int ms = tick / perRegulation;
+            if (ms == next_ms) {
+                wanted_rpm =
+                    plan.rpm + (wanted_rpm > plan.rpm ? -plan.amplitudeRpm : plan.amplitudeRpm);
+                // As a line delivers them: at no fixed phase to the samples.
+                next_ms += (random.next() >> 63 == 0 ? kHold_ms : 2 * kHold_ms)
+                    + static_cast<int>(random.below(15));
+                happenings.emplace_back(Nanos(ms) * 1'000'000,
+                    recorded::Happening{"speed ramp",
+                        {{"motor", std::to_string(subject.motor)},
+                            {"rpm", std::to_string(wanted_rpm)}, {"ms", "0"}}});
+            }
+            if (tick % perRegulation == 0) {
+                const double error = wanted_rpm - speed * kRpm;
+                sum += kRegulator.integral * error;
+                amps = kRegulator.proportional * error + sum;
+            }
+            if (tick % every == 0) {
+                put(0, amps / kAmps);
+                put(1, amps / kAmps);
+                put(2, speed * kRpm / kSpeed_rpm);
+                const double electrical = turned * names->polePairs / std::numbers::pi;
+                put(3, std::remainder(std::floor(electrical * 32768.0), 65536.0));
+            }
+            const double before = speed;
+            speed += (kGain * amps - kPole * speed) / tick_hz;
+            turned += (before + speed) / 2.0 / tick_hz;
+        }
+        capture::SampleBlock block;
+        block.stream = layout.id;
+        block.count = static_cast<std::uint32_t>(columns[0].size());
+        for (const auto &column : columns)
+            block.fast.insert(block.fast.end(), column.begin(), column.end());
+        capture.append(block);
+        happenings.emplace_back(Nanos(kLength_ms) * 1'000'000, entryOfEnd({}));
+        return evaluateResponse(capture, happenings);
+    }
+};
+
 #define VERIFY_COMPLETE(measured)                                                                  \
     QVERIFY2((measured).outcome.end == End::Complete && (measured).outcome.reason.empty(),         \
         qPrintable(support::outcomeText((measured).outcome)));                                     \
@@ -98,6 +182,65 @@ private Q_SLOTS:
         QVERIFY(std::abs(measured.found->phaseMargin_deg->value - 63.0) < 4.0);
         QVERIFY(measured.found->ms->value > 1.1 && measured.found->ms->value < 1.4);
         QVERIFY(measured.found->notes.empty());
+    }
+
+    /// Of loops of 16, 20 and 25 kHz links carry each, second, third or fifteenth sample: of few of these distances
+    /// a millisecond is a multiple.
+    void itsFrequenciesAreTrueAtEachDistanceOfSamples_data()
+    {
+        QTest::addColumn<double>("tick_hz");
+        QTest::addColumn<int>("every");
+        QTest::newRow("every sample") << 16000.0 << 1;
+        QTest::newRow("16 kHz by 115200 baud") << 16000.0 << 15;
+        QTest::newRow("20 kHz by 921600 baud") << 20000.0 << 3;
+        QTest::newRow("25 kHz by 1.8 Mbaud") << 25000.0 << 2;
+    }
+    void itsFrequenciesAreTrueAtEachDistanceOfSamples()
+    {
+        QFETCH(const double, tick_hz);
+        QFETCH(const int, every);
+        const LabBench bench;
+        const auto found =
+            DrawnLoop{.tick_hz = tick_hz, .every = every}.evaluated(bench.experiment.subject);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        int clear = 0;
+        double gains = 0.0;
+        for (const ResponsePoint &point : found->points) {
+            if (point.hz < 4.0 || point.hz > 40.0 || point.coherence < 0.95)
+                continue;
+            ++clear;
+            const Complex ratio = point.plant / DrawnLoop::plantAt(point.hz);
+            gains += std::abs(ratio);
+            QVERIFY2(std::abs(std::abs(ratio) - 1.0) < 0.06,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::abs(ratio))));
+            QVERIFY2(std::abs(std::arg(ratio)) * kDegreesPerRadian < 3.0,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::arg(ratio))));
+        }
+        QVERIFY2(clear >= 10, qPrintable(QString::number(clear)));
+        QVERIFY2(std::abs(gains / clear - 1.0) < 0.02, qPrintable(QString::number(gains / clear)));
+        QVERIFY(found->crossover_hz);
+        QVERIFY2(std::abs(found->crossover_hz->value / DrawnLoop::crossover_hz() - 1.0) < 0.04,
+            qPrintable(QString::number(found->crossover_hz->value)));
+    }
+
+    void samplesTooFarApartTellNoResponse()
+    {
+        const LabBench bench;
+        const auto found = DrawnLoop{.every = 30}.evaluated(bench.experiment.subject);
+        QVERIFY(!found);
+        QVERIFY2(found.error().find("1.88 ms apart") != std::string::npos, found.error().c_str());
+    }
+
+    void aGapIsSaid()
+    {
+        LabBench bench;
+        bench.experiment.plan = responsePlanFor(bench.experiment.subject, {});
+        const LostSamples lost(bench, std::chrono::seconds(9), std::chrono::milliseconds(400));
+        VERIFY_END(bench.run(), End::Complete);
+        const auto found = evaluateResponse(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(lost.saidIn(found->notes));
+        QVERIFY(found->crossover_hz && std::abs(found->crossover_hz->value - 6.7) < 0.7);
     }
 
     /// As of a program that was killed.
@@ -325,6 +468,9 @@ private Q_SLOTS:
         const Subject &subject = bench.experiment.subject;
         const ResponsePlan plan = responsePlanFor(subject, {});
         QVERIFY(objectionTo(plan, subject).empty());
+        Subject slow = subject; // 1.9 ms between two samples of four signals
+        slow.linkBytesPerSecond = 5760.0;
+        QVERIFY(objectionTo(plan, slow).find("too far") != std::string::npos);
         ResponsePlan other = plan;
         other.amplitudeRpm = plan.rpm / 2;
         QVERIFY(!objectionTo(other, subject).empty());

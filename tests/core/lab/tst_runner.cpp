@@ -24,6 +24,11 @@ private Q_SLOTS:
     void whatRunsTheWrongWayIsToldSo();
     void silenceBreaksIt();
     void aBoundThatIsNotLookedAtBreaksIt();
+    void aHotBoardMovesNothing_data();
+    void aHotBoardMovesNothing();
+    void aTemperatureAtItsBoundIsBoundedFurther();
+    void aBusThatIsNotReadMovesNothing();
+    void aSeriesEndsInTimeHoweverSlowItsAnswersAre();
     void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
     void aStepToTheLevelThatIsProposedIsCarriedOut();
     void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
@@ -48,6 +53,7 @@ private Q_SLOTS:
     void aStepThatIsCutShortTellsNothing();
     void whoDisarmsIsToldWhatDrivesOn();
     void boardsThatRecordNothingSayWhy();
+    void whatABoardsSamplesLackIsNamed();
 };
 
 namespace {
@@ -68,6 +74,24 @@ SpeedRamp wayBack(const LabBench &bench)
 {
     const std::vector<SpeedRamp> ramps = bench.asked<SpeedRamp>();
     return ramps[ramps.size() - 2];
+}
+
+/// The runner is told something else of this register than the board says.
+void retell(LabBench &bench, RegisterId id, std::function<void(Reading &)> change)
+{
+    bench.pair.onEvent = [id, change = std::move(change), handOn = bench.pair.onEvent](
+                             Event event) {
+        if (auto *read = std::get_if<RegistersRead>(&event))
+            for (Reading &reading : read->readings)
+                if (reading.id == id)
+                    change(reading);
+        handOn(event);
+    };
+}
+
+bool askedForMotion(const LabBench &bench)
+{
+    return !bench.asked<SpeedRamp>().empty() || !bench.asked<Command>().empty();
 }
 
 } // namespace
@@ -389,6 +413,87 @@ void TestRunner::aBoundThatIsNotLookedAtBreaksIt()
         bench.runner->outcome().reason.c_str());
     bench.turn();
     QCOMPARE(bench.stops, 1);
+}
+
+void TestRunner::aHotBoardMovesNothing_data()
+{
+    QTest::addColumn<int>("celsius");
+    QTest::addColumn<bool>("refused");
+    QTest::newRow("hot") << 84 << false;
+    QTest::newRow("too hot") << 85 << true;
+    QTest::newRow("about to burn") << 199 << true;
+    QTest::newRow("without a sensor") << 200 << false;
+}
+
+void TestRunner::aHotBoardMovesNothing()
+{
+    QFETCH(const int, celsius);
+    QFETCH(const bool, refused);
+    LabBench bench;
+    bench.steps.repeat = 1;
+    retell(bench, bench.experiment.subject.registers.temperature,
+        [&](Reading &reading) { reading.value = std::int64_t{celsius}; });
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, refused ? End::Refused : End::Complete);
+    QCOMPARE(askedForMotion(bench), !refused);
+    QCOMPARE(bench.stops, 0);
+    if (refused)
+        QCOMPARE(outcome.reason,
+            "the board is at " + std::to_string(celsius)
+                + " \u00b0C, and 85 \u00b0C end an experiment: let it cool down first");
+}
+
+/// It warms up to its bound while the motor starts, and beyond it later.
+void TestRunner::aTemperatureAtItsBoundIsBoundedFurther()
+{
+    LabBench bench;
+    retell(bench, bench.experiment.subject.registers.temperature, [&](Reading &reading) {
+        reading.value = std::int64_t{bench.asked<SpeedRamp>().size() >= 4 ? 86
+                : !bench.asked<Command>().empty()                         ? 85
+                                                                          : 84};
+    });
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Aborted);
+    QVERIFY2(outcome.reason.starts_with("a temperature of 86 \u00b0C is above the 85 \u00b0C"),
+        outcome.reason.c_str());
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+}
+
+/// The board has the register and does not give it: nothing would bound what a step down lifts.
+void TestRunner::aBusThatIsNotReadMovesNothing()
+{
+    LabBench bench;
+    retell(bench, bench.experiment.subject.registers.bus,
+        [](Reading &reading) { reading.status = ReadStatus::Refused; });
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Refused);
+    QCOMPARE(outcome.reason,
+        std::string("the board does not give BUS_VOLTAGE, and without it nothing bounds its bus"));
+    QVERIFY(!askedForMotion(bench));
+    QCOMPARE(bench.stops, 0);
+}
+
+/// A speed is held from its answer on: 200 answers of 0.3 s each would take a minute more than the plan.
+void TestRunner::aSeriesEndsInTimeHoweverSlowItsAnswersAre()
+{
+    LabBench bench;
+    bench.steps.repeat = 100;
+    bench.steps.hold = 50ms;
+    bench.held = 300ms;
+    std::optional<TimePoint> runs;
+    bench.eachTurn = [&] {
+        if (!runs && bench.asked<SpeedRamp>().size() == 2) // to the first speed
+            runs = bench.pair.now;
+    };
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Aborted);
+    // Ten for the steps, sixteen for the ways there and back, five for the answers.
+    QVERIFY2(outcome.reason.starts_with("it was not over within 31 s; "), outcome.reason.c_str());
+    QVERIFY(runs && bench.pair.now - *runs <= 31s && bench.pair.now - *runs > 30s);
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).idle; }, 2s));
 }
 
 /// Refused, with a level that would do.
@@ -755,7 +860,7 @@ void TestRunner::somebodyElsesActEndsItWithoutAnother()
     LabBench bench;
     bench.begin();
     QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
-    bench.runner->interrupt("somebody else commanded the motor");
+    bench.runner->interrupt("another command went to the motor");
     QVERIFY(bench.runner->over());
     VERIFY_END(bench.runner->outcome(), End::Interrupted);
     QVERIFY(bench.runner->takeWishes().empty());
@@ -796,7 +901,7 @@ void TestRunner::whatOnlyTheEnvelopeBoundsEndsWithAStop()
     starting.experiment.plan = lab::restPlanFor(starting.experiment.subject, {});
     starting.begin();
     QVERIFY(starting.runUntil([&] { return starting.pair.board->truth(1).driven; }, 20s));
-    starting.runner->interrupt("somebody else commanded the motor");
+    starting.runner->interrupt("another command went to the motor");
     starting.turn();
     QCOMPARE(starting.stops, 1);
     QVERIFY(starting.pair.runUntil([&] { return starting.pair.board->truth(1).idle; }, 1s));
@@ -849,6 +954,26 @@ void TestRunner::boardsThatRecordNothingSayWhy()
     const auto board = lab::subjectOf(*pair.identified, 1);
     QVERIFY(!board && !board.error().empty() && board.error().back() == '.');
     QVERIFY(!lab::subjectOf(*pair.identified, 2));
+}
+
+void TestRunner::whatABoardsSamplesLackIsNamed()
+{
+    const LabBench bench;
+    const auto lacks = [&](auto change) {
+        Identified board = *bench.pair.identified;
+        change(board);
+        const auto subject = lab::subjectOf(board, 1);
+        return subject ? std::string() : subject.error();
+    };
+    QCOMPARE(lacks([](Identified &) {}), std::string());
+    QVERIFY(lacks([](Identified &board) {
+        board.streaming.frameOverhead = 10;
+    }).starts_with("This board sends its samples once an exchange"));
+    QVERIFY(lacks([](Identified &board) {
+        board.identity.speedSignals = {""};
+    }).ends_with("the speed that its main sensor tells."));
+    QCOMPARE(lacks([](Identified &board) { board.streaming.maxSignals = 3; }),
+        std::string("This board records 3 signals at a time, and experiments need 4."));
 }
 
 QTEST_APPLESS_MAIN(TestRunner)

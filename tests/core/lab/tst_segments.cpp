@@ -105,6 +105,25 @@ private Q_SLOTS:
         QVERIFY(parted.segments(0.51, 0.99).empty());
     }
 
+    /// Also the two samples between two gaps, which are of no use.
+    void whatIsMissingBetweenThemIsSaid()
+    {
+        Recording whole;
+        whole.make();
+        std::vector<std::string> notes;
+        noteGaps(notes, missingIn(whole.segments()));
+        noteGaps(notes, missingIn({}));
+        QVERIFY(notes.empty());
+        Recording parted;
+        parted.gaps = {{2000, 2200}, {4000, 4100}, {4102, 8000}};
+        parted.make();
+        QVERIFY(std::abs(missingIn(parted.segments()) - 0.525) < 1e-6);
+        noteGaps(notes, missingIn(parted.segments(0.4, 2.0)));
+        QCOMPARE(notes,
+            (std::vector<std::string>{
+                "samples of 0.5 s are missing in it: only what is without a gap counts"}));
+    }
+
     void theFluxIsTheSlopeOfTheVoltage()
     {
         Recording recording;

@@ -3,6 +3,9 @@
 #include "core/lab/gain_acts.h"
 #include "simulation/plant/presets.h"
 
+#include <complex>
+#include <numbers>
+
 using namespace lab;
 using namespace std::chrono_literals;
 using support::digitsOf;
@@ -20,6 +23,27 @@ simulation::BoardOptions boardWith(const QString &motor)
     options.motor = motor.toStdString();
     options.load = simulation::findPreset(options.motor)->load;
     return options;
+}
+
+constexpr GainDigits kDigits{1e-4, 1e-5};
+/// With it 67 digits of the proportional gain cross over at 6.7 Hz.
+constexpr double kQuick_rpmPerAs = 6283.2;
+
+/// The response of a motor gain / (s + pole) without a delay, each point as clear as can be.
+SpeedResponse respondingAs(double gain_rpmPerAs, double pole_radps)
+{
+    SpeedResponse response;
+    response.regulator = {67 * kDigits.proportional, 10 * kDigits.integral, 1e-3};
+    for (double hz = 2.0; hz < 60.0; hz *= 1.3) {
+        const std::complex<double> s(0.0, 2.0 * std::numbers::pi * hz);
+        ResponsePoint point;
+        point.hz = hz;
+        point.coherence = 1.0;
+        point.loop = gain_rpmPerAs / (s + pole_radps) * regulatorAt(response.regulator, hz);
+        point.loopRelative = 0.01;
+        response.points.push_back(point);
+    }
+    return response;
 }
 
 } // namespace
@@ -175,6 +199,32 @@ private Q_SLOTS:
         QVERIFY(!(*forecaster)(0, 7000).stable);
     }
 
+    /// Its crossover is beyond the band, where nothing is known of its phase.
+    void aLoopWhoseGainNeverFallsBelow1IsCalledUnstable()
+    {
+        const auto forecaster = forecasterOf(respondingAs(kQuick_rpmPerAs, 1.0), kDigits);
+        QVERIFY(forecaster);
+        const LoopForecast usual = (*forecaster)(67, 0);
+        QVERIFY(usual.stable && std::abs(usual.crossover_hz - 6.7) < 0.3);
+        const LoopForecast beyond = (*forecaster)(kDigits.most, 0);
+        QCOMPARE(beyond.crossover_hz, 0.0);
+        QVERIFY(!beyond.stable);
+        QVERIFY((*forecaster)(0, 0).stable); // it does nothing
+    }
+
+    /// 3 digits of the proportional gain alone hold a motor with friction at two thirds of what is asked for.
+    void aStepThatDoesNotComeNearHasNoRise()
+    {
+        const auto forecaster = forecasterOf(respondingAs(kQuick_rpmPerAs, 1.0), kDigits);
+        QVERIFY(forecaster);
+        const LoopForecast slow = (*forecaster)(3, 0);
+        QVERIFY2(slow.stable && std::abs(slow.crossover_hz - 0.25) < 0.05,
+            qPrintable(QString::number(slow.crossover_hz)));
+        QVERIFY(!slow.rise_s);
+        const LoopForecast usual = (*forecaster)(67, 0);
+        QVERIFY(usual.rise_s && *usual.rise_s > 0.03 && *usual.rise_s < 0.08);
+    }
+
     void gainsGetOnlySoSmall()
     {
         SpeedLoop loop;
@@ -192,25 +242,48 @@ private Q_SLOTS:
 
     void aLoopKeepsItsPromiseOrIsTooLivelyOrTooSlow()
     {
-        const Promise promise{1.7, 10.0};
+        const Promise promise{1.7, 10.0, 20.0};
+        const Estimate overshoot{20.0, 18.0, 22.0};
+        const auto keeps = [&](const FrequencyResponse &proof) {
+            return keptBy(proof, overshoot, promise);
+        };
         const auto measured = [](double ms, double crossover_hz, double half) {
             FrequencyResponse proof;
             proof.ms = Estimate{ms, ms, ms};
             proof.crossover_hz = Estimate{crossover_hz, crossover_hz - half, crossover_hz + half};
             return proof;
         };
-        QCOMPARE(keptBy(measured(1.86, 9.0, 0.5), promise), Kept::Yes);
-        QCOMPARE(keptBy(measured(1.88, 9.0, 0.5), promise), Kept::TooLively);
-        QCOMPARE(keptBy(measured(1.5, 7.0, 0.5), promise), Kept::TooSlow);
-        QCOMPARE(keptBy(measured(1.5, 7.0, 1.5), promise), Kept::Yes); // it may be 8 Hz
+        QCOMPARE(keeps(measured(1.86, 9.0, 0.5)), Kept::Yes);
+        QCOMPARE(keeps(measured(1.88, 9.0, 0.5)), Kept::TooLively);
+        QCOMPARE(keeps(measured(1.5, 7.0, 0.5)), Kept::TooSlow);
+        QCOMPARE(keeps(measured(1.5, 7.0, 1.5)), Kept::Yes); // it may be 8 Hz
         // The nearer danger is told.
-        QCOMPARE(keptBy(measured(2.0, 7.0, 0.5), promise), Kept::TooLively);
+        QCOMPARE(keeps(measured(2.0, 7.0, 0.5)), Kept::TooLively);
         FrequencyResponse proof = measured(1.5, 9.0, 0.5);
         proof.crossover_hz.reset();
-        QCOMPARE(keptBy(proof, promise), Kept::Unclear);
+        QCOMPARE(keeps(proof), Kept::Unclear);
         proof.ms = Estimate{1.9, 1.9, 1.9};
-        QCOMPARE(keptBy(proof, promise), Kept::TooLively);
-        QCOMPARE(keptBy(FrequencyResponse(), promise), Kept::Unclear);
+        QCOMPARE(keeps(proof), Kept::TooLively);
+        QCOMPARE(keeps(FrequencyResponse()), Kept::Unclear);
+    }
+
+    void aLoopWhoseStepsOvershootByMoreThanPredictedMissesItsPromise()
+    {
+        const Promise promise{1.7, 10.0, 20.0};
+        FrequencyResponse proof;
+        proof.ms = Estimate{1.6, 1.6, 1.6};
+        proof.crossover_hz = Estimate{10.0, 9.5, 10.5};
+        const auto with = [&](const std::optional<Estimate> &overshoot_pct) {
+            return keptBy(proof, overshoot_pct, promise);
+        };
+        QCOMPARE(with(Estimate{29.0, 27.0, 31.0}), Kept::Yes); // it may be 27 %
+        QCOMPARE(with(Estimate{31.0, 29.0, 33.0}), Kept::Overshoots);
+        QVERIFY(missed(Kept::Overshoots) && !missed(Kept::Unclear));
+        QCOMPARE(with(Estimate{29.0, {}, {}}), Kept::Overshoots); // a single step
+        QCOMPARE(with(Estimate{10.0, 8.0, 12.0}), Kept::Yes); // less is no harm
+        QCOMPARE(with(std::nullopt), Kept::Unclear);
+        proof.crossover_hz = Estimate{7.0, 6.5, 7.5};
+        QCOMPARE(with(std::nullopt), Kept::TooSlow);
     }
 
     /// The nearer to instability, the greater the integral gain.

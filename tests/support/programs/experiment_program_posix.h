@@ -54,7 +54,9 @@ public:
         m_run.reset();
         m_waited_ms = 0.0;
         m_board_ms = waitedForCore_ms(m_board.processId());
-        QFile::remove(file());
+        QDir folder = QFileInfo(file()).dir();
+        for (const QString &kept : folder.entryList({QStringLiteral("run*.pcapng")}, QDir::Files))
+            folder.remove(kept); // parts, too
         m_more = more;
         QStringList words{QStringLiteral("--port"), m_board.port()};
         words += m_line.split(QLatin1Char(' ')) + more;

@@ -1,0 +1,42 @@
+// Samples that are lost in the middle of an experiment, and the sentence that has to say so.
+#pragma once
+
+#include "base/text.h"
+#include "support/lab_bench.h"
+
+namespace lab {
+
+class LostSamples {
+public:
+    /// @param bench  not begun yet. @param after  from now on until they are lost
+    LostSamples(support::LabBench &bench, Duration after, Duration length)
+        : m_from(bench.pair.now + after)
+        , m_to(m_from + length)
+    {
+        bench.loses = [this, &bench](const recorded::Entry &entry) {
+            const auto *layout = std::get_if<capture::StreamLayout>(&entry);
+            if (layout != nullptr && !layout->empty())
+                m_step_s = layout->fastStep / layout->tickHz;
+            const auto *block = std::get_if<capture::SampleBlock>(&entry);
+            const bool lost = block != nullptr && bench.pair.now >= m_from && bench.pair.now < m_to;
+            m_lost_s += lost ? block->count * m_step_s : 0.0;
+            return lost;
+        };
+    }
+    LostSamples(const LostSamples &) = delete;
+    LostSamples &operator=(const LostSamples &) = delete;
+
+    bool saidIn(const std::vector<std::string> &notes) const
+    {
+        const std::string wanted = "samples of " + decimalText(m_lost_s, 2)
+            + " s are missing in it: only what is without a gap counts";
+        return m_lost_s > 0.0 && std::find(notes.begin(), notes.end(), wanted) != notes.end();
+    }
+
+private:
+    TimePoint m_from, m_to;
+    double m_step_s = 0.0;
+    double m_lost_s = 0.0;
+};
+
+} // namespace lab
