@@ -66,13 +66,15 @@ Agreement agreementTo(const Experiment &experiment, double before_rpm)
     const auto *step = std::get_if<CurrentStepPlan>(&experiment.plan);
     const bool flux =
         (spin != nullptr && spin->fluxAmps != 0.0) || (step != nullptr && step->flux != 0);
-    return {experiment.plan.index(), flux, capsOf(experiment, before_rpm)};
+    return {experiment.plan.index(), flux, capsOf(experiment, before_rpm), lengthOf(experiment),
+        conditionsOf(experiment).lent};
 }
 
 bool covers(const Agreement &agreed, const Agreement &wanted)
 {
+    const bool lent = wanted.lent.empty() || wanted.lent == agreed.lent;
     return agreed.kind == wanted.kind && agreed.flux == wanted.flux
-        && covers(agreed.caps, wanted.caps);
+        && wanted.length <= agreed.length && lent && covers(agreed.caps, wanted.caps);
 }
 
 } // namespace lab

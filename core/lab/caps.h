@@ -30,13 +30,16 @@ double allowedRpm(const Experiment &experiment);
 /// Whether `wanted` is within what was agreed to.
 bool covers(const Caps &agreed, const Caps &wanted);
 
-/// What the user agrees to: what is done, and within which bounds.
+/// What the user agrees to: what is done, within which bounds, for how long, and what is written for it.
 struct Agreement {
     std::size_t kind = 0; ///< of the plan
     bool flux = false; ///< with currents along the magnets
     Caps caps;
+    milliseconds length{};
+    std::vector<drive::RegisterWrite> lent = {};
 };
 Agreement agreementTo(const Experiment &experiment, double before_rpm);
+/// What is borrowed has to be the same, or nothing.
 bool covers(const Agreement &agreed, const Agreement &wanted);
 
 } // namespace lab

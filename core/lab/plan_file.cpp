@@ -37,7 +37,7 @@ public:
     }
     void operator()(const char *name, double &value)
     {
-        // 0 would bound nothing: who wants no bound leaves it out.
+        // 0 would bound nothing: a plan without a bound leaves the key out.
         const bool bound = std::string_view(name).starts_with("max ");
         if (const double *number = take(name, -kMost, kMost, false);
             number && bound && *number <= 0.0)
@@ -49,7 +49,7 @@ public:
     {
         const std::string_view word = name;
         const bool yesOrNo = word == "flux" || word == "current loop";
-        // A plan with a proportional gain of 0 is one without gains: who wants that leaves both out.
+        // A plan with a proportional gain of 0 is one without gains: it leaves both keys out.
         const double least = yesOrNo ? 0.0 : word == "speed kp" ? 1.0 : -kMost;
         if (const double *number = take(name, least, yesOrNo ? 1.0 : kMost, true))
             value = static_cast<int>(*number);

@@ -28,13 +28,22 @@ constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not r
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
+/// All answers to a plan's steps, beyond its length: 25 ms each for 200 of them. Speeds that are reached at once leave
+/// 10 s more.
+constexpr Duration kAnswersTake = 5s;
 
 /// Of what only the board tells; the other margins are in lab/caps.h.
 constexpr double kBusRise = 1.1, kBusSag = 0.7;
 constexpr double kHottest_c = 85.0;
+constexpr double kNoTemperature_c = 200.0; ///< a board that tells as much measures none
 constexpr double kNoCurrent = 0.005; ///< of the nominal one: a few digits
 
 std::string rpmText(double rpm) { return std::to_string(std::lround(rpm)) + " rpm"; }
+
+std::string celsiusText(double celsius)
+{
+    return std::to_string(std::lround(celsius)) + " \u00b0C";
+}
 
 std::string namesOf(const std::vector<std::string> &faults)
 {
@@ -245,6 +254,9 @@ void Runner::advance(TimePoint now)
     if (moves())
         if (const auto silent = m_envelope.silence(now))
             return abort(*silent);
+    if (moves() && m_deadline && now >= *m_deadline)
+        return abort("it was not over within "
+            + std::to_string((lengthOf(m_experiment) + kAnswersTake) / 1s) + " s");
     const bool late = now >= m_until;
     switch (m_phase) {
     case Phase::Reading:
@@ -389,6 +401,9 @@ void Runner::onRead(TimePoint now)
     m_beforeRamp = target.ramp.value_or(0ms);
     m_beforeShown_rpm = shown(m_experiment.subject.registers.speedReference);
     m_before_v = shown(m_experiment.subject.registers.bus);
+    m_before_c = shown(m_experiment.subject.registers.temperature);
+    if (const std::string why = unbounded(); !why.empty())
+        return refuse(why);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !near(m_status->speedRpm, m_before_rpm))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
@@ -400,6 +415,19 @@ void Runner::onRead(TimePoint now)
                 + " is not 0, and would be afterwards: bring it to 0 first");
     enter(Phase::Streaming, kAnswerWithin, now);
     ask(stream(), now);
+}
+
+/// What would not be bounded although the board tells it, or would break its bound at once.
+std::string Runner::unbounded() const
+{
+    const drive::RegisterId bus = m_experiment.subject.registers.bus;
+    if (bus != 0 && !m_before_v)
+        return "the board does not give " + m_experiment.subject.nameOf(bus)
+            + ", and without it nothing bounds its bus";
+    if (m_before_c && *m_before_c >= kHottest_c && *m_before_c < kNoTemperature_c)
+        return "the board is at " + celsiusText(*m_before_c) + ", and " + celsiusText(kHottest_c)
+            + " end an experiment: let it cool down first";
+    return {};
 }
 
 drive::Stream Runner::stream() const
@@ -435,7 +463,7 @@ Caps Runner::caps() const
         caps.leastBus_v = *m_before_v * kBusSag;
         caps.mostBus_v = mostBefore_v() * kBusRise;
     }
-    if (shown(m_experiment.subject.registers.temperature).value_or(kHottest_c) < kHottest_c)
+    if (m_before_c && *m_before_c < kNoTemperature_c)
         caps.mostTemperature_c = kHottest_c;
     return caps;
 }
@@ -524,6 +552,7 @@ void Runner::onStarted(TimePoint now)
     if (m_conditions.beginning == Beginning::AtSpeed)
         return approach(now);
     m_envelope.set(early ? startCaps() : caps(), now);
+    m_deadline = now + lengthOf(m_experiment) + kAnswersTake;
     m_phase = Phase::Working;
     work(now);
 }
@@ -531,6 +560,7 @@ void Runner::onStarted(TimePoint now)
 void Runner::approach(TimePoint now)
 {
     m_envelope.set(caps(), now);
+    m_deadline = now + lengthOf(m_experiment) + kAnswersTake;
     const milliseconds way = wayTo(m_conditions.firstRpm);
     enter(Phase::Approaching, way + kReachesWithin, now);
     ramp(m_conditions.firstRpm, way, now);
@@ -798,8 +828,11 @@ std::optional<TimePoint> Runner::nextTimeout() const
 {
     if (over())
         return std::nullopt;
-    const auto silent = moves() ? m_envelope.silentAt() : std::nullopt;
-    return silent ? std::min(m_until, *silent) : m_until;
+    TimePoint next = m_until;
+    if (moves())
+        for (const auto &ends : {m_envelope.silentAt(), m_deadline})
+            next = std::min(next, ends.value_or(next));
+    return next;
 }
 
 } // namespace lab

@@ -85,6 +85,7 @@ private:
     void onRead(TimePoint now);
     void onCompared();
     std::string wrongWay() const;
+    std::string unbounded() const;
     void onLate(TimePoint now);
     void approach(TimePoint now);
     void work(TimePoint now);
@@ -124,6 +125,7 @@ private:
     Envelope m_envelope;
     Phase m_phase = Phase::Over;
     TimePoint m_until{}; ///< the phase is over by then, or it has failed
+    std::optional<TimePoint> m_deadline; ///< the motor is as before by then; once it runs
     TimePoint m_settledAt{}; ///< the speed has been right since then
     bool m_settled = false;
     bool m_swings = false; ///< and was not when the course began
@@ -145,6 +147,7 @@ private:
     milliseconds m_beforeRamp{}; ///< in which it was to be reached
     std::optional<double> m_beforeShown_rpm; ///< of the speed reference
     std::optional<double> m_before_v; ///< of the bus
+    std::optional<double> m_before_c; ///< of the power stage
     /// Most square of speed, rpm^2, that a step took away, and no bound was broken.
     double m_braked = 0.0;
     int m_target_rpm = 0; ///< the set-point that the board may have taken last

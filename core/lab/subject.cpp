@@ -10,6 +10,7 @@ namespace lab {
 
 namespace {
 
+constexpr unsigned kLeastSignals = 4; ///< that experiments record at a time
 constexpr double kShareOfLink = 0.75; ///< for the samples; the rest is for commands and readings
 
 /// A register of this motor that the board records or that can be read; 0: it has none of that name.
@@ -25,6 +26,22 @@ drive::RegisterId streamed(const catalog::Catalog &catalog, std::string_view nam
     const drive::RegisterId id = idOf(catalog, name, motor);
     const catalog::RegisterInfo *info = id == 0 ? nullptr : catalog.find(id);
     return info != nullptr && info->streaming != catalog::Streaming::Polled ? id : 0;
+}
+
+/// What its samples lack, in a sentence; empty: nothing.
+std::string lackOf(const drive::StreamLimits &streaming, const Registers &registers)
+{
+    if (streaming.frameOverhead > 0)
+        return "This board sends its samples once an exchange: experiments need them at the rate "
+               "of its control loop.";
+    if (registers.speed == 0)
+        return "This board does not record the speed that its main sensor tells.";
+    if (registers.reference == 0 || registers.current == 0)
+        return "This board does not record both the current of its motor and what it is to be.";
+    if (streaming.maxSignals < kLeastSignals)
+        return "This board records " + std::to_string(streaming.maxSignals)
+            + " signals at a time, and experiments need " + std::to_string(kLeastSignals) + ".";
+    return {};
 }
 
 /// The angle that belongs to a speed: boards name both after the sensor.
@@ -103,10 +120,8 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor),
         .startUp = idOf(catalog, "REVUP_DATA", motor),
         .speedReference = idOf(catalog, "SPEED_REF", motor)};
-    if (board.streaming.maxSignals < 4 || found.registers.reference == 0
-        || found.registers.current == 0 || found.registers.speed == 0)
-        return fail(std::string("This board does not record the speed and the current of its motor "
-                                "at the rate of its control loop."));
+    if (std::string why = lackOf(board.streaming, found.registers); !why.empty())
+        return fail(std::move(why));
     return found;
 }
 

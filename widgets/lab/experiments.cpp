@@ -97,7 +97,8 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
 void Experiments::beginPart(TimePoint now)
 {
     note(now, m_parts[m_part].plan);
-    Q_EMIT wished(m_parts[m_part].experiment);
+    const lab::Experiment next = m_parts[m_part].experiment; // a refusal at once ends all parts
+    Q_EMIT wished(next);
 }
 
 void Experiments::note(TimePoint at, const recorded::Happening &what)

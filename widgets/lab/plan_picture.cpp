@@ -13,7 +13,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kSpeedSlot = 0, kCapSlot = 1;
+constexpr int kSpeedSlot = 0, kCapSlot = 1, kCurrentSlot = 2;
 constexpr double kMargin = 0.12; ///< of the range, on either side
 
 } // namespace
@@ -31,12 +31,14 @@ PlanPicture::PlanPicture(const SpeedPlan &plan, QWidget *parent)
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     m_plot->setLocale(plain);
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis, m_plot->yAxis2}) {
         axis->setNumberFormat(QStringLiteral("g"));
         axis->ticker()->setTickCount(4);
     }
     m_plot->xAxis->setLabel(tr("Time without the start [s]"));
     m_plot->yAxis->setLabel(tr("Speed [rpm]"));
+    m_plot->yAxis2->setLabel(tr("Current at rest [A]"));
+    m_plot->yAxis2->setVisible(!plan.amps.isEmpty());
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
@@ -56,6 +58,20 @@ void PlanPicture::applyPalette()
     draw();
 }
 
+/// Against an axis of their own, on the right, in the colour of their line.
+void PlanPicture::drawCurrents()
+{
+    if (m_speeds.amps.isEmpty())
+        return;
+    const QColor color = traceColor(kCurrentSlot, isDark(palette()));
+    dressAxis(*m_plot->yAxis2, color, font());
+    auto *current = m_plot->addGraph(m_plot->xAxis, m_plot->yAxis2);
+    current->setPen(QPen(color, 0));
+    current->setData(m_speeds.ampSeconds, m_speeds.amps, true);
+    const double most = *std::max_element(m_speeds.amps.begin(), m_speeds.amps.end());
+    m_plot->yAxis2->setRange(0.0, (1.0 + kMargin) * most);
+}
+
 void PlanPicture::draw()
 {
     const bool dark = isDark(palette());
@@ -65,6 +81,7 @@ void PlanPicture::draw()
     auto *speed = m_plot->addGraph();
     speed->setPen(QPen(traceColor(kSpeedSlot, dark), 0));
     speed->setData(m_speeds.seconds, m_speeds.rpm, true);
+    drawCurrents();
     const double room = kMargin * (m_speeds.mostRpm - m_speeds.leastRpm);
     m_plot->xAxis->setRange(0.0, end);
     m_plot->yAxis->setRange(m_speeds.leastRpm - room, m_speeds.mostRpm + room);

@@ -1,5 +1,5 @@
-// PlanPicture: what a motor is to do by itself, as a small picture: its speed over time, and the caps beyond which it
-// is stopped.
+// PlanPicture: what a motor is to do by itself, as a small picture: its speed over time, the currents that it gets at
+// rest, and the caps beyond which it is stopped.
 #pragma once
 
 #include <QVector>
@@ -11,6 +11,7 @@ namespace widgets {
 
 struct SpeedPlan {
     QVector<double> seconds, rpm; ///< straight lines between
+    QVector<double> ampSeconds, amps; ///< the same of the currents of a motor at rest
     double leastRpm = 0.0, mostRpm = 0.0; ///< the caps
 };
 
@@ -28,6 +29,7 @@ protected:
 private:
     void applyPalette();
     void draw();
+    void drawCurrents();
 
     SpeedPlan m_speeds;
     QCustomPlot *m_plot;

@@ -127,6 +127,26 @@ QString capsFrom(const std::vector<lab::Experiment> &experiments)
         .arg(rpmText(margin_rpm), currentBoundText(experiments.front()));
 }
 
+/// Steps down lift the bus, which a board need not tell.
+QStringList busWords(const std::vector<lab::Experiment> &experiments)
+{
+    const bool told = experiments.front().subject.registers.bus != 0;
+    const bool brakes =
+        std::any_of(experiments.begin(), experiments.end(), [](const lab::Experiment &experiment) {
+            return std::holds_alternative<lab::StepPlan>(experiment.plan)
+                || std::holds_alternative<lab::ResponsePlan>(experiment.plan);
+        });
+    QStringList lines;
+    if (!told)
+        lines.append(
+            PlanQuestion::tr("This board does not tell its bus voltage: nothing bounds it."));
+    if (brakes)
+        lines.append(told ? PlanQuestion::tr("A step down brakes the motor, which feeds the bus: "
+                                             "only the cap of the bus voltage bounds that.")
+                          : PlanQuestion::tr("A step down brakes the motor, which feeds the bus."));
+    return lines;
+}
+
 bool beginsAtSpeed(const lab::Conditions &conditions)
 {
     return conditions.beginning == lab::Beginning::AtSpeed;
@@ -191,6 +211,18 @@ public:
         : m_into(into)
     {
     }
+    /// At rest it is known which currents flow.
+    void rest(const lab::RestPlan &plan, milliseconds length)
+    {
+        const auto levels = length / (plan.rise + plan.hold);
+        amps(0.0, 0.0);
+        for (int level = 0; level < levels; ++level) {
+            const double share = double(level) / double(levels - 1);
+            amps(plan.lowAmps + share * (plan.highAmps - plan.lowAmps), secondsOf(plan.rise));
+            amps(m_into.amps.last(), secondsOf(plan.hold));
+        }
+        amps(0.0, 0.0);
+    }
     void to(double rpm, double seconds)
     {
         m_at += seconds;
@@ -213,6 +245,9 @@ public:
                            swing(plan.rpm - plan.amplitudeRpm, plan.rpm + plan.amplitudeRpm,
                                plan.length, 0.0, 0.06);
                        },
+                       [&](const lab::RestPlan &plan) {
+                           rest(plan, lab::conditionsOf(experiment).length);
+                       },
                        [&](const auto &) {
                            const lab::Conditions conditions = lab::conditionsOf(experiment);
                            to(conditions.firstRpm, secondsOf(conditions.length));
@@ -221,6 +256,12 @@ public:
     }
 
 private:
+    void amps(double to_a, double seconds)
+    {
+        to(0.0, seconds);
+        m_into.ampSeconds.append(m_at);
+        m_into.amps.append(to_a);
+    }
     /// To and fro. @param way_s  from one to the other; @param held_s  both together
     void swing(double low, double high, milliseconds length, double way_s, double held_s)
     {
@@ -296,9 +337,11 @@ Confirmation planQuestion(
         PlanQuestion::tr("This will move motor %1 by itself. Go on?").arg(first.subject.motor);
     question.lines =
         experiments.size() == 1 ? wordsOfOne(first, before) : wordsOfAll(experiments, before);
+    question.lines.append(busWords(experiments));
     question.lines.append(capsFrom(experiments));
-    question.lines.append(PlanQuestion::tr("The like within these caps is not asked about again "
-                                           "until disarmed. Esc stops every motor at any time."));
+    question.lines.append(
+        PlanQuestion::tr("The like within these caps and this time is not asked about again until "
+                         "disarmed. Esc stops every motor at any time."));
     question.yesName = "experimentConfirm";
     question.yes = PlanQuestion::tr("Run");
     question.picture = new PlanPicture(speedPlan(experiments, before));

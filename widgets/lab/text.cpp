@@ -42,7 +42,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "what was there before: %1"),
     QT_TRANSLATE_NOOP("Lab", "reading what is there afterwards: %1"),
     QT_TRANSLATE_NOOP("Lab", "the port was closed"), QT_TRANSLATE_NOOP("Lab", "the port was lost"),
-    QT_TRANSLATE_NOOP("Lab", "somebody else commanded the motor"),
+    QT_TRANSLATE_NOOP("Lab", "another command went to the motor"),
     QT_TRANSLATE_NOOP("Lab", "the drive was disarmed"),
     QT_TRANSLATE_NOOP("Lab", "the drive was disarmed, and the motor that was started is driven on"),
     QT_TRANSLATE_NOOP("Lab", "the drive is not armed any more"),
@@ -66,6 +66,10 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the motor neither runs nor rests: it is in %1"),
     QT_TRANSLATE_NOOP("Lab", "the motor turns, and this is measured while it rests: stop it first"),
     QT_TRANSLATE_NOOP("Lab", "the board does not give %1, which would be written"),
+    QT_TRANSLATE_NOOP("Lab", "the board does not give %1, and without it nothing bounds its bus"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "the board is at %1 °C, and %2 °C end an experiment: let it cool down first"),
+    QT_TRANSLATE_NOOP("Lab", "it was not over within %1 s"),
     QT_TRANSLATE_NOOP("Lab", "the motor is not in speed control: ask for a speed first"),
     QT_TRANSLATE_NOOP("Lab", "the motor does not turn at its set-point of %1 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 is not 0, and would be afterwards: bring it to 0 first"),
@@ -128,8 +132,12 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the speed may go to and fro by less than half of it"),
     QT_TRANSLATE_NOOP("Lab", "There is no such motor."),
     QT_TRANSLATE_NOOP("Lab",
-        "This board does not record the speed and the current of its motor at the rate of its "
+        "This board sends its samples once an exchange: experiments need them at the rate of its "
         "control loop."),
+    QT_TRANSLATE_NOOP("Lab", "This board does not record the speed that its main sensor tells."),
+    QT_TRANSLATE_NOOP(
+        "Lab", "This board does not record both the current of its motor and what it is to be."),
+    QT_TRANSLATE_NOOP("Lab", "This board records %1 signals at a time, and experiments need %2."),
     QT_TRANSLATE_NOOP("Lab", "the run ended early: %1"),
     QT_TRANSLATE_NOOP("Lab", "the series ended early: %1"),
     QT_TRANSLATE_NOOP("Lab", "the recording ends before the series does"),
@@ -151,6 +159,12 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP(
         "Lab", "too little of it is without a gap: stretches of two seconds are needed"),
     QT_TRANSLATE_NOOP("Lab", "too little of it is without a gap: a second is needed"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "samples of %1 s are missing in it: only what is without a gap counts"),
+    QT_TRANSLATE_NOOP("Lab",
+        "its samples are %1 ms apart, too far for the response of a speed: %2 ms are the most"),
+    QT_TRANSLATE_NOOP("Lab",
+        "its samples are %1 ms apart, too far for the response of a current: %2 ms are the most"),
     QT_TRANSLATE_NOOP(
         "Lab", "the speed did not come to rest before the first torque: its speed loop swings"),
     QT_TRANSLATE_NOOP("Lab", "the speed hardly changed: no inertia follows from it"),
@@ -175,7 +189,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "by what its currents do to its speed, the board takes its rotor for more than 60 "
         "electrical degrees beside where it is: its flux is not told"),
-    QT_TRANSLATE_NOOP("Lab", "the rotor all but stood for %1 s of it, which count for nothing"),
+    QT_TRANSLATE_NOOP("Lab", "the rotor nearly stood still for %1 s: that time was left out"),
     QT_TRANSLATE_NOOP("Lab", "%1 % of the samples do not fit the others and count for nothing"),
     QT_TRANSLATE_NOOP("Lab",
         "the rotor turned where it was to rest: neither its resistance nor the angle that it was "

@@ -107,7 +107,9 @@ void TourPage::makeBar()
         if (const auto gains = chosen())
             m_parts.tuning.apply(*gains);
     };
-    prove.settled = [this] { return m_parts.tuning.holdsApplied(); };
+    prove.settled = [this] { // others may be held yet, from before
+        return m_parts.tuning.holdsApplied() && m_parts.tuning.applied() == chosen();
+    };
     prove.patience = kWriting;
     m_prove = m_bar->add(std::move(prove));
     m_bar->leaveOutObstacle(); // the first station has it

@@ -210,6 +210,7 @@ void RegisterEdits::decline()
         return;
     m_stage = Stage::Idle;
     Q_EMIT changed();
+    Q_EMIT declined();
     if (!m_aside.isEmpty())
         tellEnd({}, false);
 }

@@ -73,6 +73,7 @@ Q_SIGNALS:
     void asked(const QList<widgets::WriteLine> &lines);
     void changed(); ///< one of the hints or counts may be another
     void told(const QString &sentence, bool good); ///< how it ended
+    void declined(); ///< nothing of it was sent
     /// The same of a write, register by register.
     void reported(const widgets::WriteReport &report);
 

@@ -122,6 +122,7 @@ struct LabWindow {
             qWarning("%sarmed; %s", device().armed() ? "" : "not ",
                 qPrintable(find<QPushButton>(button)->toolTip()));
         }
+        acts.noteArming(); // for what is written without another press
         return ready();
     }
     bool asks() const { return find<QDialog>("experimentQuestion") != nullptr; }

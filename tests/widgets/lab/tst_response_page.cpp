@@ -9,6 +9,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QUndoStack>
 #include <qcustomplot.h>
@@ -173,6 +175,8 @@ private:
         QCOMPARE(plot->curves().size(), 3);
         QTRY_VERIFY(isSeen(bench, "proof")); // the table has no room for all of its rows
         whatTellsNothingTakesNoProofAway(bench);
+        aProofThatIsInterruptedReplacesNothing(bench);
+        whatIsDeclinedTakesNoProofAway(bench);
 
         // The same digits weigh more or less from here on: the promise is not kept, and that is told with the way back.
         const std::int64_t kpDivisor = bench.held("SPEED_KP_DIV");
@@ -198,6 +202,59 @@ private:
         gainsChangeDuring(bench, "speedResponseRun");
         QVERIFY(proof.ms && rowOf(bench, "proof").ms == proof.ms);
         QCOMPARE(bench.rig.window.findChild<widgets::BodePlot *>()->curves().size(), 3);
+    }
+
+    /// Its response is whole by then.
+    void aProofThatIsInterruptedReplacesNothing(LabWindow &bench)
+    {
+        const widgets::LoopRow proof = rowOf(bench, "proof");
+        const widgets::Experiments &experiments = bench.rig.workbench.experiments();
+        bench.press("proveRun");
+        QTRY_VERIFY(bench.running());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !experiments.running() || experiments.part() == 1, LabWindow::kRunMs);
+        QVERIFY(bench.running());
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
+        QTRY_VERIFY(!bench.running());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.said("responseSentence").contains(QLatin1String("Nothing is proved")), 20'000);
+        QVERIFY(bench.said("responseSentence").contains(QLatin1String("Interrupted: ")));
+        QVERIFY(proof.ms && rowOf(bench, "proof").ms == proof.ms);
+        QVERIFY(bench.arm("proveRun"));
+    }
+
+    /// Gains that jump while the motor turns are asked about.
+    void whatIsDeclinedTakesNoProofAway(LabWindow &bench)
+    {
+        const widgets::LoopRow proof = rowOf(bench, "proof");
+        widgets::RegisterEdits &edits = bench.rig.workbench.edits();
+        bench.rig.sayYesToMotion();
+        QTRY_VERIFY(bench.find<QPushButton>("start")->isEnabled());
+        bench.press("start");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Running, 20'000);
+        bench.find<QSpinBox>("whatIfKi")->setValue(*proof.ki / 3);
+        QTRY_VERIFY(bench.find<QPushButton>("responseApply")->isEnabled());
+        bench.press("responseApply");
+        QTRY_VERIFY(bench.find<QDialog>("writeQuestion"));
+        QTRY_VERIFY(bench.find<QDialog>("writeQuestion")->isVisible());
+        QTest::keyClick(bench.find<QDialog>("writeQuestion"), Qt::Key_Return); // Cancel
+        QTRY_VERIFY(!bench.find<QDialog>("writeQuestion"));
+        QApplication::setActiveWindow(&bench.rig.window);
+        // What is written next, here a gain as it is, has nothing to do with them.
+        QSignalSpy told(&edits, &widgets::RegisterEdits::told);
+        edits.write(QStringLiteral("the same gain"),
+            {{bench.rig.workbench.registers().idOf("SPEED_KP").value_or(0),
+                bench.held("SPEED_KP")}});
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, 10'000);
+        QVERIFY(told.front().at(1).toBool());
+        QCOMPARE(bench.held("SPEED_KI"), std::int64_t(*proof.ki));
+        QVERIFY(proof.ms && rowOf(bench, "proof").ms == proof.ms);
+        QTRY_VERIFY(bench.find<QPushButton>("proveRun")->isEnabled());
+        bench.find<QSpinBox>("whatIfKi")->setValue(*proof.ki);
+        QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QVERIFY(bench.arm("proveRun"));
     }
 
     void proveWith(
@@ -319,6 +376,37 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.find("responsePage")->isVisible());
         bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_COMPARE(bench.find<QSpinBox>("whatIfKp")->value(), kp);
+    }
+
+    /// Gains that are written for the next response are no part of what was agreed to.
+    void calmerGainsAreAskedAbout()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("speedResponseRun"));
+        bench.find<QSpinBox>("responseLength")->setValue(4);
+        bench.press("speedResponseRun");
+        bench.agree();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Running, 20'000);
+        bench.rig.workbench.experiments().end({.end = lab::End::Refused,
+            .reason = "the speed did not come to rest at 1600 rpm",
+            .at = bench.world.now(),
+            .swings = true}); // the board's goes on to its end
+        QTRY_VERIFY2(
+            bench.said("responseSentence").contains(QLatin1String("It swings with its gains")),
+            qPrintable(bench.said("responseSentence")));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state() == MotorState::Idle
+                && bench.find<QPushButton>("speedResponseRun")->isEnabled(),
+            LabWindow::kRunMs);
+        QVERIFY(bench.device().armed());
+        bench.press("speedResponseRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        const QString kp = QString::number(bench.held("SPEED_KP") / 4);
+        QVERIFY2(words.contains(QStringLiteral("Its gains are Kp ") + kp), qPrintable(words));
+        QTest::keyClick(bench.find("experimentQuestion"), Qt::Key_Escape);
+        QTRY_VERIFY(!bench.asks());
     }
 
     void escEndsItAndNothingIsProposed()

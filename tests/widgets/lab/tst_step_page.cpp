@@ -6,7 +6,7 @@
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/live_gain.h"
-#include "widgets/lab/plan_picture.h"
+#include "widgets/lab/plan_question.h"
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
 #include "widgets/scope/view.h"
@@ -20,6 +20,8 @@
 #include <QUndoStack>
 #include <QWheelEvent>
 #include <qcustomplot.h>
+
+#include <memory>
 
 using drive::MotorState;
 using namespace std::chrono_literals;
@@ -243,7 +245,9 @@ private Q_SLOTS:
         auto *dialog = bench.find<QMessageBox>("experimentQuestion");
         const QString words = dialog->informativeText();
         for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250",
-                 "up to 250\u202frpm beyond the plan, and 1.25 times the nominal current."})
+                 "up to 250\u202frpm beyond the plan, and 1.25 times the nominal current.",
+                 "A step down brakes the motor, which feeds the bus: only the cap of the bus "
+                 "voltage bounds that."})
             QVERIFY2(words.contains(QString::fromUtf8(word)), qPrintable(words));
         QVERIFY(dialog->findChild<widgets::PlanPicture *>()->isVisible());
         QTest::keyClick(dialog, Qt::Key_Return); // Enter does not say yes
@@ -257,6 +261,55 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.asks());
         QVERIFY(!bench.device().armed());
         QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+    }
+
+    void aBusThatIsNotToldIsNotPromised()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        const auto subject = bench.rig.workbench.experiments().subject();
+        QVERIFY(subject);
+        lab::Experiment experiment{lab::StepPlan{.fromRpm = 1000, .toRpm = 1500}, *subject};
+        const auto words = [&] {
+            const widgets::Confirmation question = widgets::planQuestion({experiment}, {});
+            const std::unique_ptr<QWidget> picture(question.picture);
+            return question.lines.join(QLatin1Char('\n'));
+        };
+        const QString unbounded =
+            QStringLiteral("This board does not tell its bus voltage: nothing bounds it.");
+        QVERIFY(!words().contains(unbounded));
+        experiment.subject.registers.bus = 0;
+        QVERIFY(words().contains(unbounded));
+        QVERIFY(!words().contains(QLatin1String("only the cap of the bus")));
+    }
+
+    void currentsAtRestAreInThePicture()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        const auto subject = bench.rig.workbench.experiments().subject();
+        QVERIFY(subject && subject->seesRotor());
+        const widgets::SpeedPlan steps =
+            widgets::speedPlan({{lab::StepPlan{.fromRpm = 1000, .toRpm = 1500}, *subject}}, {});
+        QVERIFY(steps.amps.isEmpty());
+        const widgets::SpeedPlan rest =
+            widgets::speedPlan({{lab::RestPlan{.lowAmps = 1.0, .highAmps = 2.5}, *subject}}, {});
+        // From nothing to four currents, each 0.2 s there and 0.4 s held, and to nothing.
+        QCOMPARE(rest.amps.size(), 10);
+        QCOMPARE(rest.ampSeconds.size(), 10);
+        QCOMPARE(rest.amps.first(), 0.0);
+        QCOMPARE(rest.amps[1], 1.0);
+        QCOMPARE(rest.amps[3], 1.5);
+        QCOMPARE(rest.amps[8], 2.5);
+        QCOMPARE(rest.amps.last(), 0.0);
+        QCOMPARE(rest.ampSeconds[2], 0.6);
+        QCOMPARE(rest.ampSeconds.last(), 2.4);
+        for (const double rpm : rest.rpm)
+            QCOMPARE(rpm, 0.0);
+        const auto ofCurrents = [](const widgets::SpeedPlan &plan) {
+            return widgets::PlanPicture(plan).findChild<QCustomPlot *>()->yAxis2->visible();
+        };
+        QVERIFY(ofCurrents(rest) && !ofCurrents(steps));
     }
 
     void aSeriesBecomesARowOfTheNumbersInItsRecording()
@@ -451,6 +504,51 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.run()->isEnabled());
         bench.press("stepRun");
         QVERIFY(bench.asks());
+    }
+
+    /// Yes to one short step is none to a hundred.
+    void aLongerSeriesIsAskedAboutAgain()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500, 2);
+        QVERIFY(bench.runToItsEnd());
+        bench.plan(1000, 1500, 1); // asks nothing
+        QTRY_VERIFY(bench.run()->isEnabled());
+        bench.press("stepRun");
+        QVERIFY(!bench.asks());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running() && bench.rows().rowCount() == 2, kSeriesMs);
+        bench.plan(1000, 1500, 3);
+        QTRY_VERIFY(bench.run()->isEnabled());
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+        QVERIFY(!bench.running());
+    }
+
+    /// What is told of it later is told of a copy.
+    void aRefusalAtOnceTakesNothingFromWhatListensBehindIt()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500);
+        widgets::Experiments &experiments = bench.rig.workbench.experiments();
+        disconnect(&experiments, &widgets::Experiments::wished, nullptr, nullptr);
+        connect(&experiments, &widgets::Experiments::wished, this, [&] {
+            experiments.end(
+                {.end = lab::End::Refused, .reason = "no port is open", .at = bench.world.now()});
+        });
+        const QSignalSpy wished(&experiments, &widgets::Experiments::wished);
+        bench.press("stepRun");
+        bench.agree();
+        QTRY_COMPARE(wished.size(), 1);
+        QVERIFY(!bench.running());
+        const auto asked = wished.front().front().value<lab::Experiment>();
+        QCOMPARE(std::get<lab::StepPlan>(asked.plan).toRpm, 1500);
+        QCOMPARE(asked.subject.nameOf(asked.subject.registers.bus), std::string("BUS_VOLTAGE"));
+        QTRY_VERIFY(bench.said().startsWith(QLatin1String("Not carried out: no port is open")));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
     }
 
     void escAndCancelStopTheMotorInTheMiddle_data()

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 
 using catalog::Value;
@@ -306,6 +307,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
         bench.arm();
         QVERIFY(bench.type("SPEED_REF", QStringLiteral("600 rpm")));
+        QSignalSpy declined(&bench.edits, &widgets::RegisterEdits::declined);
         for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape}) {
             bench.edits.apply();
             auto *box = bench.panel.findChild<QMessageBox *>(QStringLiteral("writeQuestion"));
@@ -319,6 +321,7 @@ private Q_SLOTS:
             QVERIFY(!bench.edits.underWay());
             QVERIFY(bench.writes.empty());
         }
+        QCOMPARE(declined.size(), 3);
         bench.edits.apply();
         auto *box = bench.panel.findChild<QMessageBox *>(QStringLiteral("writeQuestion"));
         QVERIFY(box);

@@ -51,7 +51,8 @@ void setForecast(LoopRow &row, const lab::LoopForecast &forecast)
     if (!forecast.stable)
         return;
     row.ms = predictedValue(forecast.ms);
-    row.rise_s = predictedValue(forecast.rise_s);
+    if (forecast.rise_s)
+        row.rise_s = predictedValue(*forecast.rise_s);
     row.overshoot_pct = predictedValue(forecast.overshoot_pct);
 }
 
@@ -68,7 +69,7 @@ ResponsePage::ResponsePage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
     , m_table(new RowList(
-          "responseLoops", tr("Loops: measured, thought of, proposed, proved"), &m_rows, this))
+          "responseLoops", tr("Loops: measured, what if, proposed, proved"), &m_rows, this))
     , m_plot(new BodePlot(this))
     , m_bar(new ExperimentBar(parts.lab, "response", this))
 {
@@ -359,10 +360,8 @@ void ResponsePage::showRows()
         row.kp = proof->gains.kp;
         row.ki = proof->gains.ki;
         setMargins(row, proof->response);
-        if (proof->steps) {
-            row.rise_s = proof->steps->rise_s;
-            row.overshoot_pct = proof->steps->overshoot_pct;
-        }
+        row.rise_s = proof->steps.rise_s;
+        row.overshoot_pct = proof->steps.overshoot_pct;
         rows.push_back(std::move(row));
     }
     if (const auto &current = tuning.current()) {

@@ -22,6 +22,15 @@ LoopTuning::Measured measuredBy(
     return measured;
 }
 
+/// A proof is made with the same gains from the first sample of its response to the last one of its steps.
+Result<lab::StepSeries, std::string> proofStepsOf(const Experiments::Run &record, int motor)
+{
+    if (std::ranges::any_of(record.happenings,
+            [motor](const auto &one) { return lab::changesGains(motor, one.second); }))
+        return fail(std::string(lab::kGainsChanged));
+    return lab::stepSeries(record.capture, record.happenings);
+}
+
 QString gainsText(const LoopTuning::Gains &gains)
 {
     return LoopTuning::tr("Kp %1, Ki %2", "digits")
@@ -47,9 +56,13 @@ LoopTuning::LoopTuning(Device &device, RegisterModel &registers, RegisterEdits &
         if (!writing)
             return;
         if (good)
-            m_applied = writing;
+            hold(*writing);
         Q_EMIT written(good, sentence);
         Q_EMIT changed();
+    });
+    connect(&edits, &RegisterEdits::declined, this, [this] {
+        if (std::exchange(m_writing, std::nullopt))
+            Q_EMIT changed();
     });
     boardChanged();
 }
@@ -170,38 +183,52 @@ ExperimentBar::Run LoopTuning::responseRun(
                               const Experiments::Run &record) -> ExperimentBar::Show {
         if (record.outcome.swings)
             return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
-        auto response = lab::evaluateResponse(record.capture, record.happenings);
-        // A proof is its steps, too.
-        if (toProve && response && std::ranges::any_of(record.happenings, [&](const auto &one) {
-                return lab::changesGains(motor, one.second);
-            }))
-            response = fail(std::string(lab::kGainsChanged));
+        if (toProve && record.outcome.end != lab::End::Complete)
+            return []() -> QStringList {
+                return {tr("Nothing is proved: response and steps did not both come to their "
+                           "end.")};
+            };
+        const auto response = lab::evaluateResponse(record.capture, record.happenings);
+        std::string why = response ? std::string() : response.error();
         std::optional<lab::StepSeries> steps;
-        if (toProve)
-            if (const auto series = lab::stepSeries(record.capture, record.happenings))
-                steps = *series;
+        if (toProve && response) {
+            if (const auto found = proofStepsOf(record, motor))
+                steps = *found;
+            else
+                why = found.error();
+        }
         std::optional<Measured> measured;
-        if (response)
+        if (why.empty())
             measured = measuredBy(*response, loop, nominalAmps);
         return [=, this]() -> QStringList {
             if (board != m_boards)
                 return {}; // the board is gone, and what is known of it
-            if (!response) // what was measured stays until something replaces it
-                return {tr("Not conclusive: %1").arg(labSentence(response.error()))};
-            m_proof.reset();
-            if (toProve)
-                m_proof = Proof{*response, steps, *toProve, lab::keptBy(*response, m_promised)};
-            if (!toProve || lab::missed(m_proof->kept)) {
-                m_measured = measured;
-                ++m_measurements;
-            }
-            Q_EMIT changed();
-            if (toProve)
-                return {verdict()};
-            return labSentences(response->notes);
+            if (!measured) // what was measured stays until something replaces it
+                return {tr("Not conclusive: %1").arg(labSentence(why))};
+            return adopt(*measured, steps, toProve);
         };
     };
     return {{{plan, subject}}, evaluate, loop.regulator};
+}
+
+/// @param steps  of a proof  @return  what has to be known of it
+QStringList LoopTuning::adopt(const Measured &measured, const std::optional<lab::StepSeries> &steps,
+    const std::optional<Gains> &toProve)
+{
+    const lab::SpeedResponse &response = measured.response;
+    m_proof.reset();
+    if (toProve && steps)
+        m_proof = Proof{response, *steps, *toProve, m_promised,
+            lab::keptBy(response, steps->overshoot_pct, m_promised)};
+    QStringList more = labSentences(response.notes);
+    if (m_proof)
+        more = QStringList(verdict()) + more + labSentences(steps->notes);
+    if (!m_proof || lab::missed(m_proof->kept)) {
+        m_measured = measured;
+        ++m_measurements;
+    }
+    Q_EMIT changed();
+    return more;
 }
 
 /// For the next response.
@@ -259,17 +286,14 @@ void LoopTuning::apply(const Gains &gains)
     const auto before = present();
     if (!before || !m_measured)
         return;
-    m_proof.reset();
-    m_promised = promised(gains);
     if (before == gains) { // there is nothing to write
-        m_applied = gains;
+        hold({gains, promised(gains)});
         Q_EMIT changed();
         return;
     }
     const auto loop = forecast(gains);
     if (!applyHint(gains).isEmpty() || (loop && !loop->stable))
         return;
-    m_applied.reset();
     if (!m_old)
         m_old = before;
     write(gains, tr("gains of the speed loop, %1").arg(gainsText(gains)));
@@ -290,9 +314,6 @@ void LoopTuning::back()
 {
     if (!backHint().isEmpty())
         return;
-    m_promised = promised(*m_old);
-    m_applied.reset();
-    m_proof.reset();
     write(*m_old, tr("back to %1").arg(gainsText(*m_old)));
 }
 
@@ -301,8 +322,16 @@ void LoopTuning::write(const Gains &gains, const QString &text)
     const auto subject = m_experiments.subject();
     if (!subject)
         return;
-    m_writing = gains;
+    m_writing = Promised{gains, promised(gains)};
     m_edits.write(text, lab::gainWrites(*subject, gains.kp, gains.ki));
+}
+
+/// The board has these: what was proved is of others.
+void LoopTuning::hold(const Promised &written)
+{
+    m_applied = written.gains;
+    m_promised = written.promise;
+    m_proof.reset();
 }
 
 QString LoopTuning::verdict() const
@@ -310,7 +339,8 @@ QString LoopTuning::verdict() const
     if (!m_proof)
         return {};
     const auto &response = m_proof->response;
-    const QString most = numberText(m_promised.ms, 2);
+    const lab::Promise &promised = m_proof->promised;
+    const QString most = numberText(promised.ms, 2);
     switch (m_proof->kept) {
     case lab::Kept::TooLively:
         return tr("Worse than predicted: Ms %1, at most %2 promised. Nearer gains are proposed "
@@ -319,9 +349,17 @@ QString LoopTuning::verdict() const
     case lab::Kept::TooSlow:
         return tr("Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are "
                   "proposed from this response; \"Back to the old gains\" brings those back.")
-            .arg(numberText(response.crossover_hz->value, 1),
-                numberText(m_promised.crossover_hz, 1));
+            .arg(numberText(response.crossover_hz->value, 1), numberText(promised.crossover_hz, 1));
+    case lab::Kept::Overshoots:
+        return tr("Worse than predicted: its steps overshoot by %1 % instead of %2 %. Nearer "
+                  "gains are proposed from this response; \"Back to the old gains\" brings those "
+                  "back.")
+            .arg(numberText(m_proof->steps.overshoot_pct->value, 0),
+                numberText(promised.overshoot_pct, 0));
     case lab::Kept::Unclear:
+        if (response.ms && response.crossover_hz)
+            return tr("Neither proved nor refuted: the overshoot of its steps could not be "
+                      "measured. \"Back to the old gains\" brings them back.");
         return tr("Neither proved nor refuted: the loop's gain does not fall through 1 where it "
                   "could be measured. \"Back to the old gains\" brings them back.");
     case lab::Kept::Yes:

@@ -32,8 +32,9 @@ public:
     };
     struct Proof {
         lab::SpeedResponse response;
-        std::optional<lab::StepSeries> steps;
+        lab::StepSeries steps;
         Gains gains;
+        lab::Promise promised;
         lab::Kept kept = lab::Kept::Unclear; ///< what was promised
     };
 
@@ -80,8 +81,15 @@ Q_SIGNALS:
     void written(bool good, const QString &sentence); ///< a write of this has ended
 
 private:
+    struct Promised {
+        Gains gains;
+        lab::Promise promise;
+    };
     void boardChanged();
     void write(const Gains &gains, const QString &text);
+    void hold(const Promised &written);
+    QStringList adopt(const Measured &measured, const std::optional<lab::StepSeries> &steps,
+        const std::optional<Gains> &toProve);
     ExperimentBar::Run responseRun(
         const lab::Subject &subject, const lab::ResponsePlan &plan, std::optional<Gains> toProve);
     QStringList calm(const lab::ResponsePlan &plan, const lab::SpeedLoop &loop);
@@ -94,7 +102,8 @@ private:
     std::optional<Measured> m_measured;
     std::optional<lab::FrequencyResponse> m_current;
     std::optional<Proof> m_proof;
-    std::optional<Gains> m_old, m_applied, m_writing;
+    std::optional<Gains> m_old, m_applied;
+    std::optional<Promised> m_writing;
     struct Swinging {
         Gains with, calmed;
     };
