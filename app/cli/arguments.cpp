@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "drive/protocol_table.h"
+#include "interrupt.h"
 #include "session/transports/port_list.h"
 
 #include <QCoreApplication>
@@ -43,11 +44,10 @@ QString commandList(std::span<const Command *const> commands)
         list += QStringLiteral("  %1 %2\n")
                     .arg(call.trimmed().leftJustified(42), QLatin1String(command->help));
     }
-    return list
-        + QStringLiteral("\nCtrl-C stops the motor that this run started.\n"
-                         "Exit status: 0 done, 1 refused by the board, 2 usage, 3 no connection, 4 "
-                         "data lost, 5 file "
-                         "error, 6 stopped by its own bounds, 128 + signal when interrupted.");
+    return list + QLatin1Char('\n') + QLatin1String(Interrupt::help())
+        + QStringLiteral(
+            "\nExit status: 0 done, 1 refused by the board, 2 usage, 3 no connection, 4 data "
+            "lost, 5 file error, 6 stopped by its own bounds, 128 + signal when interrupted.");
 }
 
 /// The words of --protocol.

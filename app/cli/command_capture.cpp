@@ -373,7 +373,7 @@ Failure CaptureRun::abandon(Failure why)
     if (!m_started)
         return why;
     if (!m_desk.talk.stop(0ms))
-        why.sentence += QStringLiteral(" Stop NOT confirmed. Use the hardware stop.");
+        why.sentence.append(QLatin1Char(' ')).append(kStopNotConfirmed);
     else
         why.sentence += QStringLiteral(" The motor was stopped.");
     return why;

@@ -71,6 +71,8 @@ QString sentenceOf(const GainPlan &plan, const motor::GainFinding &finding)
     }
 }
 
+const QString kPeriod = QStringLiteral("speed period"); ///< for which there is no option
+
 /// What the speed loop was left alone for; empty if it was not.
 QString missingOf(const GainPlan &plan)
 {
@@ -80,7 +82,7 @@ QString missingOf(const GainPlan &plan)
         if (finding.warning == GainWarning::SpeedNeedsFlux)
             return QStringLiteral("ke");
         if (finding.warning == GainWarning::SpeedNeedsPeriod)
-            return QStringLiteral("speed period");
+            return kPeriod;
     }
     return {};
 }
@@ -218,7 +220,11 @@ void printText(Output &out, const GainPlan &plan, const Present &present)
                 .arg(number(plan.speed->margin.phase_deg), number(1e3 * plan.speed->step.rise_s),
                     number(100.0 * plan.speed->step.overshoot), number(1e3 * plan.speed->lag_s)));
     if (const QString missing = missingOf(plan); !missing.isEmpty())
-        out.line(QStringLiteral("Note: the speed loop stays as it is; say its --%1.").arg(missing));
+        out.line(missing == kPeriod
+                ? QStringLiteral("Note: the speed loop stays as it is: the board does not tell the "
+                                 "rate of its speed loop.")
+                : QStringLiteral("Note: the speed loop stays as it is; say its --%1.")
+                      .arg(missing));
     for (const QString &note : notesOf(plan))
         out.line(QStringLiteral("Note: %1.").arg(note));
 }

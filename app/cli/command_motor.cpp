@@ -1,6 +1,6 @@
 // start, stop, ack, ramp and torque.
 #include "commands.h"
-#include "drive/start_target.h"
+#include "motor_facts.h"
 #include "sentences.h"
 
 #include <QJsonObject>
@@ -31,23 +31,6 @@ Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, c
     if (drive::rests(status->state) && !atRest.isEmpty() && !desk.out.json())
         desk.out.line(atRest);
     return kDone;
-}
-
-/// What a start would go to, read now.
-Outcome<drive::StartTarget> startTarget(Desk &desk)
-{
-    const int motor = desk.arguments.motor;
-    const auto readings = desk.talk.read(drive::startRegisters(desk.catalog(), motor));
-    if (!readings)
-        return tl::make_unexpected(readings.error());
-    return drive::startTarget(desk.catalog(),
-        desk.board.limits.at(static_cast<std::size_t>(motor - 1)), motor,
-        [&](drive::RegisterId id) -> std::optional<drive::Value> {
-            for (const drive::Reading &reading : *readings)
-                if (reading.id == id && reading.status == drive::ReadStatus::Ok)
-                    return reading.value;
-            return std::nullopt;
-        });
 }
 
 QString targetText(const drive::StartTarget &target)

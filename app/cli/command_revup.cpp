@@ -1,8 +1,8 @@
 // revup: the stages of the start-up, what is wrong with them, and others in their place.
 #include "motor/rev_up.h"
 #include "motor_facts.h"
+#include "session/files/file_problems.h"
 #include "session/files/json_text.h"
-#include "session/files/rev_up_json.h"
 #include "snapshot_work.h"
 #include "write_report.h"
 
@@ -75,21 +75,6 @@ Outcome<RevUp> stagesOfWords(const QStringList &words, double ampsPerDigit)
     return stages;
 }
 
-QString wordsOf(const session::RevUpFileError &error)
-{
-    using Kind = session::RevUpFileError::Kind;
-    switch (error.kind) {
-    case Kind::NotJson:
-        return QStringLiteral("it is no JSON");
-    case Kind::NoStages:
-        return QStringLiteral("it has no stages, or more than five");
-    case Kind::BadStage:
-        break;
-    }
-    return QStringLiteral("the numbers of its stage %1 do not fit")
-        .arg(QString::number(error.stage));
-}
-
 Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
 {
     const auto content = loadFile(path);
@@ -98,8 +83,8 @@ Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
     const auto stages = session::readRevUpJson(*content, ampsPerDigit);
     if (!stages)
         return failure(kFileError,
-            QStringLiteral("%1 is no rev-up: %2; rotorscope-cli revup --json prints such a file.")
-                .arg(path, wordsOf(stages.error())));
+            session::revUpProblemText(path, stages.error())
+                + QStringLiteral(" rotorscope-cli revup --json prints such a file."));
     return *stages;
 }
 
@@ -113,13 +98,21 @@ std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFact
     return motor::checkRevUp(stages, facts.ampsPerDigit, limits);
 }
 
+/// Of `is` and `limit`, as motor::RevUpMistake says them.
+QLatin1String unitOf(RevUpMistake mistake)
+{
+    constexpr std::array kUnits{"N m", "rpm", "A", "ms", "rpm", "rpm", "rpm", "ms"};
+    return QLatin1String(kUnits.at(static_cast<std::size_t>(mistake)));
+}
+
 void printNotes(Output &out, const std::vector<RevUpFinding> &findings)
 {
     for (const RevUpFinding &finding : findings)
         out.line(
-            QStringLiteral("Note: stage %1: %2 (%3, limit %4)")
+            QStringLiteral("Note: stage %1: %2 (%3 %5, limit %4 %5)")
                 .arg(QString::number(finding.stage + 1), QLatin1String(wordOf(finding.mistake)),
-                    QString::number(finding.is, 'g', 5), QString::number(finding.limit, 'g', 5)));
+                    QString::number(finding.is, 'g', 5), QString::number(finding.limit, 'g', 5),
+                    unitOf(finding.mistake)));
 }
 
 void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)

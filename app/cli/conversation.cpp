@@ -26,8 +26,9 @@ constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr auto kIdleWithin = 2s; ///< after a stop
 constexpr auto kTellsWithin = 2s; ///< a board that answers: its state
-constexpr auto kStopsLeave = std::chrono::duration_cast<Conversation::Milliseconds>(
-    drive::StopSequence::kBlindTime + 500ms); ///< the last that is sent blind has left
+/// The last STOP that is sent blind has left.
+constexpr auto kStopsLeave =
+    std::chrono::duration_cast<Conversation::Milliseconds>(drive::StopSequence::kBlindTime + 500ms);
 constexpr auto kFarewell = 500ms;
 
 /// The one thread of the program: while it runs, so does what the user can interrupt it with.
@@ -110,7 +111,7 @@ void Conversation::close()
 
 Outcome<drive::Ended> Conversation::ask(const decltype(drive::Wish::what) &what)
 {
-    // On a computer that stalls a wish may grow old before it leaves. Nothing of it has left then, and who typed it
+    // On a computer that stalls a wish may grow old before it leaves. Nothing of it has left then, and the user
     // waits.
     const auto tooLate = [](const drive::Ended &ended) {
         const auto wasLate = [](const drive::WriteResult &write) {
@@ -265,7 +266,7 @@ bool Conversation::allStopped(StopWord least) const
 bool Conversation::stopsHaveLeft() const
 {
     return std::any_of(m_motionLog.begin(), m_motionLog.end(), [](const auto &logged) {
-        return logged.record.act == drive::MotionAct::Stop && logged.record.requests > 0;
+        return logged.entry.act == drive::MotionAct::Stop && logged.entry.requests > 0;
     });
 }
 
@@ -279,8 +280,7 @@ Outcome<StopWord> Conversation::stop(Milliseconds standstill)
     if (!idle)
         return tl::make_unexpected(idle.error());
     if (*idle == Waited::TimeOver)
-        return failure(m_status.empty() ? kNoConnection : kRefused,
-            QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
+        return failure(m_status.empty() ? kNoConnection : kRefused, kStopNotConfirmed);
     return standstillWithin(standstill);
 }
 

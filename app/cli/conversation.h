@@ -21,6 +21,8 @@
 
 namespace cli {
 
+constexpr QLatin1String kStopNotConfirmed("Stop NOT confirmed. Use the hardware stop.");
+
 enum class Waited : std::uint8_t { Happened, TimeOver };
 
 class Conversation : public QObject {

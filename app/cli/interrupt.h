@@ -14,6 +14,9 @@ public:
     explicit Interrupt(QObject *parent = nullptr);
     ~Interrupt() override;
 
+    /// A sentence for the help: what Ctrl-C does on this system.
+    static const char *help();
+
     /// The first signal that came; 0: none yet.
     int number() const { return m_number; }
 

@@ -60,6 +60,8 @@ Interrupt::Interrupt(QObject *parent)
         ::sigaction(number, &action, nullptr);
 }
 
+const char *Interrupt::help() { return "Ctrl-C stops the motor that this run started."; }
+
 Interrupt::~Interrupt()
 {
     for (auto &pipe : g_pipes)

@@ -10,6 +10,8 @@ Interrupt::Interrupt(QObject *parent)
 
 Interrupt::~Interrupt() = default;
 
+const char *Interrupt::help() { return "Ctrl-C ends this program; it stops no motor."; }
+
 void Interrupt::raise(int) { }
 
 } // namespace cli

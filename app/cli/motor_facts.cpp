@@ -22,6 +22,22 @@ Outcome<drive::MotorFacts> readMotorFacts(Desk &desk)
         });
 }
 
+Outcome<drive::StartTarget> startTarget(Desk &desk)
+{
+    const int motor = desk.arguments.motor;
+    const auto readings = desk.talk.read(drive::startRegisters(desk.catalog(), motor));
+    if (!readings)
+        return tl::make_unexpected(readings.error());
+    return drive::startTarget(desk.catalog(),
+        desk.board.limits.at(static_cast<std::size_t>(motor - 1)), motor,
+        [&](drive::RegisterId id) -> std::optional<drive::Value> {
+            for (const drive::Reading &reading : *readings)
+                if (reading.id == id && reading.status == drive::ReadStatus::Ok)
+                    return reading.value;
+            return std::nullopt;
+        });
+}
+
 Outcome<std::map<std::string, Digits16>> readDigits(
     Desk &desk, const std::vector<std::string> &names)
 {

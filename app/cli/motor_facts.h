@@ -3,11 +3,15 @@
 
 #include "commands.h"
 #include "drive/motor_view.h"
+#include "drive/start_target.h"
 
 namespace cli {
 
 /// What it does not say is 0.
 Outcome<drive::MotorFacts> readMotorFacts(Desk &desk);
+
+/// What a start would go to, read now.
+Outcome<drive::StartTarget> startTarget(Desk &desk);
 
 /// NAME@MOTOR; empty if this firmware has no such register.
 std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name);

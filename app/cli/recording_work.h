@@ -30,7 +30,7 @@ QString lackText(const ImportedCsv &csv);
 /// And about what a damaged or interrupted recording lacks; empty if it is whole.
 QString lackText(const OpenedRecording &recording);
 
-/// A failure if the name is not that of a recording: what is called .csv is taken for a table by whoever finds it.
+/// A failure if the name is not that of a recording: a file called .csv would be taken for a table.
 Outcome<bool> checkRecordingName(const QString &path);
 
 /// What sentences call a recording. @param kept  else its file goes with the program, and its path says nothing

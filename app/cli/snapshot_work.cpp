@@ -2,40 +2,12 @@
 
 #include "sentences.h"
 
-#include "session/files/snapshot_json.h"
+#include "session/files/file_problems.h"
 #include "session/files/whole_file.h"
 
 #include <algorithm>
-#include <array>
 
 namespace cli {
-
-namespace {
-
-/// In the order of the enumeration; from the sixth on they are of one register.
-constexpr std::array kProblemWords{"it is no JSON", "it is no snapshot",
-    "it is of a newer version than this program knows", "it has no list of registers",
-    "it has more registers than any board", "has no name", "has no motor from 0 to 7", "has no id",
-    "has no known type", "has a raw number that does not fit its type",
-    "has neither bits nor a raw number", "has no raw text",
-    "has bytes that are no hexadecimal digits", "is there twice"};
-
-/// One sentence without a full stop.
-QString wordsOf(const session::SnapshotFileError &error)
-{
-    QString what = QLatin1String(kProblemWords.at(static_cast<std::size_t>(error.problem)));
-    if (error.problem == session::SnapshotProblem::NotJson)
-        what += QStringLiteral(" from line %1 on (%2)")
-                    .arg(QString::number(error.line), error.parserText);
-    if (error.number == 0)
-        return what;
-    const QString name = plainText(error.name.toStdString());
-    return QStringLiteral("in line %1 its register %2 %3")
-        .arg(QString::number(error.line), name.isEmpty() ? QString::number(error.number) : name,
-            what);
-}
-
-} // namespace
 
 Outcome<BoardSnapshot> readBoard(Desk &desk, snapshots::Scope scope)
 {
@@ -79,9 +51,10 @@ Outcome<snapshots::Snapshot> loadSnapshot(const QString &path)
     auto snapshot = session::readSnapshotJson(*content);
     if (snapshot)
         return std::move(*snapshot);
+    snapshot.error().name = plainText(snapshot.error().name.toStdString());
     return failure(kFileError,
-        QStringLiteral("%1 cannot be used: %2; rotorscope-cli snapshot makes such a file.")
-            .arg(path, wordsOf(snapshot.error())));
+        session::snapshotProblemText(path, snapshot.error())
+            + QStringLiteral(" rotorscope-cli snapshot makes such a file."));
 }
 
 Outcome<bool> parseOutput(const Given &given, Arguments &arguments)

@@ -68,7 +68,7 @@ private Q_SLOTS:
         m_current = begin("response current --seconds 4 --json -o");
         m_mechanics = begin("identify mechanical --json -o");
         m_electrics = begin("identify electrical --json -o");
-        m_tuning = begin("autotune --goal stiff --apply --seconds 6 --json");
+        m_tuning = begin("autotune --goal stiff --apply --seconds 6 --json -o");
         const std::array all{m_step.get(), m_torque.get(), m_flux.get(), m_response.get(),
             m_current.get(), m_mechanics.get(), m_electrics.get(), m_tuning.get()};
         const auto ended = [](ExperimentProgram *program) { return program->ended(); };
@@ -151,6 +151,38 @@ private Q_SLOTS:
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
+    void whatAutotuneMeasuredIsKept()
+    {
+        COMPARE_END(*m_tuning, 0);
+        const QDir folder = QFileInfo(m_tuning->file()).dir();
+        const auto valueIn = [&](const QString &name, const QString &number) {
+            const CliRun told = support::runCli(
+                {QStringLiteral("evaluate"), QStringLiteral("--json"), folder.filePath(name)});
+            const QJsonObject all = jsonOf(told);
+            const QJsonObject of = all.value(QStringLiteral("kind")) == QStringLiteral("step")
+                ? all.value(QStringLiteral("mean")).toObject()
+                : all;
+            return of.value(number).toObject().value(QStringLiteral("value")).toDouble();
+        };
+        const auto named = [&](const char *pattern) {
+            return folder.entryList({QString::fromLatin1(pattern)}, QDir::Files, QDir::Name);
+        };
+        const QStringList responses = named("run-*-response.pcapng"),
+                          steps = named("run-*-steps.pcapng");
+        QCOMPARE(responses.value(0), QStringLiteral("run-1-response.pcapng"));
+        QVERIFY(responses.size() >= 2 && !steps.isEmpty());
+        const QJsonObject proof = jsonOf(m_tuning->run()).value(QStringLiteral("proof")).toObject();
+        for (const auto &[file, number] : {std::pair(responses.last(), QStringLiteral("ms")),
+                 std::pair(steps.last(), QStringLiteral("overshoot_pct"))})
+            QCOMPARE(valueIn(file, number), proof.value(number).toDouble());
+
+        // A second one does not mix with them.
+        const CliRun again = support::runCli({QStringLiteral("--port"), m_tuning->board().port(),
+            QStringLiteral("autotune"), QStringLiteral("-o"), m_tuning->file()});
+        COMPARE_STATUS(again, 5);
+        QVERIFY2(again.err.contains(QStringLiteral("is there already")), qPrintable(again.err));
+    }
+
     void aFilePlansAnExperiment()
     {
         ExperimentProgram program(kServo, "experiment --json");
@@ -186,15 +218,8 @@ private Q_SLOTS:
         COMPARE_END(program, 0);
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
         QCOMPARE(board.cli("get SPEED_RAMP").out, before.out);
-        const auto turns = [&] {
-            const QString last =
-                board.cli("get --raw SPEED_MEAS").out.trimmed().section(QLatin1Char(' '), -1);
-            return std::abs(last.toInt() - 1800) < 60;
-        };
         const auto onARunningOne = [&] {
-            COMPARE_STATUS(board.cli("ramp 1800 0"), 0);
-            COMPARE_STATUS(board.cli("start"), 0);
-            QTRY_VERIFY_WITH_TIMEOUT(turns(), kPatience_ms);
+            startAt1800(board);
             program.begin();
         };
         onARunningOne();
@@ -202,6 +227,46 @@ private Q_SLOTS:
         QVERIFY(board.cli("info").out.contains(QStringLiteral("RUN")));
         QVERIFY(board.cli("get SPEED_REF").out.contains(QStringLiteral("1800 rpm")));
         COMPARE_STATUS(board.cli("stop"), 0);
+    }
+
+    void aRunningMotorIsStoppedForWhatIsMeasuredAtRestAndRunsAfterwards()
+    {
+        ExperimentProgram program(kServo, "identify electrical --json");
+        const Simulator &board = program.board();
+        QVERIFY(board.ready());
+        const auto onARunningOne = [&] {
+            startAt1800(board);
+            program.begin();
+        };
+        onARunningOne();
+        COMPARE_OUTCOME(program, 0, "", onARunningOne);
+        QVERIFY2(jsonOf(program.run()).value(QStringLiteral("rs_ohm")).isObject(),
+            qPrintable(program.run().out + program.run().err));
+        QVERIFY(turnsAt1800(board));
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("RUN")));
+        QVERIFY(board.cli("get SPEED_REF").out.contains(QStringLiteral("1800 rpm")));
+        // Nothing is stopped that would not be brought back.
+        const CliRun refused = board.cli("identify electrical --max-rpm 1500");
+        COMPARE_STATUS(refused, 1);
+        QVERIFY2(refused.err.contains(QStringLiteral(": Not begun: ")), qPrintable(refused.err));
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("RUN")));
+        COMPARE_STATUS(board.cli("stop"), 0);
+    }
+
+    void aRunningMotorStaysStoppedBehindCtrlC()
+    {
+        ExperimentProgram program(kServo, "identify electrical -o");
+        const Simulator &board = program.board();
+        QVERIFY(board.ready());
+        const auto untilItIsInterrupted = [&] {
+            startAt1800(board);
+            program.begin();
+            if (program.recorded(kSomeSamples))
+                program.interrupt();
+        };
+        untilItIsInterrupted();
+        COMPARE_OUTCOME(program, 128 + SIGINT, "it is not started again", untilItIsInterrupted);
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
     void oneThatBreaksItsCapEndsWithSixAndAMotorAtRest()
@@ -456,6 +521,18 @@ private Q_SLOTS:
     }
 
 private:
+    static bool turnsAt1800(const Simulator &board)
+    {
+        const QString last =
+            board.cli("get --raw SPEED_MEAS").out.trimmed().section(QLatin1Char(' '), -1);
+        return std::abs(last.toInt() - 1800) < 60;
+    }
+    static void startAt1800(const Simulator &board)
+    {
+        COMPARE_STATUS(board.cli("ramp 1800 0"), 0);
+        COMPARE_STATUS(board.cli("start"), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(turnsAt1800(board), kPatience_ms);
+    }
     static void theFileSaysTheSame(ExperimentProgram &program)
     {
         const CliRun again =

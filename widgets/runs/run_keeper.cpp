@@ -1,5 +1,6 @@
 #include "widgets/runs/run_keeper.h"
 
+#include "lab/runner.h"
 #include "widgets/base/device_text.h"
 #include "widgets/files/file_job.h"
 
@@ -20,8 +21,15 @@ RunKeeper::RunKeeper(Device &device, Experiments &experiments, QWidget *window, 
     connect(&experiments, &Experiments::began, &m_reader, &SnapshotReader::cancel);
     connect(&m_reader, &SnapshotReader::finished, this, [this](const BoardReading &reading) {
         const bool whole = reading.end == BoardReading::End::Whole;
-        write(whole ? std::optional(reading.snapshot) : std::nullopt);
+        write(whole ? std::optional(behindTheRun(reading.snapshot)) : std::nullopt);
     });
+    connect(&device, &Device::wishEnded, this, &RunKeeper::noteWrites);
+}
+
+RunKeeper::~RunKeeper()
+{
+    if (m_ended) // no event loop may come any more
+        (void)session::keepRun(m_folder, *m_ended);
 }
 
 void RunKeeper::setFolder(const QString &folder)
@@ -47,7 +55,7 @@ void RunKeeper::ended(const Experiments::RunPtr &record)
     run->told = record->told;
     run->plan = record->happenings.front().second;
     run->outcome = record->outcome;
-    run->motor = m_device.motor();
+    run->motor = run->plan.number<int>("motor").value_or(m_device.motor()); // another may be shown
     run->at = QDateTime::currentSecsSinceEpoch();
     if (const auto board = m_device.identified()) {
         const drive::Identity &identity = board->identity;
@@ -57,7 +65,35 @@ void RunKeeper::ended(const Experiments::RunPtr &record)
             run->motorName = QString::fromStdString(identity.motorNames[motor - 1]);
     }
     m_ended = std::move(run);
+    m_before.clear();
     m_reader.start(snapshots::Scope::Tunable);
+}
+
+/// What the experiment gave back itself may be told late, and is as it was behind it.
+void RunKeeper::noteWrites(const drive::Ended &ended)
+{
+    if (!m_ended || ended.id >= lab::Runner::kFirstWish)
+        return;
+    for (const drive::WriteResult &one : ended.writes)
+        if (one.before)
+            m_before.emplace(one.id, *one.before);
+}
+
+snapshots::Snapshot RunKeeper::behindTheRun(const snapshots::Snapshot &read) const
+{
+    const auto catalog = m_device.catalog();
+    if (m_before.empty() || !catalog)
+        return read;
+    std::vector<drive::Reading> readings;
+    readings.reserve(read.entries.size());
+    for (const snapshots::Entry &entry : read.entries) {
+        const auto before = m_before.find(entry.id);
+        drive::Reading reading;
+        reading.id = entry.id;
+        reading.value = before == m_before.end() ? entry.value : before->second;
+        readings.push_back(std::move(reading));
+    }
+    return snapshots::snapshotOf(read.board, *catalog, readings);
 }
 
 void RunKeeper::write(std::optional<snapshots::Snapshot> registers)

@@ -1,5 +1,7 @@
 // RunKeeper: puts every experiment that ends into the run book, with the registers as they are right behind it. It
-// reads them, and it writes files in a thread of a pool; nothing waits for it. Without a folder it does nothing.
+// reads them, and it writes files in a thread of a pool; nothing waits for it. What is written while it reads is put
+// back in what is kept: it belongs to the next run. Closed before it is done, it keeps the run without registers.
+// Without a folder it does nothing.
 #pragma once
 
 #include "session/files/run_book.h"
@@ -8,6 +10,10 @@
 
 #include <QPointer>
 
+#include <map>
+#include <memory>
+#include <optional>
+
 namespace widgets {
 
 class RunKeeper : public QObject {
@@ -15,6 +21,7 @@ class RunKeeper : public QObject {
 public:
     /// All outlive it. @param window  over which a long job shows itself
     RunKeeper(Device &device, Experiments &experiments, QWidget *window, QObject *parent = nullptr);
+    ~RunKeeper() override;
 
     QString folder() const { return m_folder; }
     void setFolder(const QString &folder);
@@ -26,6 +33,8 @@ Q_SIGNALS:
 
 private:
     void ended(const Experiments::RunPtr &record);
+    void noteWrites(const drive::Ended &ended);
+    snapshots::Snapshot behindTheRun(const snapshots::Snapshot &read) const;
     void write(std::optional<snapshots::Snapshot> registers);
 
     Device &m_device;
@@ -33,6 +42,8 @@ private:
     SnapshotReader m_reader;
     QString m_folder;
     std::shared_ptr<session::EndedRun> m_ended; ///< whose registers are being read
+    /// What was written since then, as it was before.
+    std::map<catalog::RegisterId, catalog::Value> m_before;
 };
 
 } // namespace widgets

@@ -133,6 +133,9 @@ QString resultText(const session::Run &run)
 
 QString gainsText(const session::Run &run)
 {
+    if (field(run, "speed kp").toInt() > 0) // lent for as long as it was measured
+        return QStringLiteral("%1 / %2").arg(numberText(field(run, "speed kp").toInt(), 0),
+            numberText(field(run, "speed ki").toInt(), 0));
     const auto kp = run.gains.find(QStringLiteral("SPEED_KP")),
                ki = run.gains.find(QStringLiteral("SPEED_KI"));
     if (kp == run.gains.end() || ki == run.gains.end())

@@ -8,6 +8,8 @@
 #include "lab/evaluation/step_series.h"
 #include "session/files/json_text.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -24,6 +26,8 @@ namespace {
 constexpr double kMsPerSecond = 1e3;
 constexpr int kWidth = 10; ///< of a column
 constexpr int kPasses = 2; ///< with --apply, where the first ones miss their promise
+constexpr QLatin1String kSuffix(".pcapng");
+constexpr const char *kResponse = "response", *kSteps = "steps"; ///< in the names of recordings
 
 Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
 {
@@ -33,6 +37,21 @@ Outcome<lab::SpeedLoop> readLoop(Desk &desk, const lab::Subject &subject)
     if (!*loop)
         return failure(kRefused, QStringLiteral("This board has no gains of a speed loop."));
     return **loop;
+}
+
+/// Where the next part is kept, e.g. RUN-2-steps.pcapng of RUN.pcapng; empty: nowhere.
+QString partFile(const QString &run, const char *part)
+{
+    if (run.isEmpty())
+        return {};
+    const auto file = [stem = run.chopped(kSuffix.size())](int number, const char *of) {
+        return QStringLiteral("%1-%2-%3%4")
+            .arg(stem, QString::number(number), QLatin1String(of), kSuffix);
+    };
+    int number = 1;
+    while (QFileInfo::exists(file(number, kResponse)) || QFileInfo::exists(file(number, kSteps)))
+        ++number;
+    return file(number, part);
 }
 
 /// What a recording says, if there is one.
@@ -60,7 +79,8 @@ Outcome<lab::SpeedResponse> respond(
     if (desk.arguments.autotune.seconds > 0)
         plan.length = std::chrono::seconds(desk.arguments.autotune.seconds);
     std::optional<ExperimentRun> run;
-    auto path = run.emplace(desk).record(subject, {plan});
+    const auto file = [&] { return partFile(desk.arguments.runFile, kResponse); };
+    auto path = run.emplace(desk, file()).record(subject, {plan});
     while (!path && run->swings() && calmed) {
         const auto calmer = lab::calmer(plan, *calmed);
         if (!calmer)
@@ -70,14 +90,14 @@ Outcome<lab::SpeedResponse> respond(
             QStringLiteral("%1 It swings with its gains, and is measured once more with "
                            "SPEED_KP=%2 SPEED_KI=%3, which are given back afterwards.")
                 .arg(path.error().sentence, QString::number(plan.kp), QString::number(plan.ki)));
-        path = run.emplace(desk).record(subject, {plan});
+        path = run.emplace(desk, file()).record(subject, {plan});
     }
     return evaluated(path, lab::evaluateResponse);
 }
 
 Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
 {
-    ExperimentRun run(desk);
+    ExperimentRun run(desk, partFile(desk.arguments.runFile, kSteps));
     const auto path = run.record(subject, {lab::proofStepsFor(subject, desk.arguments.limits)});
     return evaluated(path, lab::stepSeries);
 }
@@ -190,7 +210,7 @@ void put(JsonText &json, const lab::GainCandidate &one)
     json.member("crossover_hz", one.crossover_hz);
     json.member("phase_margin_deg", one.phaseMargin_deg);
     json.member("ms", one.ms);
-    json.member("rise_s", one.rise_s);
+    json.member("rise_s", one.rise_s.value_or(std::nan("")));
     json.member("overshoot_pct", one.overshoot_pct);
     json.endObject();
 }
@@ -245,7 +265,7 @@ QString line(const char *name, int proportional, int integral, Known crossover_h
 void print(const Tuned &tuned, Output &out)
 {
     out.line(
-        QStringLiteral("             speed_kp  speed_ki  cross Hz  margin \u00b0        Ms   rise "
+        QStringLiteral("            speed_kp  speed_ki  cross Hz  margin \u00b0        Ms   rise "
                        "ms    over %"));
     for (const lab::GainCandidate &one : tuned.candidates)
         out.line(line(lab::nameOf(one.goal), one.proportional, one.integral, one.crossover_hz,
@@ -273,7 +293,8 @@ Outcome<int> verdict(const Tuned &tuned, const Gains &held)
     const lab::Promise promised = lab::promiseOf(tuned.chosen, tuned.chosen.goal);
     const lab::SpeedResponse &got = tuned.proof->response;
     QString what;
-    switch (lab::keptBy(got, promised)) {
+    const std::optional<lab::Estimate> &overshoot_pct = tuned.proof->step.overshoot_pct;
+    switch (lab::keptBy(got, overshoot_pct, promised)) {
     case lab::Kept::Yes:
         return kDone;
     case lab::Kept::TooLively:
@@ -285,9 +306,16 @@ Outcome<int> verdict(const Tuned &tuned, const Gains &held)
                    .arg(QString::number(got.crossover_hz->value, 'f', 1),
                        QString::number(promised.crossover_hz, 'f', 1));
         break;
+    case lab::Kept::Overshoots:
+        what = QStringLiteral("worse than predicted: its steps overshoot by %1 % instead of %2 %")
+                   .arg(QString::number(overshoot_pct->value, 'f', 0),
+                       QString::number(promised.overshoot_pct, 'f', 0));
+        break;
     case lab::Kept::Unclear:
-        what = QStringLiteral("not proved: its gain does not fall through 1 where it could be "
-                              "measured");
+        what = got.ms && got.crossover_hz
+            ? QStringLiteral("not proved: the overshoot of its steps could not be measured")
+            : QStringLiteral("not proved: its gain does not fall through 1 where it could be "
+                             "measured");
         break;
     }
     return tl::make_unexpected(held.with({kRefused, QStringLiteral("The loop is %1.").arg(what)}));
@@ -331,7 +359,9 @@ Outcome<int> runAutotune(Desk &desk)
             return tl::make_unexpected(held.with(proof.error()));
         tuned->proof = std::move(*proof);
         const lab::Promise promised = lab::promiseOf(tuned->chosen, tuned->chosen.goal);
-        if (!lab::missed(lab::keptBy(tuned->proof->response, promised)) || pass + 1 == kPasses)
+        const lab::Kept kept =
+            lab::keptBy(tuned->proof->response, tuned->proof->step.overshoot_pct, promised);
+        if (!lab::missed(kept) || pass + 1 == kPasses)
             break;
         auto nearer = propose(desk, *subject, *loop, tuned->proof->response);
         if (!nearer)
@@ -351,7 +381,28 @@ constexpr OptionText kAutotuneOptions[] = {
     {"goal", "GOAL", "stiff, medium or quick: how near to instability; medium if not given."},
     {"seconds", "S", "How long each response takes, 4 to 40; 16 if not given."},
     {"apply", "", "Writes the gains, and proves them by a fresh response and steps."},
+    {"o,output", "RUN.pcapng",
+        "Keeps the recordings, as RUN-1-response.pcapng, RUN-2-response.pcapng, RUN-3-steps.pcapng "
+        "and so on, for rotorscope-cli evaluate."},
 };
+
+/// Nothing that is there of that name is mixed with this run's.
+Outcome<bool> readPartFiles(const Given &given, Arguments &arguments)
+{
+    const auto named = readRunFile(given, arguments);
+    if (!named || arguments.runFile.isEmpty())
+        return named;
+    const QFileInfo run(arguments.runFile);
+    const QStringList there =
+        run.dir().entryList({run.completeBaseName() + QStringLiteral("-*-response") + kSuffix,
+                                run.completeBaseName() + QStringLiteral("-*-steps") + kSuffix},
+            QDir::Files);
+    if (there.isEmpty())
+        return true;
+    return failure(kFileError,
+        QStringLiteral("%1 is there already; choose a name that is not.")
+            .arg(run.dir().filePath(there.first())));
+}
 
 Outcome<bool> readAutotune(const Given &given, Arguments &arguments)
 {
@@ -359,8 +410,8 @@ Outcome<bool> readAutotune(const Given &given, Arguments &arguments)
     const auto numbers = readNumbers(given, {{"seconds", &arguments.autotune.seconds, 4, 40}});
     if (!numbers)
         return numbers;
-    if (!given.has("goal"))
-        return true;
+    if (const auto files = readPartFiles(given, arguments); !files || !given.has("goal"))
+        return files;
     for (const lab::Goal goal : lab::kGoals)
         if (given.value("goal") == QLatin1String(lab::nameOf(goal))) {
             arguments.autotune.goal = goal;

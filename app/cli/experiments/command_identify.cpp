@@ -37,8 +37,8 @@ Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
 
 const Command kIdentify{.name = "identify",
     .words = "mechanical|electrical",
-    .help = "Measures inertia and friction, or resistance, inductances and flux; then all is as "
-            "before.",
+    .help = "Measures inertia and friction, or resistance, inductances and flux, for which a motor "
+            "that runs is stopped and started again; then all is as before.",
     .least = 1,
     .most = 1,
     .options = kIdentifyOptions,

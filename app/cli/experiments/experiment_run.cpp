@@ -6,6 +6,8 @@
 
 #include <QFileInfo>
 
+#include <utility>
+
 namespace cli {
 
 using namespace std::chrono_literals;
@@ -18,10 +20,10 @@ QString text(const std::string &words) { return QString::fromStdString(words); }
 
 } // namespace
 
-ExperimentRun::ExperimentRun(Desk &desk)
+ExperimentRun::ExperimentRun(Desk &desk, const QString &file)
     : m_desk(desk)
-    , m_kept(!desk.arguments.runFile.isEmpty())
-    , m_path(m_kept ? desk.arguments.runFile : m_folder.filePath(QStringLiteral("run.pcapng")))
+    , m_kept(!file.isEmpty())
+    , m_path(m_kept ? file : m_folder.filePath(QStringLiteral("run.pcapng")))
 {
 }
 
@@ -46,6 +48,7 @@ Outcome<QString> ExperimentRun::record(
     const lab::Subject &subject, const std::vector<lab::Plan> &plans)
 {
     std::vector<Part> parts;
+    std::vector<lab::Experiment> experiments;
     for (const lab::Plan &plan : plans) {
         const lab::Experiment experiment{plan, subject};
         if (const std::string why = lab::objectionTo(experiment); !why.empty())
@@ -54,33 +57,59 @@ Outcome<QString> ExperimentRun::record(
         if (!entry)
             return tl::make_unexpected(entry.error());
         parts.push_back({experiment, *entry});
+        experiments.push_back(experiment);
     }
+    auto running = runningMotor(m_desk, subject, experiments);
+    if (!running)
+        return tl::make_unexpected(running.error());
+    if (*running)
+        m_ran.emplace(**running);
     const auto outcome = carryOut(parts);
     if (!outcome)
-        return tl::make_unexpected(outcome.error());
+        return notGoingOn(outcome.error());
     m_swings = outcome->swings;
-    const QString reason = text(outcome->reason);
-    QStringList all{reason, text(lab::shownText(*outcome))}; // where the motor came back
+    return told(*outcome);
+}
+
+/// What is said of its end; a motor that ran goes on behind a whole one.
+Outcome<QString> ExperimentRun::told(const lab::Outcome &outcome)
+{
+    const QString reason = text(outcome.reason);
+    QStringList all{reason};
+    if (!m_ran || outcome.end != lab::End::Complete)
+        all.append(text(lab::shownText(outcome))); // where the motor came back
     all.removeAll(QString());
     const QString said = all.join(QStringLiteral("; "));
-    switch (outcome->end) {
+    switch (outcome.end) {
     case lab::End::Complete:
+        if (m_ran && outcome.leaves)
+            return notGoingOn({kRefused, QStringLiteral("Afterwards: %1.").arg(said)});
         if (!said.isEmpty())
             Output::error(QStringLiteral("Afterwards: %1.").arg(said));
+        if (m_ran)
+            if (const auto goesOn = m_ran->goOn(); !goesOn)
+                return tl::make_unexpected(stopped(goesOn.error()));
         return m_path;
     case lab::End::Refused:
-        return failure(kRefused, QStringLiteral("The experiment ended: %1.").arg(said));
+        return notGoingOn({kRefused, QStringLiteral("The experiment ended: %1.").arg(said)});
     case lab::End::Aborted:
-        return tl::make_unexpected(
+        return notGoingOn(
             stopped({kAborted, QStringLiteral("The experiment was ended: %1.").arg(reason)}));
     case lab::End::Lost:
-        return tl::make_unexpected(
+        return notGoingOn(
             stopped({kNoConnection, QStringLiteral("The experiment was ended: %1.").arg(reason)}));
     case lab::End::Interrupted:
         break;
     }
-    return tl::make_unexpected(
+    return notGoingOn(
         stopped({kRefused, QStringLiteral("The experiment was interrupted: %1.").arg(reason)}));
+}
+
+tl::unexpected<Failure> ExperimentRun::notGoingOn(Failure why) const
+{
+    if (m_rests)
+        why.sentence += QStringLiteral(" The motor ran before; it is not started again.");
+    return tl::make_unexpected(std::move(why));
 }
 
 Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
@@ -89,6 +118,10 @@ Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
     ConversationRecording recording(talk, m_path, false, m_kept);
     if (const auto started = recording.start(m_desk.arguments.port); !started)
         return tl::make_unexpected(started.error());
+    m_rests = m_ran.has_value();
+    if (m_ran)
+        if (const auto rests = m_ran->stop(); !rests)
+            return tl::make_unexpected(broken(rests.error(), recording));
     const auto board = readBoard(m_desk, snapshots::Scope::All);
     if (!board)
         return tl::make_unexpected(board.error());
@@ -141,7 +174,7 @@ Failure ExperimentRun::broken(const Failure &why, ConversationRecording &recordi
 Failure ExperimentRun::stopped(Failure why)
 {
     if (const auto stopped = m_desk.talk.stop(kStandstillWithin); !stopped) {
-        why.sentence += QStringLiteral(" Stop NOT confirmed. Use the hardware stop.");
+        why.sentence.append(QLatin1Char(' ')).append(kStopNotConfirmed);
         if (stopped.error().status == kNoConnection) // the bound that broke was that of silence
             why.status = kNoConnection;
     } else {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "commands.h"
+#include "experiments/running_motor.h"
 #include "lab/experiment.h"
 #include "recording_work.h"
 
@@ -12,12 +13,17 @@ namespace cli {
 
 class ExperimentRun {
 public:
-    explicit ExperimentRun(Desk &desk);
+    /// @param file  in which its recording is kept; empty: it is not
+    ExperimentRun(Desk &desk, const QString &file);
+    explicit ExperimentRun(Desk &desk)
+        : ExperimentRun(desk, desk.arguments.runFile)
+    {
+    }
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
     Outcome<lab::Subject> subject() const;
     /// One after the other, each from where the motor was before, as long as nothing is left on the board; in one
-    /// recording.
+    /// recording. A motor that runs is stopped for what is measured at rest, and runs again behind all of them.
     /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
     Outcome<int> run(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
     /// The same, without an evaluation. @return  the file of its recording, which lives as long as this
@@ -33,11 +39,15 @@ private:
     };
     Outcome<lab::Outcome> carryOut(const std::vector<Part> &parts);
     Outcome<lab::Outcome> runAll(const std::vector<Part> &parts, ConversationRecording &recording);
+    Outcome<QString> told(const lab::Outcome &outcome);
     Failure broken(const Failure &why, ConversationRecording &recording);
     Failure stopped(Failure why);
+    tl::unexpected<Failure> notGoingOn(Failure why) const;
 
     Desk &m_desk;
     QTemporaryDir m_folder; ///< for a recording that is not kept
+    std::optional<RunningMotor> m_ran; ///< it is measured at rest
+    bool m_rests = false; ///< that one: it was stopped
     lab::Outcome m_soFar; ///< of those that are over
     bool m_kept, m_swings = false;
     QString m_path;

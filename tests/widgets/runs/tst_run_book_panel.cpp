@@ -285,6 +285,24 @@ private Q_SLOTS:
             QStringLiteral("no margin is told"));
     }
 
+    void gainsThatWereLentAreThoseOfTheRun()
+    {
+        using Book = widgets::RunBookModel;
+        session::Run run;
+        run.experiment = QStringLiteral("response plan");
+        run.end = QStringLiteral("complete");
+        run.gains = {{QStringLiteral("SPEED_KP"), 700}, {QStringLiteral("SPEED_KI"), 30}};
+        run.plan = {{QStringLiteral("speed ki"), QStringLiteral("0")},
+            {QStringLiteral("speed kp"), QStringLiteral("0")}};
+        Book book;
+        book.setRuns({run});
+        QCOMPARE(book.index(0, Book::GainsColumn).data().toString(), QStringLiteral("700 / 30"));
+        run.plan = {{QStringLiteral("speed ki"), QStringLiteral("7")},
+            {QStringLiteral("speed kp"), QStringLiteral("175")}};
+        book.setRuns({run});
+        QCOMPARE(book.index(0, Book::GainsColumn).data().toString(), QStringLiteral("175 / 7"));
+    }
+
     void whatWasStoppedIsKeptAsThat()
     {
         Bench bench;
