@@ -225,7 +225,7 @@
     </message>
     <message>
         <source>The start-up is too short or too weak for rotor and load</source>
-        <translation>Der Hochlauf ist für Rotor und Last zu kurz oder zu schwach</translation>
+        <translation>Der Anlauf ist für Rotor und Last zu kurz oder zu schwach</translation>
     </message>
     <message>
         <source>Make the ramp longer and its current larger, within the motor&apos;s nominal current; end it at 30 to 40 % of the greatest speed.</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>The power stage switched itself off because of too much current.</source>
-        <translation>Die Leistungsstufe hat sich wegen zu hohen Stroms selbst abgeschaltet.</translation>
+        <translation>Das Leistungsteil hat sich wegen zu hohen Stroms selbst abgeschaltet.</translation>
     </message>
     <message>
         <source>Shunt, amplification or topology are set wrongly</source>
@@ -301,7 +301,7 @@
     </message>
     <message>
         <source>Compare the current scale with the hardware.</source>
-        <translation>Den Strommaßstab mit der Hardware vergleichen.</translation>
+        <translation>Die Stromskala mit der Hardware vergleichen.</translation>
     </message>
     <message>
         <source>The current loop oscillates</source>
@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>A short circuit, or a damaged stage</source>
-        <translation>Ein Kurzschluss oder eine beschädigte Leistungsstufe</translation>
+        <translation>Ein Kurzschluss oder ein beschädigtes Leistungsteil</translation>
     </message>
     <message>
         <source>Remove the power, then measure between the phases and to ground.</source>
@@ -333,11 +333,11 @@
     </message>
     <message>
         <source>The control rate is too high for this processor</source>
-        <translation>Die Regelrate ist für diesen Prozessor zu hoch</translation>
+        <translation>Der Regeltakt ist für diesen Prozessor zu hoch</translation>
     </message>
     <message>
         <source>Lower the PWM frequency or the control rate.</source>
-        <translation>Die PWM-Frequenz oder die Regelrate senken.</translation>
+        <translation>Die PWM-Frequenz oder den Regeltakt senken.</translation>
     </message>
     <message>
         <source>Too many signals are recorded</source>
@@ -413,7 +413,7 @@
     </message>
     <message>
         <source>The power stage is too hot, or looks so.</source>
-        <translation>Die Leistungsstufe ist zu heiß oder scheint es zu sein.</translation>
+        <translation>Das Leistungsteil ist zu heiß oder scheint es zu sein.</translation>
     </message>
     <message>
         <source>It is too hot</source>
@@ -558,6 +558,22 @@
         <source>line %1, column %2: %3</source>
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>sie ist kein JSON</translation>
+    </message>
+    <message>
+        <source>it has no stages, or more than five</source>
+        <translation>sie enthält keine Stufen oder mehr als fünf</translation>
+    </message>
+    <message>
+        <source>the numbers of its stage %1 do not fit</source>
+        <translation>die Zahlen der Stufe %1 passen nicht</translation>
+    </message>
+    <message>
+        <source>%1 is no rev-up: %2.</source>
+        <translation>%1 ist kein Anlauf: %2.</translation>
+    </message>
 </context>
 <context>
     <name>GainTexts</name>
@@ -567,7 +583,7 @@
     </message>
     <message>
         <source>The board does not say its bus voltage or what a digit of current is worth.</source>
-        <translation>Das Board nennt weder seine Busspannung noch, was ein Digit Strom bedeutet.</translation>
+        <translation>Das Board nennt weder seine Zwischenkreisspannung noch, was ein Digit Strom bedeutet.</translation>
     </message>
     <message>
         <source>Amperes of Iq for radians per second.</source>
@@ -606,7 +622,7 @@
     </message>
     <message>
         <source>The board does not say its bus voltage or what a digit of current is worth.</source>
-        <translation>Das Board nennt weder seine Busspannung noch, was ein Digit Strom bedeutet.</translation>
+        <translation>Das Board nennt weder seine Zwischenkreisspannung noch, was ein Digit Strom bedeutet.</translation>
     </message>
     <message>
         <source>The board does not say its control rate.</source>
@@ -1038,10 +1054,6 @@
         <translation>Einen solchen Motor gibt es nicht.</translation>
     </message>
     <message>
-        <source>This board does not record the speed and the current of its motor at the rate of its control loop.</source>
-        <translation>Dieses Board zeichnet Drehzahl und Strom seines Motors nicht im Takt seiner Regelung auf.</translation>
-    </message>
-    <message>
         <source>the run ended early: %1</source>
         <translation>der Lauf endete vorzeitig: %1</translation>
     </message>
@@ -1150,8 +1162,8 @@
         <translation>gemessen an dem, was seine Ströme mit der Drehzahl machen, hält das Board seinen Rotor für mehr als 60 elektrische Grad neben dem, wo er ist: sein Fluss wird nicht genannt</translation>
     </message>
     <message>
-        <source>the rotor all but stood for %1 s of it, which count for nothing</source>
-        <translation>der Rotor stand %1 s davon fast still, die nicht zählen</translation>
+        <source>the rotor nearly stood still for %1 s: that time was left out</source>
+        <translation>der Rotor stand %1 s lang fast still: diese Zeit zählt nicht</translation>
     </message>
     <message>
         <source>%1 % of the samples do not fit the others and count for nothing</source>
@@ -1303,15 +1315,15 @@
     </message>
     <message>
         <source>the port was closed</source>
-        <translation>der Port wurde geschlossen</translation>
+        <translation>die Schnittstelle wurde geschlossen</translation>
     </message>
     <message>
         <source>the port was lost</source>
-        <translation>der Port ging verloren</translation>
+        <translation>die Schnittstelle ging verloren</translation>
     </message>
     <message>
-        <source>somebody else commanded the motor</source>
-        <translation>jemand anders hat dem Motor etwas befohlen</translation>
+        <source>another command went to the motor</source>
+        <translation>ein anderer Befehl ging an den Motor</translation>
     </message>
     <message>
         <source>the drive was disarmed</source>
@@ -1327,7 +1339,7 @@
     </message>
     <message>
         <source>no port is open</source>
-        <translation>kein Port ist offen</translation>
+        <translation>keine Schnittstelle ist offen</translation>
     </message>
     <message>
         <source>another experiment is running</source>
@@ -1457,6 +1469,46 @@
         <source>step %1 (down)</source>
         <translation>Sprung %1 (herunter)</translation>
     </message>
+    <message>
+        <source>the board does not give %1, and without it nothing bounds its bus</source>
+        <translation>das Board gibt %1 nicht her, und ohne das begrenzt nichts seinen Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>the board is at %1 °C, and %2 °C end an experiment: let it cool down first</source>
+        <translation>das Board hat %1 °C, und %2 °C beenden einen Versuch: erst abkühlen lassen</translation>
+    </message>
+    <message>
+        <source>it was not over within %1 s</source>
+        <translation>es war nach %1 s nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>This board sends its samples once an exchange: experiments need them at the rate of its control loop.</source>
+        <translation>Dieses Board sendet seine Messwerte einmal je Austausch: Versuche brauchen sie im Takt seines Regelkreises.</translation>
+    </message>
+    <message>
+        <source>This board does not record the speed that its main sensor tells.</source>
+        <translation>Dieses Board zeichnet die Drehzahl seines Hauptsensors nicht auf.</translation>
+    </message>
+    <message>
+        <source>This board does not record both the current of its motor and what it is to be.</source>
+        <translation>Dieses Board zeichnet nicht beides auf, den Strom seines Motors und dessen Sollwert.</translation>
+    </message>
+    <message>
+        <source>This board records %1 signals at a time, and experiments need %2.</source>
+        <translation>Dieses Board zeichnet %1 Signale gleichzeitig auf, und Versuche brauchen %2.</translation>
+    </message>
+    <message>
+        <source>samples of %1 s are missing in it: only what is without a gap counts</source>
+        <translation>darin fehlen Abtastwerte von %1 s: nur was lückenlos ist, zählt</translation>
+    </message>
+    <message>
+        <source>its samples are %1 ms apart, too far for the response of a speed: %2 ms are the most</source>
+        <translation>ihre Abtastwerte liegen %1 ms auseinander, zu weit für den Frequenzgang einer Drehzahl: höchstens %2 ms</translation>
+    </message>
+    <message>
+        <source>its samples are %1 ms apart, too far for the response of a current: %2 ms are the most</source>
+        <translation>ihre Abtastwerte liegen %1 ms auseinander, zu weit für den Frequenzgang eines Stroms: höchstens %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -1551,10 +1603,6 @@
         <translation>Es gibt keine Schnittstelle %1. Schließen Sie das Board an oder wählen Sie eine andere Schnittstelle.</translation>
     </message>
     <message>
-        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
-        <translation>Sie dürfen %1 nicht benutzen. Führen Sie „sudo adduser $USER dialout“ aus, melden Sie sich dann ab und wieder an.</translation>
-    </message>
-    <message>
         <source>%1 is in use%2. Close what uses it, then connect again.</source>
         <translation>%1 wird benutzt%2. Schließen Sie, was sie benutzt, und verbinden Sie dann erneut.</translation>
     </message>
@@ -1577,6 +1625,10 @@
     <message>
         <source>%1 cannot be opened%2. Check the cable, then connect again.</source>
         <translation>%1 kann nicht geöffnet werden%2. Prüfen Sie das Kabel und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>You may not use %1. Join the group that owns it (serial ports: &quot;sudo usermod -aG dialout $USER&quot;), then log out and in again.</source>
+        <translation>Sie dürfen %1 nicht benutzen. Treten Sie der Gruppe bei, der es gehört (serielle Schnittstellen: „sudo usermod -aG dialout $USER“), melden Sie sich dann ab und wieder an.</translation>
     </message>
 </context>
 <context>
@@ -2012,7 +2064,7 @@
     </message>
     <message>
         <source>It ends the experiment that is running; where nothing else bounds the motor, as in torque control, every motor is stopped instead.</source>
-        <translation>Es beendet das Experiment, das läuft; wo nichts anderes den Motor in Grenzen hält, wie in der Drehmomentregelung, wird stattdessen jeder Motor gestoppt.</translation>
+        <translation>Es beendet den laufenden Versuch; wo nichts anderes den Motor in Grenzen hält, wie in der Drehmomentregelung, wird stattdessen jeder Motor gestoppt.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -2069,8 +2121,8 @@
         <translation>Schreiben</translation>
     </message>
     <message>
-        <source>person</source>
-        <translation>Person</translation>
+        <source>user</source>
+        <translation>Benutzer</translation>
     </message>
     <message>
         <source>command line</source>
@@ -2243,7 +2295,7 @@
     </message>
     <message>
         <source>Strength of the magnets, as the board has it: Ke (V rms between two terminals at 1000 rpm) in standard firmware, V/Hz in HSO firmware. Which of both is judged by the flux that it makes.</source>
-        <translation>Stärke der Magnete, wie das Board sie hat: Ke (V effektiv zwischen zwei Klemmen bei 1000 U/min) in Standard-Firmware, V/Hz in HSO-Firmware. Welches von beiden, wird am Fluss erkannt, der daraus folgt.</translation>
+        <translation>Stärke der Magnete, wie das Board sie hat: Ke (V effektiv zwischen zwei Klemmen bei 1000 rpm) in Standard-Firmware, V/Hz in HSO-Firmware. Welches von beiden, wird am Fluss erkannt, der daraus folgt.</translation>
     </message>
     <message>
         <source>Resistance Rs</source>
@@ -2743,10 +2795,6 @@
         <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
     </message>
     <message>
-        <source>The like within these caps is not asked about again until disarmed. Esc stops every motor at any time.</source>
-        <translation>Nach Gleichem innerhalb dieser Grenzen wird nicht wieder gefragt, bis die Freigabe endet. Esc stoppt jederzeit jeden Motor.</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Ausführen</translation>
     </message>
@@ -2757,6 +2805,22 @@
     <message>
         <source>It rests: it is started for each of these, and stopped afterwards.</source>
         <translation>Er ruht: er wird für jedes davon gestartet und danach gestoppt.</translation>
+    </message>
+    <message>
+        <source>This board does not tell its bus voltage: nothing bounds it.</source>
+        <translation>Dieses Board nennt seine Zwischenkreisspannung nicht: nichts begrenzt sie.</translation>
+    </message>
+    <message>
+        <source>A step down brakes the motor, which feeds the bus: only the cap of the bus voltage bounds that.</source>
+        <translation>Ein Sprung nach unten bremst den Motor, und der speist den Zwischenkreis: nur die Schranke der Zwischenkreisspannung begrenzt das.</translation>
+    </message>
+    <message>
+        <source>A step down brakes the motor, which feeds the bus.</source>
+        <translation>Ein Sprung nach unten bremst den Motor, und der speist den Zwischenkreis.</translation>
+    </message>
+    <message>
+        <source>The like within these caps and this time is not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation>Nach Gleichem innerhalb dieser Schranken und dieser Zeit wird bis zum Entzug der Freigabe nicht mehr gefragt. Esc stoppt jederzeit jeden Motor.</translation>
     </message>
 </context>
 <context>
@@ -2910,7 +2974,7 @@
     </message>
     <message>
         <source>rise %1 ms, overshoot %2 %, settling %3 ms</source>
-        <translation>Anstieg %1 ms, Überschwingen %2 %, Einschwingen %3 ms</translation>
+        <translation>Anstieg %1 ms, Überschwingen %2 %, Ausregelzeit %3 ms</translation>
     </message>
     <message>
         <source>J %1 kg m², friction %2 and %3</source>
@@ -2986,6 +3050,21 @@
     </message>
 </context>
 <context>
+    <name>SettingsFile</name>
+    <message>
+        <source>The settings could not be read, so all are as at first. The damaged file is kept as %1.</source>
+        <translation>Die Einstellungen waren nicht lesbar, alle sind wie am Anfang. Die beschädigte Datei bleibt als %1 erhalten.</translation>
+    </message>
+    <message>
+        <source>The settings could not be read, so all are as at first. The damaged file %1 is replaced when Rotorscope ends.</source>
+        <translation>Die Einstellungen waren nicht lesbar, alle sind wie am Anfang. Die beschädigte Datei %1 wird beim Beenden von Rotorscope ersetzt.</translation>
+    </message>
+    <message>
+        <source>Settings and notes cannot be saved (%1): what is changed now is lost when Rotorscope ends.</source>
+        <translation>Einstellungen und Notizen lassen sich nicht speichern (%1): Was jetzt geändert wird, geht beim Beenden von Rotorscope verloren.</translation>
+    </message>
+</context>
+<context>
     <name>Shaft</name>
     <message>
         <source>A move to an angle needs a time.</source>
@@ -3028,66 +3107,6 @@
         <translation>sie hat mehr Register als jedes Board</translation>
     </message>
     <message>
-        <source>it has no name</source>
-        <comment>a register in a file</comment>
-        <translation>es hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>it has no motor from 0 to 7</source>
-        <comment>a register in a file</comment>
-        <translation>es hat keinen Motor von 0 bis 7</translation>
-    </message>
-    <message>
-        <source>it has no id</source>
-        <comment>a register in a file</comment>
-        <translation>es hat keine Nummer</translation>
-    </message>
-    <message>
-        <source>it has no known type</source>
-        <comment>a register in a file</comment>
-        <translation>es hat keinen bekannten Typ</translation>
-    </message>
-    <message>
-        <source>its raw number does not fit its type</source>
-        <comment>a register in a file</comment>
-        <translation>seine Rohzahl passt nicht in seinen Typ</translation>
-    </message>
-    <message>
-        <source>it has neither bits nor a raw number</source>
-        <comment>a register in a file</comment>
-        <translation>es hat weder Bits noch eine Rohzahl</translation>
-    </message>
-    <message>
-        <source>it has no raw text</source>
-        <comment>a register in a file</comment>
-        <translation>es hat keinen Rohtext</translation>
-    </message>
-    <message>
-        <source>its bytes are no pairs of hexadecimal digits</source>
-        <comment>a register in a file</comment>
-        <translation>seine Bytes sind keine Paare von Hexadezimalziffern</translation>
-    </message>
-    <message>
-        <source>it is there twice</source>
-        <comment>a register in a file</comment>
-        <translation>es ist zweimal da</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: in line %2 %3 (%4).</source>
-        <comment>file, number, what is wrong, the parser&apos;s words</comment>
-        <translation>%1 ist nicht zu gebrauchen: In Zeile %2 %3 (%4).</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: %2.</source>
-        <comment>file, what is wrong</comment>
-        <translation>%1 ist nicht zu gebrauchen: %2.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: line %2, register %3: %4.</source>
-        <comment>file, number, name, what is wrong</comment>
-        <translation>%1 ist nicht zu gebrauchen: Zeile %2, Register %3: %4.</translation>
-    </message>
-    <message>
         <source>This board does not have it, or it cannot be written there.</source>
         <translation>Dieses Board hat es nicht, oder es ist dort nicht zu schreiben.</translation>
     </message>
@@ -3097,7 +3116,7 @@
     </message>
     <message>
         <source>Not restored: it moves a motor.</source>
-        <translation>Nicht zurückgeschrieben: Es bewegt einen Motor.</translation>
+        <translation>Nicht wiederhergestellt: Es bewegt einen Motor.</translation>
     </message>
     <message>
         <source>Writing it can move something, and its motor is not idle.</source>
@@ -3106,6 +3125,54 @@
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
         <translation>Firmware gibt es in anderer Form aus, als sie es annimmt.</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>es hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>it has no motor from 0 to 7</source>
+        <translation>es hat keinen Motor von 0 bis 7</translation>
+    </message>
+    <message>
+        <source>it has no id</source>
+        <translation>es hat keine Nummer</translation>
+    </message>
+    <message>
+        <source>it has no known type</source>
+        <translation>es hat keinen bekannten Typ</translation>
+    </message>
+    <message>
+        <source>its raw number does not fit its type</source>
+        <translation>seine Rohzahl passt nicht in seinen Typ</translation>
+    </message>
+    <message>
+        <source>it has neither bits nor a raw number</source>
+        <translation>es hat weder Bits noch eine Rohzahl</translation>
+    </message>
+    <message>
+        <source>it has no raw text</source>
+        <translation>es hat keinen Rohtext</translation>
+    </message>
+    <message>
+        <source>its bytes are no pairs of hexadecimal digits</source>
+        <translation>seine Bytes sind keine Paare von Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <translation>es ist zweimal da</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: in line %2 %3 (%4).</source>
+        <translation>%1 ist nicht zu gebrauchen: In Zeile %2 %3 (%4).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2.</source>
+        <translation>%1 ist nicht zu gebrauchen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: line %2, register %3: %4.</source>
+        <translation>%1 ist nicht zu gebrauchen: Zeile %2, Register %3: %4.</translation>
     </message>
 </context>
 <context>
@@ -3373,8 +3440,8 @@
     <message numerus="yes">
         <source>%n register(s) restored and verified.</source>
         <translation>
-            <numerusform>%n Register zurückgesetzt und geprüft.</numerusform>
-            <numerusform>%n Register zurückgesetzt und geprüft.</numerusform>
+            <numerusform>%n Register wiederhergestellt und geprüft.</numerusform>
+            <numerusform>%n Register wiederhergestellt und geprüft.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3704,15 +3771,15 @@
     </message>
     <message>
         <source>port open</source>
-        <translation>Port offen</translation>
+        <translation>Schnittstelle offen</translation>
     </message>
     <message>
         <source>port not open</source>
-        <translation>Port nicht offen</translation>
+        <translation>Schnittstelle nicht offen</translation>
     </message>
     <message>
         <source>port closed</source>
-        <translation>Port geschlossen</translation>
+        <translation>Schnittstelle geschlossen</translation>
     </message>
     <message>
         <source>no board</source>
@@ -3765,11 +3832,19 @@
     </message>
     <message>
         <source>replay, no port</source>
-        <translation>Wiedergabe, kein Port</translation>
+        <translation>Wiedergabe, keine Schnittstelle</translation>
     </message>
     <message>
         <source>board as recorded</source>
         <translation>Board wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Clock [Hz]</source>
+        <translation>Takt [Hz]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an SPI clock from 10 kHz to 100 MHz, in Hz.</source>
+        <translation>„%1“ ist kein SPI-Takt von 10 kHz bis 100 MHz, in Hz.</translation>
     </message>
 </context>
 <context>
@@ -3893,16 +3968,16 @@
         <translation>&amp;Referenz des Wandlers [V]</translation>
     </message>
     <message>
-        <source>A full-scale current is a plain number from 0.001 to 10000 A, or nothing.</source>
-        <translation>Der Vollausschlag ist eine einfache Zahl von 0,001 bis 10000 A, oder nichts.</translation>
-    </message>
-    <message>
         <source>1 digit is %1 mA; 1 A is %2 digits.</source>
         <translation>1 Digit ist %1 mA; 1 A sind %2 Digits.</translation>
     </message>
     <message>
         <source>Currents are shown in digits.</source>
         <translation>Ströme werden in Digits gezeigt.</translation>
+    </message>
+    <message>
+        <source>A full-scale current is a plain number from 0.001 to %1 A, or nothing.</source>
+        <translation>Der Vollausschlag ist eine einfache Zahl von 0,001 bis %1 A, oder nichts.</translation>
     </message>
 </context>
 <context>
@@ -4035,7 +4110,7 @@
     </message>
     <message>
         <source>Recovery</source>
-        <translation>Erholung</translation>
+        <translation>Wiederherstellung</translation>
     </message>
     <message>
         <source>Loss</source>
@@ -4071,7 +4146,7 @@
     </message>
     <message>
         <source>Enter shows an event on the scope, F2 edits a marker&apos;s note, Delete removes a marker</source>
-        <translation>Enter zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
+        <translation>Eingabetaste zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -4175,7 +4250,7 @@
     </message>
     <message>
         <source>Experiment: %1</source>
-        <translation>Experiment: %1</translation>
+        <translation>Versuch: %1</translation>
     </message>
 </context>
 <context>
@@ -4397,6 +4472,10 @@
     <message>
         <source>The recording is still being read: its outline is not exported.</source>
         <translation>Die Aufzeichnung wird noch gelesen: ihr Umriss wird nicht exportiert.</translation>
+    </message>
+    <message>
+        <source>%1 holds no samples: there are none in the chosen range.</source>
+        <translation>%1 enthält keine Abtastwerte: Im gewählten Bereich gibt es keine.</translation>
     </message>
 </context>
 <context>
@@ -4989,7 +5068,7 @@
     </message>
     <message>
         <source>The motor is being jogged.</source>
-        <translation>Der Motor wird gerade getippt.</translation>
+        <translation>Der Motor läuft im Tippbetrieb.</translation>
     </message>
     <message>
         <source>Give a speed to jog at.</source>
@@ -5015,7 +5094,7 @@
     </message>
     <message>
         <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
-        <translation>Kein Anschluss ist offen, der einen Stopp übertragen könnte. Vielleicht dreht sich noch ein Motor, und nichts sagt, wie schnell.</translation>
+        <translation>Keine Schnittstelle ist offen, die einen Stopp übertragen könnte. Vielleicht dreht sich noch ein Motor, und nichts sagt, wie schnell.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5055,7 +5134,7 @@
     </message>
     <message>
         <source>Stopping the motors before the port is closed…</source>
-        <translation>Die Motoren werden gestoppt, bevor der Anschluss geschlossen wird …</translation>
+        <translation>Die Motoren werden gestoppt, bevor die Schnittstelle geschlossen wird …</translation>
     </message>
     <message>
         <source>Disconnect all the same…</source>
@@ -5222,6 +5301,18 @@
         <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
         <translation>Langsamer als vorhergesagt: Durchtritt %1 Hz statt %2 Hz. Aus diesem Frequenzgang werden nähere vorgeschlagen; „Zurück zu den alten Verstärkungen“ holt die alten zurück.</translation>
     </message>
+    <message>
+        <source>Nothing is proved: response and steps did not both come to their end.</source>
+        <translation>Nichts ist nachgewiesen: Frequenzgang und Sprünge kamen nicht beide zu ihrem Ende.</translation>
+    </message>
+    <message>
+        <source>Worse than predicted: its steps overshoot by %1 % instead of %2 %. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
+        <translation>Schlechter als vorhergesagt: Die Sprünge schwingen um %1 % über statt um %2 %. Aus diesem Frequenzgang werden passendere Verstärkungen vorgeschlagen; „Zurück zu den alten Verstärkungen“ stellt jene wieder her.</translation>
+    </message>
+    <message>
+        <source>Neither proved nor refuted: the overshoot of its steps could not be measured. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation>Weder nachgewiesen noch widerlegt: Das Überschwingen der Sprünge war nicht messbar. „Zurück zu den alten Verstärkungen“ stellt sie wieder her.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MainWindow</name>
@@ -5255,7 +5346,7 @@
     </message>
     <message>
         <source>&amp;Refresh the list of ports</source>
-        <translation>Liste der &amp;Schnittstellen auffrischen</translation>
+        <translation>Liste der Schnittstellen au&amp;ffrischen</translation>
     </message>
     <message>
         <source>&amp;Motor</source>
@@ -5339,7 +5430,7 @@
     </message>
     <message>
         <source>S&amp;top the ramp</source>
-        <translation>Die &amp;Rampe anhalten</translation>
+        <translation>Die Ram&amp;pe anhalten</translation>
     </message>
     <message>
         <source>%1 – Rotorscope</source>
@@ -5404,10 +5495,6 @@
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Signals of the &amp;file</source>
-        <translation>Signale der &amp;Datei</translation>
-    </message>
-    <message>
         <source>Replay of %1</source>
         <translation>Wiedergabe von %1</translation>
     </message>
@@ -5422,10 +5509,6 @@
     <message>
         <source>&amp;Faults and their causes…</source>
         <translation>&amp;Fehler und ihre Ursachen …</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Z&amp;uletzt verwendet</translation>
     </message>
     <message>
         <source>Open a &amp;workspace…</source>
@@ -5462,6 +5545,14 @@
     <message>
         <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
         <translation>Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen hatte: %1.</translation>
+    </message>
+    <message>
+        <source>Open recen&amp;t</source>
+        <translation>Z&amp;uletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Signals of t&amp;he file</source>
+        <translation>Signale der &amp;Datei</translation>
     </message>
 </context>
 <context>
@@ -5778,7 +5869,7 @@
     </message>
     <message>
         <source>The question was withdrawn, and nothing was sent: the board stopped answering for a moment. Press again to be asked again.</source>
-        <translation>Die Frage wurde zurückgezogen, und nichts wurde gesendet: Die Platine antwortete einen Moment nicht. Drücken Sie noch einmal, um wieder gefragt zu werden.</translation>
+        <translation>Die Frage wurde zurückgezogen, und nichts wurde gesendet: Das Board antwortete einen Moment nicht. Drücken Sie noch einmal, um wieder gefragt zu werden.</translation>
     </message>
     <message>
         <source>Nothing was sent: the board stopped answering for a moment, and the motor is not as it was asked about. Press again.</source>
@@ -5857,6 +5948,10 @@
         <source>%1 cannot be written (%2). Choose another folder.</source>
         <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner.</translation>
     </message>
+    <message>
+        <source>%1 earlier acts are left out.</source>
+        <translation>%1 frühere Handlungen sind weggelassen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotorConverter</name>
@@ -5882,7 +5977,7 @@
     </message>
     <message>
         <source>V rms between two terminals at 1000 rpm, as ST gives it.</source>
-        <translation>V effektiv zwischen zwei Klemmen bei 1000 U/min, wie ST es angibt.</translation>
+        <translation>V effektiv zwischen zwei Klemmen bei 1000 rpm, wie ST es angibt.</translation>
     </message>
     <message>
         <source>rpm per volt, peak, between two terminals, as model motors are sold.</source>
@@ -6226,7 +6321,7 @@
     </message>
     <message>
         <source>Ke = λ · p · 104.72 rad/s · √3 / √2: V rms between two terminals at 1000 rpm.</source>
-        <translation>Ke = λ · p · 104,72 rad/s · √3 / √2: V effektiv zwischen zwei Klemmen bei 1000 U/min.</translation>
+        <translation>Ke = λ · p · 104,72 rad/s · √3 / √2: V effektiv zwischen zwei Klemmen bei 1000 rpm.</translation>
     </message>
     <message>
         <source>Speed constant KV</source>
@@ -6450,6 +6545,10 @@
         <source>cap %1 rpm</source>
         <translation>Grenze %1 rpm</translation>
     </message>
+    <message>
+        <source>Current at rest [A]</source>
+        <translation>Strom im Stillstand [A]</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RampForm</name>
@@ -6609,7 +6708,7 @@
     </message>
     <message>
         <source>Torque ramp</source>
-        <translation>Momentenrampe</translation>
+        <translation>Drehmomentrampe</translation>
     </message>
     <message>
         <source>Current reference</source>
@@ -6849,7 +6948,7 @@
     </message>
     <message>
         <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
-        <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
+        <translation>Eingabetaste zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
     </message>
     <message>
         <source>off</source>
@@ -7326,7 +7425,7 @@
     </message>
     <message>
         <source>Register &amp;columns</source>
-        <translation>&amp;Spalten der Register</translation>
+        <translation>S&amp;palten der Register</translation>
     </message>
     <message>
         <source>&amp;Pin the register or let it go</source>
@@ -7405,7 +7504,7 @@
     </message>
     <message>
         <source>What was recorded to a disk stays there, and markers stay.</source>
-        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort, und Marker bleiben.</translation>
+        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort, und Markierungen bleiben.</translation>
     </message>
     <message>
         <source>&amp;Clear</source>
@@ -7507,7 +7606,7 @@
     </message>
     <message>
         <source>speed loop, open</source>
-        <translation>Drehzahlkreis, offen</translation>
+        <translation>Drehzahlregelkreis, offen</translation>
     </message>
     <message>
         <source>motor</source>
@@ -7515,11 +7614,11 @@
     </message>
     <message>
         <source>current loop, open</source>
-        <translation>Stromkreis, offen</translation>
+        <translation>Stromregelkreis, offen</translation>
     </message>
     <message>
         <source>current loop, closed</source>
-        <translation>Stromkreis, geschlossen</translation>
+        <translation>Stromregelkreis, geschlossen</translation>
     </message>
     <message>
         <source>What if &amp;Kp</source>
@@ -7540,10 +7639,6 @@
     <message>
         <source>&amp;Back to the old gains</source>
         <translation>&amp;Zurück zu den alten Verstärkungen</translation>
-    </message>
-    <message>
-        <source>Loops: measured, thought of, proposed, proved</source>
-        <translation>Regelkreise: gemessen, gedacht, vorgeschlagen, geprüft</translation>
     </message>
     <message>
         <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
@@ -7595,11 +7690,11 @@
     </message>
     <message>
         <source>proved</source>
-        <translation>geprüft</translation>
+        <translation>nachgewiesen</translation>
     </message>
     <message>
         <source>current loop</source>
-        <translation>Stromkreis</translation>
+        <translation>Stromregelkreis</translation>
     </message>
     <message>
         <source>As measured, at the current that flowed</source>
@@ -7641,6 +7736,10 @@
     <message>
         <source>With these gains the loop would be unstable: its speed would swing ever more.</source>
         <translation>Mit diesen Verstärkungen wäre der Regelkreis instabil: seine Drehzahl würde immer stärker schwingen.</translation>
+    </message>
+    <message>
+        <source>Loops: measured, what if, proposed, proved</source>
+        <translation>Regelkreise: gemessen, was wäre wenn, vorgeschlagen, nachgewiesen</translation>
     </message>
 </context>
 <context>
@@ -7813,7 +7912,7 @@
     </message>
     <message>
         <source>The scale of the current is not known: digits only.</source>
-        <translation>Der Maßstab des Stroms ist nicht bekannt: nur Digits.</translation>
+        <translation>Die Stromskala ist nicht bekannt: nur Digits.</translation>
     </message>
     <message>
         <source>The next start is drawn over the plan.</source>
@@ -7858,22 +7957,6 @@
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>%1 ist nicht lesbar: %2.</translation>
-    </message>
-    <message>
-        <source>the numbers of its stage %1 do not fit</source>
-        <translation>die Zahlen der Stufe %1 passen nicht</translation>
-    </message>
-    <message>
-        <source>it has no stages, or more than five</source>
-        <translation>sie enthält keine Stufen oder mehr als fünf</translation>
-    </message>
-    <message>
-        <source>it is not JSON</source>
-        <translation>sie ist kein JSON</translation>
-    </message>
-    <message>
-        <source>%1 is no rev-up: %2.</source>
-        <translation>%1 ist kein Anlauf: %2.</translation>
     </message>
     <message>
         <source>%1 was not taken: its stage %2 is beyond this board&apos;s limits.</source>
@@ -8036,7 +8119,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Digits of the proportional and the integral gain of the speed loop</source>
-        <translation>Ziffern der Proportional- und der Integralverstärkung des Drehzahlreglers</translation>
+        <translation>Digits der Proportional- und der Integralverstärkung des Drehzahlreglers</translation>
     </message>
     <message>
         <source>Run</source>
@@ -8406,10 +8489,6 @@ mN·m</translation>
         <translation>Cursor &amp;A nehmen</translation>
     </message>
     <message>
-        <source>Take cursor &amp;B</source>
-        <translation>Cursor &amp;B nehmen</translation>
-    </message>
-    <message>
         <source>Set a &amp;marker</source>
         <translation>&amp;Markierung setzen</translation>
     </message>
@@ -8439,31 +8518,19 @@ mN·m</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Gitter</translation>
+        <translation>G&amp;itter</translation>
     </message>
     <message>
         <source>A strip with everything recorded, and a box around what the plots show (O)</source>
         <translation>Ein Streifen mit allem Aufgezeichneten und ein Rahmen um das, was die Diagramme zeigen (O)</translation>
     </message>
     <message>
-        <source>Keep as &amp;reference A</source>
-        <translation>Als &amp;Referenz A behalten</translation>
-    </message>
-    <message>
         <source>&amp;Drop reference A</source>
-        <translation>Referenz A &amp;verwerfen</translation>
+        <translation>Referen&amp;z A verwerfen</translation>
     </message>
     <message>
         <source>Keep as reference &amp;B</source>
         <translation>Als Referenz &amp;B behalten</translation>
-    </message>
-    <message>
-        <source>Drop re&amp;ference B</source>
-        <translation>Referenz B ver&amp;werfen</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt event of reference A</source>
-        <translation>Nä&amp;chstes Ereignis der Referenz A</translation>
     </message>
     <message>
         <source>Next e&amp;vent of reference B</source>
@@ -8472,6 +8539,22 @@ mN·m</translation>
     <message>
         <source>Lays another moment of its file at the trigger, or at the left edge of a picture that rolls</source>
         <translation>Legt einen anderen Augenblick ihrer Datei an den Trigger oder an den linken Rand eines laufenden Bildes</translation>
+    </message>
+    <message>
+        <source>Take c&amp;ursor B</source>
+        <translation>C&amp;ursor B nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as reference A</source>
+        <translation>Als &amp;Referenz A behalten</translation>
+    </message>
+    <message>
+        <source>D&amp;rop reference B</source>
+        <translation>Referenz B ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Next event o&amp;f reference A</source>
+        <translation>Nä&amp;chstes Ereignis der Referenz A</translation>
     </message>
 </context>
 <context>
@@ -8533,7 +8616,7 @@ mN·m</translation>
     <name>widgets::Searching</name>
     <message>
         <source>Ne&amp;xt where the trigger is met</source>
-        <translation>Nä&amp;chste Stelle mit erfülltem Trigger</translation>
+        <translation>Nächste Stelle mit erf&amp;ülltem Trigger</translation>
     </message>
     <message>
         <source>Goes on to the next place in what was recorded where the trigger&apos;s condition is met (N)</source>
@@ -8662,7 +8745,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Speeds and currents travel in every frame that is exchanged with the drive, instead of as a write of their own. Stop and a fault set them to zero; a reset or a lost link ends it. Positions are always written.</source>
-        <translation>Drehzahlen und Ströme reisen in jedem Telegramm, das mit dem Antrieb ausgetauscht wird, statt einzeln geschrieben zu werden. Stopp und ein Fehler setzen sie auf null; ein Neustart des Antriebs oder eine verlorene Verbindung beendet es. Positionen werden immer geschrieben.</translation>
+        <translation>Drehzahlen und Ströme werden in jedem Telegramm mitgesendet, das mit dem Antrieb ausgetauscht wird, statt einzeln geschrieben zu werden. Stopp und ein Fehler setzen sie auf null; ein Neustart des Antriebs oder eine verlorene Verbindung beendet es. Positionen werden immer geschrieben.</translation>
     </message>
     <message>
         <source>Set-points with every exchange</source>
@@ -9355,7 +9438,7 @@ mN·m</translation>
     <message>
         <source>%1 digits</source>
         <comment>a gain whose unit is not known</comment>
-        <translation>%1 Digit</translation>
+        <translation>%1 Digits</translation>
     </message>
 </context>
 <context>
@@ -9446,7 +9529,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Control periods that no packet holds</source>
-        <translation>Regeltakte, die in keinem Paket stehen</translation>
+        <translation>Regelperioden, die in keinem Paket stehen</translation>
     </message>
     <message>
         <source>%1 samples were recorded by the board but came too fast to be shown.</source>
@@ -9478,8 +9561,8 @@ mN·m</translation>
         <translation>Wiedergabe von %1</translation>
     </message>
     <message>
-        <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
-        <translation>Dieser Antrieb hält seinen Motor von selbst an, wenn er so lange nicht gefüttert wurde. Ein lebendes Fenster füttert ihn, und nur solange freigegeben ist: Ohne Freigabe hält an, was sich dreht. Das ist keine Sicherheitsfunktion.</translation>
+        <source>This drive stops its motor by itself when it has not been fed for that time. It needs a sign of life from a window that responds and is armed: disarming stops what turns. It is not a safety function.</source>
+        <translation>Dieser Antrieb hält seinen Motor von selbst an, wenn er so lange kein Lebenszeichen bekommt. Das sendet nur ein Fenster, das reagiert und freigegeben ist: Ohne Freigabe hält er an. Das ist keine Sicherheitsfunktion.</translation>
     </message>
 </context>
 <context>
@@ -9570,7 +9653,7 @@ mN·m</translation>
     </message>
     <message>
         <source>The others show their difference to the chosen series (Enter)</source>
-        <translation>Die anderen zeigen ihren Unterschied zur gewählten Reihe (Enter)</translation>
+        <translation>Die anderen zeigen ihren Unterschied zur gewählten Reihe (Eingabetaste)</translation>
     </message>
     <message>
         <source>Takes the chosen series out of the table and the picture (Delete)</source>
@@ -9599,7 +9682,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation>Bezug</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -9679,7 +9762,7 @@ mN·m</translation>
     <message>
         <source>%1, ref.</source>
         <comment>number of the run that others are compared with</comment>
-        <translation>%1, Bez.</translation>
+        <translation>%1, Ref.</translation>
     </message>
 </context>
 <context>
@@ -9694,7 +9777,7 @@ mN·m</translation>
     </message>
     <message>
         <source>The port is open again, and the stop goes on.</source>
-        <translation>Der Anschluss ist wieder offen, und der Stopp geht weiter.</translation>
+        <translation>Die Schnittstelle ist wieder offen, und der Stopp geht weiter.</translation>
     </message>
     <message>
         <source>Motor %1: meanwhile standstill was measured.</source>
@@ -9719,7 +9802,7 @@ mN·m</translation>
     <message>
         <source>%1 is not open any more, and no evidence of the stop had come. The motor may still be turning. As soon as a port is open again, what is found there is stopped before anything else. Closing this message starts nothing again and takes nothing back.</source>
         <comment>one or more ports</comment>
-        <translation>%1 ist nicht mehr offen, und bis dahin gab es keinen Beleg für den Stopp. Der Motor dreht sich womöglich noch. Sobald wieder ein Anschluss offen ist, wird vor allem anderen gestoppt, was dort gefunden wird. Das Schließen dieser Meldung startet nichts und nimmt nichts zurück.</translation>
+        <translation>%1 ist nicht mehr offen, und bis dahin gab es keinen Beleg für den Stopp. Der Motor dreht sich womöglich noch. Sobald wieder eine Schnittstelle offen ist, wird vor allem anderen gestoppt, was dort gefunden wird. Das Schließen dieser Meldung startet nichts und nimmt nichts zurück.</translation>
     </message>
     <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
@@ -9913,7 +9996,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>&amp;Apply and prove</source>
-        <translation>A&amp;nwenden und prüfen</translation>
+        <translation>A&amp;nwenden und nachweisen</translation>
     </message>
     <message>
         <source>Writes the proposed gains as one step, which can be undone, reads them back, and measures the response and steps with them.</source>
@@ -9925,11 +10008,11 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>The board sees its rotor and is armed.</source>
-        <translation>Das Board sieht seinen Läufer und ist freigegeben.</translation>
+        <translation>Das Board sieht seinen Rotor und ist freigegeben.</translation>
     </message>
     <message>
         <source>The board observes its rotor without a sensor, and is armed.</source>
-        <translation>Das Board beobachtet seinen Läufer ohne Sensor und ist freigegeben.</translation>
+        <translation>Das Board beobachtet seinen Rotor ohne Sensor und ist freigegeben.</translation>
     </message>
     <message>
         <source>Crossover %1 Hz, Ms %2</source>
@@ -9996,7 +10079,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>6. Proof</source>
-        <translation>6. Beweis</translation>
+        <translation>6. Nachweis</translation>
     </message>
     <message>
         <source>waits</source>
@@ -10103,7 +10186,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>At &amp;most</source>
-        <translation>&amp;Höchstens</translation>
+        <translation>Höchste&amp;ns</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
@@ -10143,7 +10226,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>&amp;Record length</source>
-        <translation>Aufzeichnungs&amp;länge</translation>
+        <translation>Aufnahme&amp;länge</translation>
     </message>
     <message>
         <source>Set level to &amp;50 %</source>
@@ -10192,7 +10275,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>bench</source>
-        <translation>bank</translation>
+        <translation>pruefstand</translation>
     </message>
     <message>
         <source>%1 was not opened: %2</source>
@@ -10211,6 +10294,26 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Reference %1 is not in it: there is room for %2 samples.</source>
         <translation>Referenz %1 ist nicht darin: Platz ist für %2 Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>Replace the notes?</source>
+        <translation>Notizen ersetzen?</translation>
+    </message>
+    <message>
+        <source>The notes that are shown are in no workspace file. Those of %1 take their place.</source>
+        <translation>Die gezeigten Notizen stehen in keiner Arbeitsplatz-Datei. Die von %1 treten an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>They cannot be brought back.</source>
+        <translation>Sie lassen sich nicht zurückholen.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace the notes</source>
+        <translation>Notizen &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep these notes</source>
+        <translation>Diese Notizen &amp;behalten</translation>
     </message>
 </context>
 <context>

@@ -558,6 +558,22 @@
         <source>line %1, column %2: %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no stages, or more than five</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numbers of its stage %1 do not fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no rev-up: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GainTexts</name>
@@ -1038,10 +1054,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This board does not record the speed and the current of its motor at the rate of its control loop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the run ended early: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1146,7 +1158,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the rotor all but stood for %1 s of it, which count for nothing</source>
+        <source>the rotor nearly stood still for %1 s: that time was left out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1306,7 +1318,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>somebody else commanded the motor</source>
+        <source>another command went to the motor</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1457,6 +1469,46 @@
         <source>step %1 (down)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the board does not give %1, and without it nothing bounds its bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board is at %1 °C, and %2 °C end an experiment: let it cool down first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was not over within %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board sends its samples once an exchange: experiments need them at the rate of its control loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not record the speed that its main sensor tells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not record both the current of its motor and what it is to be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board records %1 signals at a time, and experiments need %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples of %1 s are missing in it: only what is without a gap counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its samples are %1 ms apart, too far for the response of a speed: %2 ms are the most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its samples are %1 ms apart, too far for the response of a current: %2 ms are the most</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -1551,10 +1603,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is in use%2. Close what uses it, then connect again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1576,6 +1624,10 @@
     </message>
     <message>
         <source>%1 cannot be opened%2. Check the cable, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You may not use %1. Join the group that owns it (serial ports: &quot;sudo usermod -aG dialout $USER&quot;), then log out and in again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2065,7 +2117,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>person</source>
+        <source>user</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2727,10 +2779,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The like within these caps is not asked about again until disarmed. Esc stops every motor at any time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2756,6 +2804,22 @@
     </message>
     <message>
         <source>The limits in the control panel bound what is asked for, these caps what is measured: up to %1 beyond the plan, and %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not tell its bus voltage: nothing bounds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step down brakes the motor, which feeds the bus: only the cap of the bus voltage bounds that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step down brakes the motor, which feeds the bus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The like within these caps and this time is not asked about again until disarmed. Esc stops every motor at any time.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2986,6 +3050,21 @@
     </message>
 </context>
 <context>
+    <name>SettingsFile</name>
+    <message>
+        <source>The settings could not be read, so all are as at first. The damaged file is kept as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings could not be read, so all are as at first. The damaged file %1 is replaced when Rotorscope ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings and notes cannot be saved (%1): what is changed now is lost when Rotorscope ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Shaft</name>
     <message>
         <source>A move to an angle needs a time.</source>
@@ -3028,66 +3107,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it has no name</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has no motor from 0 to 7</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has no id</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has no known type</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its raw number does not fit its type</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has neither bits nor a raw number</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has no raw text</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its bytes are no pairs of hexadecimal digits</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is there twice</source>
-        <comment>a register in a file</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: in line %2 %3 (%4).</source>
-        <comment>file, number, what is wrong, the parser&apos;s words</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: %2.</source>
-        <comment>file, what is wrong</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: line %2, register %3: %4.</source>
-        <comment>file, number, name, what is wrong</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This board does not have it, or it cannot be written there.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3105,6 +3124,54 @@
     </message>
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no motor from 0 to 7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no known type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its raw number does not fit its type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has neither bits nor a raw number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no raw text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its bytes are no pairs of hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: in line %2 %3 (%4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: line %2, register %3: %4.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3771,6 +3838,14 @@
         <source>board as recorded</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Clock [Hz]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an SPI clock from 10 kHz to 100 MHz, in Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ControlPanel</name>
@@ -3892,15 +3967,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A full-scale current is a plain number from 0.001 to 10000 A, or nothing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>1 digit is %1 mA; 1 A is %2 digits.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Currents are shown in digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A full-scale current is a plain number from 0.001 to %1 A, or nothing.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4395,6 +4470,10 @@
     </message>
     <message>
         <source>The recording is still being read: its outline is not exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no samples: there are none in the chosen range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5221,6 +5300,18 @@
         <source>Slower than predicted: crossover %1 Hz instead of %2 Hz. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing is proved: response and steps did not both come to their end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worse than predicted: its steps overshoot by %1 % instead of %2 %. Nearer gains are proposed from this response; &quot;Back to the old gains&quot; brings those back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither proved nor refuted: the overshoot of its steps could not be measured. &quot;Back to the old gains&quot; brings them back.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MainWindow</name>
@@ -5403,10 +5494,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Signals of the &amp;file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay of %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5420,10 +5507,6 @@
     </message>
     <message>
         <source>&amp;Faults and their causes…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5460,6 +5543,14 @@
     </message>
     <message>
         <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open recen&amp;t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals of t&amp;he file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5854,6 +5945,10 @@
     </message>
     <message>
         <source>%1 cannot be written (%2). Choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 earlier acts are left out.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6447,6 +6542,10 @@
     </message>
     <message>
         <source>cap %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current at rest [A]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7541,10 +7640,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loops: measured, thought of, proposed, proved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measures how motor and speed loop follow each frequency; then the motor is as it was.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7639,6 +7734,10 @@
     </message>
     <message>
         <source>With these gains the loop would be unstable: its speed would swing ever more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loops: measured, what if, proposed, proved</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7856,22 +7955,6 @@
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the numbers of its stage %1 do not fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it has no stages, or more than five</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is not JSON</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is no rev-up: %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8399,10 +8482,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take cursor &amp;B</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set a &amp;marker</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8435,10 +8514,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep as &amp;reference A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Drop reference A</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8447,15 +8522,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drop re&amp;ference B</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt event of reference A</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8464,6 +8531,22 @@ mN·m</source>
     </message>
     <message>
         <source>Lays another moment of its file at the trigger, or at the left edge of a picture that rolls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take c&amp;ursor B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep as reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D&amp;rop reference B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next event o&amp;f reference A</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9471,7 +9554,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
+        <source>This drive stops its motor by itself when it has not been fed for that time. It needs a sign of life from a window that responds and is armed: disarming stops what turns. It is not a safety function.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10202,6 +10285,26 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Reference %1 is not in it: there is room for %2 samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the notes?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The notes that are shown are in no workspace file. Those of %1 take their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They cannot be brought back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replace the notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep these notes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -46,6 +46,18 @@ void loadLanguage(QApplication &application, const std::string &language)
     }
 }
 
+/// What cannot be read at the start, or saved at the end, is told while there is a window to tell it.
+void tellAboutSettings(widgets::MainWindow &window, const widgets::Settings &settings,
+    const QString &file, const QString &damage)
+{
+    if (!damage.isEmpty())
+        window.warn(damage);
+    QObject::connect(&window, &widgets::MainWindow::settled, &window, [&window, settings, file] {
+        if (const QString why = widgets::saveSettings(settings, file); !why.isEmpty())
+            window.warn(why);
+    });
+}
+
 int run(int argc, char **argv, const gui::Arguments &arguments)
 {
     // Before the window, whose libraries have threads.
@@ -57,11 +69,12 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     QApplication::setApplicationName(QStringLiteral("rotorscope"));
     QApplication::setApplicationDisplayName(QStringLiteral("Rotorscope"));
     QApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("rotorscope"));
+    QApplication::setDesktopFileName(QStringLiteral("org.rotorscope.Rotorscope"));
     loadLanguage(application, arguments.language);
 
     const QString settingsFile = widgets::settingsPath();
-    widgets::Settings settings = widgets::loadSettings(settingsFile);
+    QString damage;
+    widgets::Settings settings = widgets::loadSettings(settingsFile, &damage);
     if (!arguments.port.empty())
         settings.port = QString::fromStdString(arguments.port);
     if (arguments.baud != 0)
@@ -74,6 +87,7 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     parts.guardian = guardian;
     widgets::Workbench workbench(session::makeDiskSink, std::move(parts));
     widgets::MainWindow window(workbench, ports, files, settings);
+    tellAboutSettings(window, settings, settingsFile, damage);
     widgets::OwnLimits limits(workbench.device(), session::limitsPath());
     QObject::connect(&limits, &widgets::OwnLimits::told, &window, &widgets::MainWindow::warn);
     limits.load();
@@ -95,7 +109,8 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
         QTimer::singleShot(0, &window,
             [&window, path = QFile::decodeName(arguments.file.c_str())] { window.openFile(path); });
     const int status = QApplication::exec();
-    widgets::saveSettings(window.settings(), settingsFile);
+    if (const QString why = widgets::saveSettings(window.settings(), settingsFile); !why.isEmpty())
+        std::cerr << "rotorscope: " << why.toStdString() << '\n';
     return status;
 }
 

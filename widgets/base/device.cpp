@@ -225,7 +225,7 @@ void Device::accept(const drive::Event &event)
             },
             [this](const capture::SampleBlock &block) { Q_EMIT samplesArrived(block); },
             [this](const drive::StopProgress &progress) { Q_EMIT stopAdvanced(progress); },
-            [this](const drive::MotionEntry &record) { Q_EMIT motionLogged(record); },
+            [this](const drive::MotionEntry &entry) { Q_EMIT motionLogged(entry); },
             [this](const drive::LinkCounters &counters) {
                 m_counters = counters;
                 Q_EMIT countersChanged();

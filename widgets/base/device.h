@@ -112,7 +112,7 @@ Q_SIGNALS:
     /// Ports at which a stop is wanted, and that are not open.
     void stopsWanted(const QStringList &ports);
     void interrupted(const session::Interruption &what); ///< what went on without the window
-    void motionLogged(const drive::MotionEntry &record);
+    void motionLogged(const drive::MotionEntry &entry);
     void countersChanged();
     void batchApplied();
 

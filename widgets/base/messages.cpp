@@ -286,7 +286,7 @@ QString motionSourceText(drive::Source source)
     using drive::Source;
     switch (source) {
     case Source::Person:
-        return Messages::tr("person");
+        return Messages::tr("user");
     case Source::CommandLine:
         return Messages::tr("command line");
     case Source::Script:

@@ -71,7 +71,7 @@ void followText(QLineEdit &edit, const QString &now)
 {
     if (now == edit.text())
         return;
-    // A field that nobody works in has no selection. In a window that is not active it is as in one that is.
+    // A field that is not being edited has no selection. In a window that is not active it is as in one that is.
     const bool all = edit.hasSelectedText() && edit.selectedText() == edit.text();
     const int from = edit.selectionStart(), length = edit.selectionLength();
     const int cursor = edit.cursorPosition();

@@ -103,8 +103,8 @@ void CurrentScaleDialog::follow()
     const auto amps = ampsIn(m_amps->text());
     m_ok->setEnabled(amps.has_value());
     if (!amps)
-        m_says->setText(
-            tr("A full-scale current is a plain number from 0.001 to 10000 A, or nothing."));
+        m_says->setText(tr("A full-scale current is a plain number from 0.001 to %1 A, or nothing.")
+                            .arg(numberText(drive::kHighestAmps, 0)));
     else if (*amps > 0.0)
         m_says->setText(tr("1 digit is %1 mA; 1 A is %2 digits.")
                             .arg(numberText(*amps / drive::kFullScaleDigits / kMilli, 4),

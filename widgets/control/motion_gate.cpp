@@ -100,7 +100,7 @@ void MotionGate::forgetStarts()
         open.startOf = 0;
 }
 
-/// People who are asked again and again learn to say yes without reading: a hiccup takes no question away.
+/// A short gap in the link leaves the question open: questions that return are answered without being read.
 void MotionGate::linkChanged()
 {
     using drive::LinkState;
@@ -344,6 +344,25 @@ std::optional<double> MotionGate::shaftOf(int motor) const
                    : std::nullopt;
 }
 
+/// The references of a motor that rests are left-overs, of an experiment for one: nothing follows them. A step begins
+/// where a start would go then; what is not controlled is at 0.
+void MotionGate::setReferences(drive::MotionScene &scene, int motor) const
+{
+    if (!m_device.statusIsNow(motor) || !drive::rests(scene.state)) {
+        scene.speedReferenceRpm = reading("SPEED_REF", motor);
+        scene.iqReferenceAmps = reading("I_Q_REF", motor);
+        scene.idReferenceAmps = reading("I_D_REF", motor);
+        return;
+    }
+    const drive::StartTarget target = startTarget(motor);
+    if (target.control == catalog::ControlMode::Other)
+        return; // not known
+    const bool torque = target.control == catalog::ControlMode::Torque;
+    scene.speedReferenceRpm = torque ? 0.0 : target.rpm;
+    scene.iqReferenceAmps = torque ? target.amps : 0.0;
+    scene.idReferenceAmps = 0.0;
+}
+
 drive::MotionScene MotionGate::sceneOf(int motor) const
 {
     const drive::MotorStatus status = m_device.status(motor);
@@ -359,9 +378,7 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     }
     scene.ownSpeedLimitRpm = m_device.userLimits().maxSpeedRpm;
     scene.speedRpm = status.speedRpm;
-    scene.speedReferenceRpm = reading("SPEED_REF", motor);
-    scene.iqReferenceAmps = reading("I_Q_REF", motor);
-    scene.idReferenceAmps = reading("I_D_REF", motor);
+    setReferences(scene, motor);
     if (const auto mode = reading("CONTROL_MODE", motor))
         scene.torqueMode =
             catalog::controlModeOf(std::llround(*mode)) == catalog::ControlMode::Torque;

@@ -78,6 +78,7 @@ Q_SIGNALS:
 
 private:
     drive::MotionScene sceneOf(int motor) const;
+    void setReferences(drive::MotionScene &scene, int motor) const;
     std::optional<double> reading(const char *name, int motor) const;
     std::optional<double> shaftOf(int motor) const; ///< where it is [rad]
     QStringList linesOf(const drive::WishContent &act, const drive::MotionScene &scene,

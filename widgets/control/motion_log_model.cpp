@@ -3,18 +3,20 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
-QString bytesText(const drive::MotionEntry &record)
+QString bytesText(const drive::MotionEntry &entry)
 {
     QStringList parts;
-    for (const Bytes &request : record.sent)
+    for (const Bytes &request : entry.sent)
         parts.append(QString::fromLatin1(QByteArray(
             reinterpret_cast<const char *>(request.data()), static_cast<qsizetype>(request.size()))
                                              .toHex(' ')
                                              .toUpper()));
-    if (record.requests > record.sent.size())
+    if (entry.requests > entry.sent.size())
         parts.append(QStringLiteral("\u2026"));
     return parts.join(QStringLiteral(" | "));
 }
@@ -28,14 +30,12 @@ MotionLogModel::MotionLogModel(QObject *parent)
 {
 }
 
-void MotionLogModel::accept(const drive::MotionEntry &record, const QDateTime &now)
+void MotionLogModel::accept(const drive::MotionEntry &entry, const QDateTime &now)
 {
-    if (m_log.size() >= kMost) {
-        ++m_leftOut;
-        return;
-    }
+    if (m_log.size() >= kMost)
+        leaveOutOldest();
     const int row = static_cast<int>(m_log.size());
-    session::LoggedMotion one = session::loggedNow(record, now);
+    session::LoggedMotion one = session::loggedNow(entry, now);
     if (m_clock.accept(one) && row > 0)
         Q_EMIT dataChanged(index(0, TimeColumn), index(row - 1, TimeColumn));
     beginInsertRows({}, row, row);
@@ -43,7 +43,18 @@ void MotionLogModel::accept(const drive::MotionEntry &record, const QDateTime &n
     endInsertRows();
 }
 
-QByteArray MotionLogModel::text() const { return session::motionLogText(m_log, who()); }
+void MotionLogModel::leaveOutOldest()
+{
+    const auto end = m_log.begin() + kLeftOutAtOnce;
+    beginRemoveRows({}, 0, static_cast<int>(kLeftOutAtOnce) - 1);
+    std::for_each(m_log.begin(), end, [this](const auto &one) { m_clock.forget(one); });
+    m_log.erase(m_log.begin(), end);
+    m_leftOut += kLeftOutAtOnce;
+    endRemoveRows();
+    cellsChanged(TimeColumn, TimeColumn);
+}
+
+QByteArray MotionLogModel::text() const { return session::motionLogText(m_log, who(), m_leftOut); }
 
 QString MotionLogModel::who() { return session::motionLogWho(QStringLiteral("Rotorscope")); }
 
@@ -58,29 +69,29 @@ QString MotionLogModel::copyText(const QList<int> &rows) const
 
 QString MotionLogModel::cell(const session::LoggedMotion &one, int column) const
 {
-    const drive::MotionEntry &record = one.record;
+    const drive::MotionEntry &entry = one.entry;
     switch (column) {
     case TimeColumn:
         // What became of a Stop is told when it was seen; all else when it was asked for.
-        return m_clock.at(one, record.stop ? record.ended : record.asked)
+        return m_clock.at(one, entry.stop ? entry.ended : entry.asked)
             .toLocalTime()
             .toString(QStringLiteral("HH:mm:ss.zzz"));
     case MotorColumn:
-        return record.motor > 0 ? QString::number(record.motor) : QStringLiteral("\u2013");
+        return entry.motor > 0 ? QString::number(entry.motor) : QStringLiteral("\u2013");
     case ActColumn:
-        return motionActText(record.act);
+        return motionActText(entry.act);
     case DetailColumn:
-        return deviceText(record.detail);
+        return deviceText(entry.detail);
     case OutcomeColumn: {
-        const QString end = record.stop ? stopWordText(*record.stop) : outcomeText(record.outcome);
-        return record.reason.empty()
+        const QString end = entry.stop ? stopWordText(*entry.stop) : outcomeText(entry.outcome);
+        return entry.reason.empty()
             ? end
-            : tr("%1 (%2)", "outcome, the board's word").arg(end, deviceText(record.reason));
+            : tr("%1 (%2)", "outcome, the board's word").arg(end, deviceText(entry.reason));
     }
     case SourceColumn:
-        return motionSourceText(record.source);
+        return motionSourceText(entry.source);
     case BytesColumn:
-        return bytesText(record);
+        return bytesText(entry);
     default:
         return {};
     }

@@ -12,6 +12,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
@@ -23,6 +24,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     , m_log(log)
     , m_files(files)
     , m_table(named(new QTableView(this), "motionLog", tr("Motion log")))
+    , m_leftOut(named(new QLabel(this), "motionLogLeftOut"))
 {
     m_table->setModel(&log);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -53,7 +55,10 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     side->addWidget(m_save);
     side->addStretch(1);
     auto *layout = edged(new QHBoxLayout(this), kToolEdges);
-    layout->addWidget(m_table, 1);
+    auto *rows = bare(new QVBoxLayout, kFineGrid);
+    rows->addWidget(m_leftOut); // above the oldest row
+    rows->addWidget(m_table, 1);
+    layout->addLayout(rows, 1);
     layout->addLayout(side);
 
     connect(&log, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
@@ -61,14 +66,16 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
         if (bar->value() == bar->maximum()) // older rows that are being read stay
             QMetaObject::invokeMethod(m_table, &QTableView::scrollToBottom, Qt::QueuedConnection);
     });
-    connect(&log, &QAbstractItemModel::rowsInserted, this, &MotionLogPanel::updateButtons);
-    connect(&log, &QAbstractItemModel::modelReset, this, &MotionLogPanel::updateButtons);
+    connect(&log, &QAbstractItemModel::rowsInserted, this, &MotionLogPanel::follow);
+    connect(&log, &QAbstractItemModel::modelReset, this, &MotionLogPanel::follow);
     setFocusProxy(m_table);
-    updateButtons();
+    follow();
 }
 
-void MotionLogPanel::updateButtons()
+void MotionLogPanel::follow()
 {
+    m_leftOut->setVisible(m_log.leftOut() > 0);
+    m_leftOut->setText(tr("%1 earlier acts are left out.").arg(QString::number(m_log.leftOut())));
     const bool some = m_log.rowCount() > 0;
     m_copy->setEnabled(some);
     m_save->setEnabled(some);

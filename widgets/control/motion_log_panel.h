@@ -4,6 +4,7 @@
 
 #include "widgets/base/form.h"
 
+class QLabel;
 class QTableView;
 
 namespace widgets {
@@ -27,11 +28,12 @@ Q_SIGNALS:
     void saved(const QString &path);
 
 private:
-    void updateButtons();
+    void follow();
 
     MotionLogModel &m_log;
     FilePrompt &m_files;
     QTableView *m_table;
+    QLabel *m_leftOut;
     QWidget *m_copy;
     QWidget *m_save;
 };

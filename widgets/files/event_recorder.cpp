@@ -233,25 +233,25 @@ void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
         Q_EMIT written(seconds, name);
 }
 
-void EventRecorder::acted(const drive::MotionEntry &record)
+void EventRecorder::acted(const drive::MotionEntry &entry)
 {
-    if (record.act == drive::MotionAct::AcknowledgeFaults && record.outcome == drive::Outcome::Ok)
-        m_acknowledged[record.motor] = record.ended;
+    if (entry.act == drive::MotionAct::AcknowledgeFaults && entry.outcome == drive::Outcome::Ok)
+        m_acknowledged[entry.motor] = entry.ended;
     // What the user asks for is noted as it is asked for; an experiment asks without the Device.
-    if (record.source == drive::Source::Person)
+    if (entry.source == drive::Source::Person)
         return;
-    const auto before = std::exchange(m_experimented, {record.act, record.asked});
-    if (record.outcome == drive::Outcome::Ok && record.act == before.first
-        && record.asked >= before.second && record.asked < before.second + kExcites)
+    const auto before = std::exchange(m_experimented, {entry.act, entry.asked});
+    if (entry.outcome == drive::Outcome::Ok && entry.act == before.first
+        && entry.asked >= before.second && entry.asked < before.second + kExcites)
         return;
-    QString text = motionActText(record.act);
-    if (!record.detail.empty())
-        text += QLatin1Char(' ') + deviceText(record.detail);
-    if (record.motor > 0)
-        text = named(record.motor, text);
-    if (record.outcome != drive::Outcome::Ok)
-        text = tr("%1 (%2)", "a command and how it ended").arg(text, outcomeText(record.outcome));
-    noteExperiment(record.asked, text);
+    QString text = motionActText(entry.act);
+    if (!entry.detail.empty())
+        text += QLatin1Char(' ') + deviceText(entry.detail);
+    if (entry.motor > 0)
+        text = named(entry.motor, text);
+    if (entry.outcome != drive::Outcome::Ok)
+        text = tr("%1 (%2)", "a command and how it ended").arg(text, outcomeText(entry.outcome));
+    noteExperiment(entry.asked, text);
 }
 
 /// Whether what it tells of the past came since the faults of before were acknowledged.

@@ -70,7 +70,7 @@ private:
     void ended(const drive::Ended &ended);
     void wrote(const drive::WriteResult &write, double seconds);
     void status(int motor);
-    void acted(const drive::MotionEntry &record);
+    void acted(const drive::MotionEntry &entry);
     bool pastIsNew(const drive::MotorStatus &now);
     void link();
     void port();

@@ -211,7 +211,7 @@ void ExportDialog::ask()
     m_files.askSave(this, question, [this](const QString &path) { order(path); });
 }
 
-/// The files that it would replace and the prompt has not asked about: it knows the name that was typed only. The one
+/// The files that it would replace and the prompt has not asked about: it knows the name that was typed only. A user
 /// who agreed to replace that one means its log, too.
 QStringList ExportDialog::taken(const ExportOrder &order) const
 {

@@ -49,8 +49,10 @@ ExportResult carryOut(const ExportOrder &order, const std::function<bool(double)
                 return proceed(
                     (static_cast<double>(i) + fraction) / static_cast<double>(order.parts.size()));
             });
-        if (result.ok())
+        if (result.ok()) {
             result.written.append(QFileInfo(part.path).fileName());
+            result.rows += result.last.rows;
+        }
     }
     result.allInIt = result.ok() && holdsAll(order);
     return result;

@@ -30,6 +30,7 @@ struct ExportResult {
     QString path; ///< its
     QStringList written; ///< names of the parts that are whole
     bool allInIt = false; ///< every sample of the parts is in a file
+    quint64 rows = 0; ///< of samples, in all parts that are whole
     QString logWrong; ///< why the motion log is in no file; empty: it is, or there is none
     bool ok() const
     {

@@ -38,7 +38,7 @@ public:
     bool previewPossible() const { return obstacle().isEmpty(); }
     std::vector<catalog::RegisterId> registers() const;
     void focusFirst();
-    /// Of its wishes; who shows the lab places them, outside of what scrolls.
+    /// Of its wishes; the caller places them, outside of what scrolls.
     QWidget *buttons() const { return m_buttons; }
     void tell(const QString &sentence); ///< what came of a preview; goes with the next change
 

@@ -327,7 +327,8 @@ void MotorForm::saveFile()
             const QString problem = session::writeWholeFile(path, session::motorJson(sheet));
             const QString name = fileNameText(path);
             say(problem.isEmpty() ? tr("Saved as %1.").arg(name)
-                                  : tr("%1 was not saved: %2", "file, reason").arg(name, problem));
+                                  : tr("%1 was not saved: %2", "file, reason").arg(name, problem),
+                !problem.isEmpty());
         });
 }
 

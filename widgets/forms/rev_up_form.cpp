@@ -1,13 +1,14 @@
 #include "widgets/forms/rev_up_form.h"
 
 #include "drive/motor_view.h"
-#include "session/files/rev_up_json.h"
+#include "session/files/file_problems.h"
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/messages.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_chart.h"
@@ -309,6 +310,21 @@ void RevUpForm::rememberInertia()
     Q_EMIT inertiaRemembered(m_motorName, m_inertias[m_motorName]);
 }
 
+/// What was typed belongs to the motor it was typed for. A name that is not known yet is not another name.
+void RevUpForm::forgetAnothersNumbers()
+{
+    const bool renamed = !m_typedName.isEmpty() && !m_motorName.isEmpty();
+    const bool another =
+        m_typedMotor != m_device.motor() || (renamed && m_typedName != m_motorName);
+    m_typedMotor = m_device.motor();
+    if (another || !m_motorName.isEmpty())
+        m_typedName = m_motorName;
+    if (another && m_inertia && m_friction) {
+        m_inertia->clear(); // which takes the typed value with it
+        m_friction->clear();
+    }
+}
+
 void RevUpForm::adoptFacts()
 {
     RevUpFacts facts;
@@ -338,6 +354,7 @@ void RevUpForm::adoptFacts()
             facts.limits.load.kt_nmpa =
                 motor::ktOfFlux_nmpa(motor.motor.flux_wb, motor.motor.polePairs);
         m_motorName = deviceText(motor.name);
+        forgetAnothersNumbers();
         m_inertiaFound_kgm2 =
             motor.inertia_kgm2 > 0.0 ? motor.inertia_kgm2 : m_inertias.value(m_motorName);
     }
@@ -578,21 +595,15 @@ void RevUpForm::openFile()
 
 void RevUpForm::readFile(const QString &path)
 {
-    using Kind = session::RevUpFileError::Kind;
     const QString name = fileNameText(path);
     const auto content = session::readWholeFile(path, kLargestFile);
     if (!content)
         return Q_EMIT failed(tr("%1 cannot be read: %2.").arg(name, content.error()));
     const RevUpFacts &facts = m_model->facts();
     const auto stages = session::readRevUpJson(*content, facts.sixStep ? 0.0 : facts.ampsPerDigit);
-    if (!stages) {
-        const QString why = stages.error().kind == Kind::BadStage
-            ? tr("the numbers of its stage %1 do not fit")
-                  .arg(QString::number(stages.error().stage))
-            : stages.error().kind == Kind::NoStages ? tr("it has no stages, or more than five")
-                                                    : tr("it is not JSON");
-        return Q_EMIT failed(tr("%1 is no rev-up: %2.").arg(name, why));
-    }
+    if (!stages)
+        return Q_EMIT failed(
+            session::revUpProblemText(name, stages.error(), translatedFileProblem));
     const motor::RevUpBounds bounds = m_model->bounds();
     for (std::size_t i = 0; i < stages->size(); ++i) {
         const auto &stage = (*stages)[i];

@@ -68,6 +68,7 @@ private:
     EntryEdit *makeNumber(const char *name, const QString &unit, double *value);
     void connectParts();
     void rememberInertia();
+    void forgetAnothersNumbers();
     void adoptFacts();
     void fitHint();
     void showFacts();
@@ -99,6 +100,8 @@ private:
     double m_inertiaFound_kgm2 = 0.0; ///< by a profiler, or typed elsewhere
     Inertias m_inertias;
     QString m_motorName; ///< made fit to be shown
+    QString m_typedName; ///< of the motor that inertia and friction are typed for; empty: not known
+    int m_typedMotor = 1;
     std::vector<catalog::RegisterId> m_motorRegisters;
     QString m_folder;
 };

@@ -35,7 +35,7 @@ QStringList colorNames()
         Colors::tr("Orange"), Colors::tr("Sky blue"), Colors::tr("Yellow"), Colors::tr("Ink")};
 }
 
-/// A swatch a colour, and its name beside it, for the swatch alone says nothing to who sees fewer colours.
+/// A swatch a colour, and its name beside it, for a user who sees fewer colours cannot tell the swatches apart.
 /// @param chosen  slot of trace_colors.h that the user gave it; empty: given by itself
 /// @param choose  told the new one; empty: by itself again
 void fillColorMenu(QMenu &menu, std::optional<int> chosen, bool dark,

@@ -23,7 +23,7 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
         m_scope.cursorActions().accept(CursorEnd::A);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
-    QAction *takeB = make(tr("Take cursor &B"), Qt::Key_2, {}, [this] {
+    QAction *takeB = make(tr("Take c&ursor B"), Qt::Key_2, {}, [this] {
         m_scope.cursorActions().accept(CursorEnd::B);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
@@ -66,8 +66,8 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
     m_groups.append(QList<QAction *>{before, after});
     QList<QAction *> references;
     const std::tuple<Reference, Qt::Key, QString, QString> all[] = {
-        {Reference::A, Qt::Key_R, tr("Keep as &reference A"), tr("&Drop reference A")},
-        {Reference::B, Qt::Key_B, tr("Keep as reference &B"), tr("Drop re&ference B")}};
+        {Reference::A, Qt::Key_R, tr("&Keep as reference A"), tr("&Drop reference A")},
+        {Reference::B, Qt::Key_B, tr("Keep as reference &B"), tr("D&rop reference B")}};
     for (const auto &[which, key, keep, drop] : all) {
         references.append(
             make(keep, key, {}, [this, which = which] { m_scope.ghosts().keep(which); }));
@@ -80,7 +80,7 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
         enable();
         references.append(away);
     }
-    for (const auto &[which, text] : {std::pair(Reference::A, tr("Ne&xt event of reference A")),
+    for (const auto &[which, text] : {std::pair(Reference::A, tr("Next event o&f reference A")),
              std::pair(Reference::B, tr("Next e&vent of reference B"))}) {
         QAction *next = make(text, {},
             tr("Lays another moment of its file at the trigger, or at the "

@@ -1,6 +1,7 @@
 #include "widgets/snapshots/snapshot_text.h"
 
 #include "catalog/names.h"
+#include "session/files/file_problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
@@ -38,29 +39,6 @@ QString wholeText(const snapshots::Entry &entry, std::int64_t raw)
     return std::isfinite(shown) ? numberText(shown, decimalsFor(factor)) : kDash;
 }
 
-struct ProblemText {
-    const char *text, *comment;
-};
-
-/// In the order of session::SnapshotProblem.
-constexpr std::array<ProblemText, 14> kProblems{{
-    {QT_TRANSLATE_NOOP("Snapshot", "it is no JSON"), nullptr},
-    {QT_TRANSLATE_NOOP("Snapshot", "it is no snapshot"), nullptr},
-    {QT_TRANSLATE_NOOP("Snapshot", "it is of a newer version than this program knows"), nullptr},
-    {QT_TRANSLATE_NOOP("Snapshot", "it has no list of registers"), nullptr},
-    {QT_TRANSLATE_NOOP("Snapshot", "it has more registers than any board"), nullptr},
-    QT_TRANSLATE_NOOP3("Snapshot", "it has no name", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it has no motor from 0 to 7", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it has no id", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it has no known type", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "its raw number does not fit its type", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it has neither bits nor a raw number", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it has no raw text", "a register in a file"),
-    QT_TRANSLATE_NOOP3(
-        "Snapshot", "its bytes are no pairs of hexadecimal digits", "a register in a file"),
-    QT_TRANSLATE_NOOP3("Snapshot", "it is there twice", "a register in a file"),
-}};
-
 /// In the order of snapshots::NotRestored.
 constexpr std::array kNotRestored{
     QT_TRANSLATE_NOOP("Snapshot", "This board does not have it, or it cannot be written there."),
@@ -87,23 +65,11 @@ QString snapshotRawText(const snapshots::Entry *entry)
     return entry != nullptr ? deviceText(rawText(entry->value)) : kDash;
 }
 
-QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error)
+QString snapshotFileErrorText(const QString &file, session::SnapshotFileError error)
 {
-    const QString name = fileNameText(file);
-    const ProblemText &problem = kProblems.at(static_cast<std::size_t>(error.problem));
-    const QString what = SnapshotText::tr(problem.text, problem.comment);
-    const QString line = QString::number(error.line);
-    if (error.problem == session::SnapshotProblem::NotJson)
-        return SnapshotText::tr("%1 cannot be used: in line %2 %3 (%4).",
-            "file, number, what is wrong, the parser's words")
-            .arg(name, line, what, error.parserText);
-    if (error.number == 0)
-        return SnapshotText::tr("%1 cannot be used: %2.", "file, what is wrong").arg(name, what);
-    const QString which =
-        error.name.isEmpty() ? QString::number(error.number) : deviceText(error.name);
-    return SnapshotText::tr(
-        "%1 cannot be used: line %2, register %3: %4.", "file, number, name, what is wrong")
-        .arg(name, line, which, what);
+    error.name = deviceText(error.name);
+    return session::snapshotProblemText(
+        fileNameText(file), error, [](const char *english) { return SnapshotText::tr(english); });
 }
 
 QString notRestoredText(snapshots::NotRestored why)

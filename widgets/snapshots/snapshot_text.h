@@ -16,7 +16,7 @@ QString snapshotValueText(const snapshots::Entry *entry);
 QString snapshotRawText(const snapshots::Entry *entry);
 
 /// Why a file is no snapshot, and where: one sentence.
-QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error);
+QString snapshotFileErrorText(const QString &file, session::SnapshotFileError error);
 QString notRestoredText(snapshots::NotRestored why);
 
 /// "2026-05-04_13-02-59_motor_" and `what`, e.g. "snapshot.json".

@@ -20,16 +20,20 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <utility>
 
 namespace widgets {
 namespace {
 
 constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
+constexpr quint32 kClocks_hz[] = {1'000'000, 2'000'000, 5'000'000, 10'000'000, 20'000'000};
 constexpr int kConnectWidth = 110;
 constexpr int kPortWidth = 120; ///< at least: a bar 960 px wide has no more for it
 constexpr quint32 kSlowestBaud = 1200;
 constexpr quint32 kFastestBaud = 12'000'000;
+constexpr quint32 kSlowestClock_hz = 10'000;
+constexpr quint32 kFastestClock_hz = 100'000'000;
 
 /// A box that tells before its list opens, so that the list has what was plugged in meanwhile.
 class PortBox : public QComboBox {
@@ -102,8 +106,8 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_port->setMinimumWidth(kPortWidth);
     m_baud->setEditable(true);
     m_baud->setInsertPolicy(QComboBox::NoInsert);
-    for (const quint32 baud : kBauds)
-        m_baud->addItem(QString::number(baud), baud);
+    keepPlace(*m_baud);
+    fillRates();
     m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
     fillProtocols(*m_protocol);
     setLineIcon(*m_connect, "connect");
@@ -145,6 +149,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     layout->addLayout(who, 1);
     layout->addWidget(m_motor);
 
+    connect(m_port, &QComboBox::editTextChanged, this, &ConnectBar::updateRate);
     connect(m_connect, &QPushButton::clicked, this, &ConnectBar::connectOrDisconnect);
     for (const QComboBox *typed : {m_port, m_baud})
         connect(typed->lineEdit(), &QLineEdit::returnPressed, m_connect, &QPushButton::click);
@@ -207,12 +212,47 @@ QString ConnectBar::path() const
     return index >= 0 ? m_port->itemData(index).toString() : text;
 }
 
+ConnectBar::Rate ConnectBar::rate() const
+{
+    const session::Endpoint endpoint = session::endpointFor(path(), 0);
+    return drive::rowOf(endpoint.protocol).choice.serial   ? Rate::Baud
+        : endpoint.kind == session::Endpoint::Kind::Serial ? Rate::Clock
+                                                           : Rate::None;
+}
+
+/// What is chosen or typed stays.
+void ConnectBar::fillRates()
+{
+    const bool clock = m_rate == Rate::Clock;
+    const QString text = m_baud->currentText();
+    m_baud->clear();
+    for (const quint32 one : clock ? std::span<const quint32>(kClocks_hz) : kBauds)
+        m_baud->addItem(QString::number(one), one);
+    if (!text.isEmpty())
+        m_baud->setEditText(text);
+    const QString name = clock ? tr("Clock [Hz]") : tr("Baud rate");
+    m_baud->setAccessibleName(name);
+    m_baud->setToolTip(name);
+}
+
+void ConnectBar::updateRate()
+{
+    const Rate before = std::exchange(m_rate, rate());
+    if (m_rate == before)
+        return;
+    m_baud->setHidden(m_rate == Rate::None);
+    m_protocol->setEnabled(m_rate == Rate::Baud && !connecting()); // elsewhere only one is spoken
+    fillRates();
+}
+
 quint32 ConnectBar::baud() const
 {
     bool ok = false;
     const QString chosen = m_baudBefore.isEmpty() ? m_baud->currentText() : m_baudBefore;
     const quint32 baud = chosen.trimmed().toUInt(&ok);
-    return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
+    const bool clock = m_rate == Rate::Clock;
+    const quint32 least = clock ? kSlowestClock_hz : kSlowestBaud;
+    return ok && baud >= least && baud <= (clock ? kFastestClock_hz : kFastestBaud) ? baud : 0;
 }
 
 void ConnectBar::setProtocol(const QString &word)
@@ -229,14 +269,19 @@ void ConnectBar::connectOrDisconnect()
         Q_EMIT disconnectWanted();
         return;
     }
-    session::Endpoint endpoint = session::endpointFor(path(), baud(),
-        drive::protocolOf(protocol().toStdString()).value_or(drive::Protocol::Auto));
+    // Where the line has none, what stands in the hidden field does not matter.
+    const quint32 told = m_rate == Rate::None ? kBauds[0] : baud();
+    session::Endpoint endpoint = session::endpointFor(
+        path(), told, drive::protocolOf(protocol().toStdString()).value_or(drive::Protocol::Auto));
     if (endpoint.path.isEmpty()) {
         Q_EMIT refused(tr("Choose a port, or type its path."));
         return;
     }
     if (endpoint.baud == 0) {
-        Q_EMIT refused(tr("\"%1\" is not a baud rate.").arg(deviceText(m_baud->currentText())));
+        const QString typed = deviceText(m_baud->currentText());
+        Q_EMIT refused(m_rate == Rate::Clock
+                ? tr("\"%1\" is not an SPI clock from 10 kHz to 100 MHz, in Hz.").arg(typed)
+                : tr("\"%1\" is not a baud rate.").arg(typed));
         return;
     }
     const auto open = [this, endpoint] {
@@ -328,7 +373,7 @@ void ConnectBar::updateLink()
         m_baud->setEditText(std::exchange(m_baudBefore, QString()));
     m_port->setEnabled(!connecting());
     m_baud->setEnabled(!connecting());
-    m_protocol->setEnabled(!connecting());
+    m_protocol->setEnabled(!connecting() && m_rate == Rate::Baud);
     updateNames();
 }
 

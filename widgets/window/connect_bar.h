@@ -27,7 +27,7 @@ public:
 
     void setEndpoint(const QString &path, quint32 baud); ///< "sim" for the simulated board
     QString path() const; ///< as chosen or typed
-    quint32 baud() const; ///< 0 if the text is not a baud rate
+    quint32 baud() const; ///< of an SPI device its clock in Hz; 0 if the text is no such rate
     /// Ports that were typed and connected to: they stay in the list beside those of the system, the newest first.
     void setTyped(const QStringList &paths);
     const QStringList &typed() const { return m_typed; }
@@ -55,6 +55,15 @@ Q_SIGNALS:
     void refused(const QString &sentence); ///< what was typed cannot be used
 
 private:
+    /// What the line at the chosen port is told.
+    enum class Rate : std::uint8_t {
+        Baud,
+        Clock, ///< in Hz, of an SPI device
+        None, ///< a simulated board whose line has none
+    };
+    Rate rate() const;
+    void fillRates();
+    void updateRate();
     void fillPorts(const QList<session::PortChoice> &choices);
     void updateLink();
     void updateNames();
@@ -75,6 +84,7 @@ private:
     QStringList m_typed;
     QString m_pathBefore; ///< while a recording is shown in its place
     QString m_baudBefore; ///< as chosen, while a connection at another one is shown
+    Rate m_rate = Rate::Baud; ///< whose rates are listed
     bool m_wanted = false; ///< the user asked for a connection and has not taken that back
 };
 

@@ -67,14 +67,16 @@ void Exporting::carryOut(const ExportOrder &order)
         return;
     }
     std::vector<session::LoggedMotion> log; // as it is now, too
+    const std::size_t leftOut = m_parts.workbench.motionLog().leftOut();
     if (!order.motionLog.isEmpty())
         log = m_parts.workbench.motionLog().log();
     write(tr("Exporting %1").arg(fileNameText(order.path)),
-        [order, done, log = std::move(log)](const FileJob::Proceed &proceed) -> FileJob::Finish {
+        [order, done, leftOut, log = std::move(log)](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
             ExportResult result = widgets::carryOut(order, proceed);
             if (result.ok() && !order.motionLog.isEmpty())
                 result.logWrong = session::writeWholeFile(
-                    order.motionLog, session::motionLogText(log, MotionLogModel::who()));
+                    order.motionLog, session::motionLogText(log, MotionLogModel::who(), leftOut));
             return [result, done] { done(result); };
         });
 }
@@ -98,6 +100,11 @@ void Exporting::ended(const ExportOrder &order, const ExportResult &result)
     } else if (order.picture) {
         m_folder = QFileInfo(order.path).path();
         Q_EMIT said(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(order.path)));
+    } else if (result.rows == 0) { // a file with headings alone
+        m_folder = QFileInfo(order.path).path();
+        Q_EMIT said(Banner::Kind::Warning,
+            tr("%1 holds no samples: there are none in the chosen range.")
+                .arg(deviceText(order.parts.first().path)));
     } else {
         tellCapture(order.parts.first().path, order.motionLog, result.logWrong);
     }

@@ -55,7 +55,7 @@ bool Leaving::goesOn() const
         || m_prompt.asks(kLeaveRunning);
 }
 
-/// Who stayed may have put right what an experiment left, or have met another board since.
+/// Since the user stayed, what an experiment left may be put right, or another board connected.
 void Leaving::beginAnew()
 {
     if (!goesOn())

@@ -18,7 +18,7 @@ public:
     /// Something for which the connection is left.
     struct Act {
         QString stopping; ///< what is told while the motors are stopped
-        QString allTheSame; ///< the words of who does it without evidence
+        QString allTheSame; ///< the button that does it without evidence
         std::function<void()> go;
     };
 

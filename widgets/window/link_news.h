@@ -1,5 +1,5 @@
 // LinkNews: which sentence the banner shows: what was done, what went wrong, or what the link does, and which of them
-// gives way to which. Each happening of the link is told once: who has closed its message has read it.
+// gives way to which. Each happening of the link is told once: a message that was closed is not told again.
 #pragma once
 
 #include "widgets/base/banner.h"

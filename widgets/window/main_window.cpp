@@ -331,9 +331,9 @@ void MainWindow::makeTools()
 
 void MainWindow::makeWorkspaces()
 {
-    m_workspaces =
-        new Workspaces({m_workbench, *m_scope, *m_trigger, *m_tools, m_files, *this}, this);
-    auto *menu = named(new QMenu(tr("Open &recent"), this), "recentFiles");
+    m_workspaces = new Workspaces(
+        {m_workbench, *m_scope, *m_trigger, *m_tools, m_files, m_questions, *this}, this);
+    auto *menu = named(new QMenu(tr("Open recen&t"), this), "recentFiles");
     menu->setIcon(lineIcon("recent"));
     m_recent = new RecentFiles(m_settings.recentFiles, *menu, this);
     m_recentMenu = menu;
@@ -344,7 +344,7 @@ void MainWindow::makeWorkspaces()
 
 void MainWindow::openFile(const QString &path)
 {
-    if (path.endsWith(QLatin1String(".workspace")))
+    if (path.endsWith(QLatin1String(".workspace"), Qt::CaseInsensitive))
         m_workspaces->open(path);
     else
         m_opening->openPath(path);
@@ -572,12 +572,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
             tr("End Rotorscope all the same\u2026"), [this] { close(); }});
         return;
     }
-    if (m_markers->changed() && !m_leaveMarkers) {
-        m_replacing->beforeMarkersGo([this] {
-            m_leaveMarkers = true;
-            close();
-            m_leaveMarkers = false;
-        });
+    if (m_markers->changedSinceLeft()) {
+        m_replacing->beforeMarkersGo([this] { close(); });
         return;
     }
     if (!m_exporting->mayClose())

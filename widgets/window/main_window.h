@@ -146,7 +146,6 @@ private:
     QList<QAction *> m_exportActions; ///< a file, the clipboard
     QList<QAction *> m_dockActions;
     bool m_toldReleased = false;
-    bool m_leaveMarkers = false; ///< the window closes without them
     bool m_painted = false;
     std::unique_ptr<Tools> m_tools; ///< goes before their docks
 };

@@ -149,7 +149,7 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     menu->addSeparator();
     menu->addAction(m_page->setPoints());
     menu->setToolTipsVisible(true);
-    auto *ofFile = named(new TickMenu(tr("Signals of the &file"), menu), "fileSignals");
+    auto *ofFile = named(new TickMenu(tr("Signals of t&he file"), menu), "fileSignals");
     menu->addMenu(ofFile);
     connect(menu, &QMenu::aboutToShow, m_selection,
         [this, ofFile] { m_selection->fillFileSignals(*ofFile); });

@@ -57,7 +57,7 @@ void Opening::whenDisconnected(std::function<void()> goOn)
 }
 
 /// What is connected goes first, if that is wanted; then it begins again. What its samples are worth is asked before:
-/// who stays has the board still.
+/// a user who cancels keeps the board.
 /// @param lay  what can be done beside it; none: nothing
 bool Opening::isFree(const QString &title, const QString &text, const std::function<void()> &again,
     const std::function<void()> &lay)
@@ -176,7 +176,8 @@ void Opening::askForCsv()
 
 void Opening::openPath(const QString &path)
 {
-    const bool csv = path.endsWith(QLatin1String(".csv")) || path.endsWith(QLatin1String(".txt"));
+    const bool csv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
+        || path.endsWith(QLatin1String(".txt"), Qt::CaseInsensitive);
     const auto beside = csv ? std::function<void()>() : [this, path] { layBeside(path); };
     if (!isFree(
             tr("Open a recording"), tr("A recording takes the place of what the scope shows."),

@@ -1,8 +1,11 @@
 #include "widgets/window/settings.h"
 
 #include "session/files/whole_file.h"
+#include "widgets/base/device_text.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -17,6 +20,24 @@ namespace {
 constexpr qint64 kLargestFile = qint64{32} << 20; // with references
 constexpr double kMostOnDisk_GB = 100'000.0;
 constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10;
+
+struct SettingsFile {
+    Q_DECLARE_TR_FUNCTIONS(SettingsFile)
+};
+
+/// At its old place the next saving would replace it, and with it what can still be read in it.
+QString putAside(const QString &path)
+{
+    const QString aside = path + QStringLiteral(".bad");
+    QFile::remove(aside); // of an earlier time
+    return QFile::rename(path, aside)
+        ? SettingsFile::tr("The settings could not be read, so all are as at first. The damaged "
+                           "file is kept as %1.")
+              .arg(deviceText(aside))
+        : SettingsFile::tr("The settings could not be read, so all are as at first. The damaged "
+                           "file %1 is replaced when Rotorscope ends.")
+              .arg(deviceText(path));
+}
 
 QString themeName(Theme theme)
 {
@@ -142,16 +163,28 @@ QString settingsPath()
         .filePath(QStringLiteral("settings.json"));
 }
 
-Settings loadSettings(const QString &path)
+Settings loadSettings(const QString &path, QString *problem)
 {
+    if (!QFileInfo::exists(path))
+        return {};
     const auto json = session::readWholeFile(path, kLargestFile);
-    return json ? settingsFromJson(*json) : Settings();
+    if (json && QJsonDocument::fromJson(*json).isObject())
+        return settingsFromJson(*json);
+    const QString sentence = putAside(path);
+    if (problem != nullptr)
+        *problem = sentence;
+    return {};
 }
 
-bool saveSettings(const Settings &settings, const QString &path)
+QString saveSettings(const Settings &settings, const QString &path)
 {
     QDir().mkpath(QFileInfo(path).path());
-    return session::writeWholeFile(path, toJson(settings)).isEmpty();
+    const QString why = session::writeWholeFile(path, toJson(settings));
+    return why.isEmpty()
+        ? QString()
+        : SettingsFile::tr("Settings and notes cannot be saved (%1): what is changed now is lost "
+                           "when Rotorscope ends.")
+              .arg(why);
 }
 
 } // namespace widgets

@@ -1,7 +1,8 @@
 // What Rotorscope remembers between two runs, as plain values. A file of our own in JSON; a damaged or missing one
-// gives the defaults, and saving replaces it whole or not at all.
+// gives the defaults, and saving replaces it whole or not at all. One that is damaged is put aside, not replaced.
 #pragma once
 
+#include "session/transports/endpoint.h"
 #include "widgets/base/look/theme.h"
 #include "widgets/forms/ramp_preset.h"
 #include "widgets/window/workspace.h"
@@ -20,7 +21,7 @@ struct Settings {
     QString port = QStringLiteral("sim");
     /// That were connected to and that the system does not list, newest first.
     QStringList typedPorts;
-    quint32 baud = 1843200;
+    quint32 baud = session::Endpoint{}.baud;
     QString protocol = QStringLiteral("auto");
     Theme theme = Theme::System;
     QString exportFolder;
@@ -50,7 +51,10 @@ QByteArray toJson(const Settings &settings);
 Settings settingsFromJson(const QByteArray &json);
 
 QString settingsPath(); ///< in the user's configuration folder
-Settings loadSettings(const QString &path);
-bool saveSettings(const Settings &settings, const QString &path);
+/// A file that cannot be read goes to PATH.bad.
+/// @param problem  a sentence about that; empty: there was none
+Settings loadSettings(const QString &path, QString *problem = nullptr);
+/// @return  why not, in a sentence; empty: they are saved
+QString saveSettings(const Settings &settings, const QString &path);
 
 } // namespace widgets

@@ -4,6 +4,8 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -25,12 +27,20 @@ bool needsSpace(QObject *focused)
     return qobject_cast<QComboBox *>(focused) != nullptr;
 }
 
-/// Of a list or a tree, whose rows they go through.
+/// Of a list or a tree, whose rows they go through, of a slider, a number or a list of choices.
 bool needsToMove(QObject *focused, int key)
 {
     constexpr std::array kMoves{Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Home, Qt::Key_End};
-    return qobject_cast<QAbstractItemView *>(focused) != nullptr
-        && std::find(kMoves.begin(), kMoves.end(), key) != kMoves.end();
+    if (std::find(kMoves.begin(), kMoves.end(), key) == kMoves.end())
+        return false;
+    const auto moves = [](QObject *control) {
+        return qobject_cast<QAbstractItemView *>(control) != nullptr
+            || qobject_cast<QAbstractSlider *>(control) != nullptr
+            || qobject_cast<QAbstractSpinBox *>(control) != nullptr
+            || qobject_cast<QComboBox *>(control) != nullptr;
+    };
+    const auto *field = qobject_cast<QLineEdit *>(focused); // perhaps that of a number or a list
+    return moves(focused) || (field != nullptr && moves(field->parentWidget()));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "widgets/window/status_strip.h"
 
+#include "drive/protocol_table.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/spacing.h"
@@ -131,7 +132,11 @@ QString StatusStrip::endpointText() const
     const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
         ? tr("simulated board")
         : deviceText(endpoint.path);
-    return QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
+    if (drive::rowOf(endpoint.protocol).choice.serial)
+        return QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
+    return endpoint.kind == session::Endpoint::Kind::Simulator // whose line has no rate
+        ? where
+        : QStringLiteral("%1 @ %2\u202fHz").arg(where, QString::number(endpoint.baud));
 }
 
 void StatusStrip::updateLink()
@@ -169,9 +174,9 @@ void StatusStrip::updateWatchdog()
     } else if (const auto &watchdog = identified->identity.watchdog) {
         m_watchdog->setText(tr("Drive watchdog: %1 ms").arg(QString::number(watchdog->count())));
         m_watchdog->setToolTip(
-            tr("This drive stops its motor by itself when it has not been fed for that time. It is "
-               "fed by a live window, only while armed: disarming stops what turns. It is not a "
-               "safety function."));
+            tr("This drive stops its motor by itself when it has not been fed for that time. It "
+               "needs a sign of life from a window that responds and is armed: disarming stops "
+               "what turns. It is not a safety function."));
     } else {
         m_watchdog->setText(tr("Drive watchdog: none"));
         m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is "

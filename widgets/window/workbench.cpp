@@ -147,8 +147,8 @@ void Workbench::connectModels()
             m_registers.accept(readings, now());
             m_signalPlan.accept(readings);
         });
-    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionEntry &record) {
-        m_motionLog.accept(record, QDateTime::currentDateTime());
+    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionEntry &entry) {
+        m_motionLog.accept(entry, QDateTime::currentDateTime());
     });
     connect(&m_device, &Device::linkStateChanged, this,
         [this] { m_registers.setBelieved(m_device.answering()); });

@@ -3,6 +3,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/question.h"
 #include "widgets/scope/colors.h"
 #include "widgets/scope/ghosts.h"
 #include "widgets/scope/trigger/control.h"
@@ -137,9 +138,41 @@ bool Workspaces::open(const QString &path)
     if (!workspace)
         return tell(workspace.error());
     m_folder = QFileInfo(path).path();
-    apply(*workspace);
-    Q_EMIT used(path);
+    const QString notes = m_parts.tools.notes();
+    if (notes.trimmed().isEmpty() || notes == workspace->notes || notes == m_keptNotes)
+        take(path, *workspace);
+    else
+        askAboutNotes(path, std::move(*workspace));
     return true;
+}
+
+void Workspaces::askAboutNotes(const QString &path, Workspace workspace)
+{
+    using Kind = Answer::Kind;
+    if (m_parts.prompt.asks("notesQuestion"))
+        return;
+    const auto keep = [this, path, workspace]() mutable {
+        workspace.notes = m_parts.tools.notes();
+        take(path, workspace);
+        m_keptNotes.clear(); // those that stay are still in no file
+    };
+    m_parts.prompt.ask({.name = "notesQuestion",
+        .title = tr("Replace the notes?"),
+        .text = tr("The notes that are shown are in no workspace file. Those of %1 take their "
+                   "place.")
+                    .arg(fileNameText(path)),
+        .more = tr("They cannot be brought back."),
+        .answers = {{Kind::Lose, tr("&Replace the notes"),
+                        [this, path, workspace] { take(path, workspace); }, "replaceNotes"},
+            {}, {Kind::Go, tr("&Keep these notes"), keep, "keepNotes"}},
+        .usual = 1});
+}
+
+void Workspaces::take(const QString &path, const Workspace &workspace)
+{
+    apply(workspace);
+    m_keptNotes = workspace.notes;
+    Q_EMIT used(path);
 }
 
 void Workspaces::save(const QString &path)
@@ -151,6 +184,7 @@ void Workspaces::save(const QString &path)
             tr("%1 was not written: %2", "a file, the reason").arg(deviceText(path), why));
         return;
     }
+    m_keptNotes = workspace.notes;
     QString sentence = tr("The workspace is in %1.").arg(deviceText(path));
     const ScopeGhosts &ghosts = m_parts.scope.ghosts();
     for (const auto &[which, letter] : {std::pair(Reference::A, 'A'), {Reference::B, 'B'}})

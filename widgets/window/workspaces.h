@@ -12,6 +12,7 @@ class QMainWindow;
 namespace widgets {
 
 class FilePrompt;
+class QuestionPrompt;
 class ScopeView;
 class Tools;
 class TriggerControl;
@@ -29,6 +30,7 @@ public:
         TriggerControl &trigger;
         Tools &tools;
         FilePrompt &files;
+        QuestionPrompt &prompt;
         QMainWindow &window;
     };
     explicit Workspaces(const Parts &parts, QObject *parent = nullptr);
@@ -36,7 +38,8 @@ public:
     Workspace now() const;
     /// Signals, trigger and measurements that a board or its traces have to be known for follow once they are.
     void apply(const Workspace &workspace);
-    bool open(const QString &path); ///< false: it was told why not, and all is as before
+    /// false: it was told why not, and all is as before. Notes that are in no file are asked about first.
+    bool open(const QString &path);
     static QString filter(); ///< of its files, for a dialog
 
     enum class Arrangement { Tune, Record, StartUp };
@@ -52,6 +55,8 @@ Q_SIGNALS:
     void used(const QString &path); ///< was opened or saved
 
 private:
+    void askAboutNotes(const QString &path, Workspace workspace);
+    void take(const QString &path, const Workspace &workspace);
     void save(const QString &path);
     void showSpan(double seconds);
     void findTriggerSource();
@@ -59,6 +64,7 @@ private:
 
     Parts m_parts;
     QString m_folder; ///< of the last file
+    QString m_keptNotes; ///< as the last file has them
     QString m_waitsForSource; ///< a trace that the trigger waits for
     TriggerSetup m_waitingSetup;
 };

@@ -73,7 +73,7 @@ private:
     Bytes request()
     {
         if (m_step++ == 0)
-            return datalog(mcp::datalogStop());
+            return datalog(mcp::datalogStop(2048));
         if (m_step == 2 && m_stream) {
             mcp::DatalogConfig config;
             config.bufferSize = 1024;

@@ -295,6 +295,39 @@ private Q_SLOTS:
         QCOMPARE(bench.sent, 2);
     }
 
+    /// An experiment leaves one. Nothing follows it: a step begins where a start would go.
+    void theReferenceThatIsLeftOverAtRestIsNoBeginningOfAStep()
+    {
+        GateBench bench;
+        QVERIFY(bench.link.runUntilState(MotorState::Idle));
+        bench.arm();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1000));
+        bench.sayYes(); // where it is asked about
+        bench.link.runFor(500ms);
+        bench.look();
+        const QString target = bench.gate.startText(1);
+        QVERIFY2(
+            target == QStringLiteral("1000\u202frpm") || target == QStringLiteral("996\u202frpm"),
+            qPrintable(target));
+        facts::feed(bench.device,
+            {drive::RegistersRead{{facts::reading(bench.id("SPEED_REF"), std::int64_t{3000})}}});
+        bench.asked.clear();
+        const auto textOf = [](const widgets::MotionQuestion &question) {
+            return question.lines.join(QLatin1Char('\n'));
+        };
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(2900));
+        QCOMPARE(bench.asked.size(), 1U); // 1900 rpm are more than a fifth of 4000
+        QVERIFY2(textOf(bench.asked[0]).contains(target), qPrintable(textOf(bench.asked[0])));
+        bench.gate.decline();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(2000));
+        QCOMPARE(bench.asked.size(), 2U);
+        QVERIFY2(bench.asked[1].offer.contains(QStringLiteral("2000")),
+            qPrintable(bench.asked[1].offer));
+        bench.gate.decline();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1300)); // a small one
+        QCOMPARE(bench.asked.size(), 2U);
+    }
+
     void aReversalAtSpeedIsAskedAbout()
     {
         GateBench bench;

@@ -23,15 +23,15 @@ namespace {
 
 drive::MotionEntry ramp()
 {
-    drive::MotionEntry record;
-    record.act = drive::MotionAct::SpeedRamp;
-    record.motor = 1;
-    record.detail = "1200 rpm in 500 ms";
-    record.asked = TimePoint(10s);
-    record.ended = TimePoint(10s + 250ms);
-    record.requests = 1;
-    record.sent = {{0x08, 0x00, 0xA9}};
-    return record;
+    drive::MotionEntry entry;
+    entry.act = drive::MotionAct::SpeedRamp;
+    entry.motor = 1;
+    entry.detail = "1200 rpm in 500 ms";
+    entry.asked = TimePoint(10s);
+    entry.ended = TimePoint(10s + 250ms);
+    entry.requests = 1;
+    entry.sent = {{0x08, 0x00, 0xA9}};
+    return entry;
 }
 
 } // namespace
@@ -82,18 +82,47 @@ private Q_SLOTS:
         QVERIFY(lines[2].contains("NOT confirmed"));
     }
 
+    void ofVeryManyActsTheNewestAreHeld()
+    {
+        MotionLogModel model;
+        const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
+        for (std::size_t i = 0; i < MotionLogModel::kMost; ++i)
+            model.accept(ramp(), now);
+        facts::AnsweredPrompt files;
+        widgets::MotionLogPanel panel(model, files);
+        const auto *leftOut = panel.findChild<QLabel *>(QStringLiteral("motionLogLeftOut"));
+        QVERIFY(leftOut->isHidden());
+        QCOMPARE(model.leftOut(), std::size_t{0});
+        drive::MotionEntry last = ramp();
+        last.detail = "1300 rpm in 500 ms";
+        model.accept(last, now);
+        QCOMPARE(model.leftOut(), MotionLogModel::kLeftOutAtOnce);
+        QCOMPARE(model.rowCount(), int(MotionLogModel::kMost - MotionLogModel::kLeftOutAtOnce) + 1);
+        QVERIFY(model.index(model.rowCount() - 1, MotionLogModel::DetailColumn)
+                    .data()
+                    .toString()
+                    .contains(QStringLiteral("1300 rpm")));
+        QVERIFY(!leftOut->isHidden());
+        QVERIFY(leftOut->text().startsWith(QStringLiteral("1000 earlier acts")));
+        const QByteArrayList lines = model.text().trimmed().split('\n');
+        QCOMPARE(lines[1], QByteArray(",,,,,,1000 earlier acts are left out,,,,"));
+        QCOMPARE(lines[1].count(','), lines[0].count(','));
+        QVERIFY(lines[2].startsWith("1001,"));
+        QVERIFY(lines.last().startsWith("100001,") && lines.last().contains("1300 rpm"));
+    }
+
     /// What became of a Stop is noted more or less late, and never before the Stop.
     void whatBecameOfAStopIsToldWhenItWasSeen()
     {
         MotionLogModel model;
         const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
         const auto take = [&](drive::StopWord word, TimePoint ended, int notedMs) {
-            drive::MotionEntry record;
-            record.act = drive::MotionAct::Stop;
-            record.stop = word;
-            record.asked = TimePoint(10s);
-            record.ended = ended;
-            model.accept(record, now.addMSecs(notedMs));
+            drive::MotionEntry entry;
+            entry.act = drive::MotionAct::Stop;
+            entry.stop = word;
+            entry.asked = TimePoint(10s);
+            entry.ended = ended;
+            model.accept(entry, now.addMSecs(notedMs));
         };
         take(drive::StopWord::Requested, TimePoint(10s), 20); // the window heard of it so late
         take(drive::StopWord::Accepted, TimePoint(10s + 9ms), 12);

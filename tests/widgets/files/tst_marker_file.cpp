@@ -3,13 +3,18 @@
 #include "session/recording/reader.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
+#include "widgets/files/file_job.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
+#include "widgets/window/exporting.h"
 
 #include <QAction>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QThread>
+
+#include <atomic>
 
 using widgets::Banner;
 
@@ -181,6 +186,31 @@ private Q_SLOTS:
         QVERIFY(m_rig->window.isVisible() && closed.isEmpty());
         QVERIFY(!m_rig->window.close());
         QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(closed.size(), 1);
+        QVERIFY(!m_rig->window.isVisible());
+    }
+
+    void whoLeftThemIsNotAskedAgainBehindAnExport()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        std::atomic<bool> written = false;
+        m_rig->window.findChild<widgets::Exporting *>()->write(QStringLiteral("Exporting"),
+            [&written](const widgets::FileJob::Proceed &proceed) -> widgets::FileJob::Finish {
+                while (proceed(0.5) && !written)
+                    QThread::yieldCurrentThread();
+                return {};
+            });
+        QSignalSpy closed(&m_rig->window, &widgets::MainWindow::closed);
+        QVERIFY(!m_rig->window.close());
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        auto *box = m_rig->find<QMessageBox>("exportQuestion");
+        QVERIFY(box);
+        for (QAbstractButton *button : box->buttons())
+            if (box->buttonRole(button) == QMessageBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        written = true;
         QTRY_COMPARE(closed.size(), 1);
         QVERIFY(!m_rig->window.isVisible());
     }

@@ -155,9 +155,10 @@ void TestCurrentScale::nonsenseIsNotTaken()
     facts::WindowRig rig;
     connectTo(rig, "sim:powerpc", "powerpc");
     QVERIFY(openDialog(rig));
-    for (const char *text : {"-3", "0", "1e2", "sixty", "20000", "0.00001"}) {
+    for (const char *text : {"-3", "0", "1e2", "sixty", "20000", "5001", "0.00001"}) {
         rig.find<QLineEdit>("fullScaleCurrent")->setText(QLatin1String(text));
         QVERIFY2(!ok(rig)->isEnabled(), text);
+        QVERIFY(rig.find<QLabel>("scaleSays")->text().contains(QStringLiteral("to 5000 A")));
     }
     rig.find<QLineEdit>("fullScaleCurrent")->setText(QStringLiteral("60,5")); // a decimal comma
     QVERIFY(ok(rig)->isEnabled());

@@ -207,6 +207,7 @@ private Q_SLOTS:
         m_rig->files.answer = folder.path() + QStringLiteral("/no/such/folder.json");
         button("motorSave")->click();
         QVERIFY(label("motorTold").contains(QStringLiteral("was not saved")));
+        QVERIFY(label("motorTold").startsWith(QStringLiteral("\u2716")));
         button("motorClose")->click();
         QVERIFY(label("motorTold").isEmpty());
     }

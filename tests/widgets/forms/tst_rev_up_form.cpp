@@ -404,6 +404,34 @@ private Q_SLOTS:
         QCOMPARE(inertia(), 0.0);
         QCOMPARE(edit->placeholderText(), QStringLiteral("not known"));
     }
+    void whatWasTypedForOneMotorIsNotTakenForAnother()
+    {
+        simulation::BoardOptions options;
+        options.motors = 2;
+        RevUpBench rig(options);
+        QVERIFY(rig.show());
+        QSignalSpy spy(&rig.form, &widgets::RevUpForm::inertiaRemembered);
+        auto *inertia = rig.form.findChild<QLineEdit *>(QStringLiteral("revUpInertia"));
+        typeInto(rig, "revUpFriction", "20");
+        typeInto(rig, "revUpInertia", "512,5");
+        QTest::keyClick(inertia, Qt::Key_Return);
+        QVERIFY(!spy.isEmpty());
+        spy.clear();
+        rig.readWatched(); // what is told of the same motor changes nothing
+        QCOMPARE(inertia->text(), QStringLiteral("512,5"));
+        rig.bench.device.setMotor(2);
+        rig.bench.model.setCatalog(rig.bench.device.catalog(), 2);
+        rig.readWatched();
+        QCOMPARE(inertia->text(), QString());
+        QCOMPARE(
+            rig.form.findChild<QLineEdit *>(QStringLiteral("revUpFriction"))->text(), QString());
+        // Both are of one name, for which the inertia is remembered; friction is not.
+        QCOMPARE(rig.model.facts().limits.load.inertia_kgm2, 512.5e-7);
+        QCOMPARE(rig.model.facts().limits.load.coulomb_nm, 0.0);
+        inertia->setFocus();
+        QTest::keyClick(inertia, Qt::Key_Return);
+        QCOMPARE(spy.size(), 0);
+    }
     void theInertiaFieldIsStrict()
     {
         RevUpBench rig;

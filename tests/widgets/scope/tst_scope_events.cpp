@@ -113,29 +113,29 @@ void TestScopeEvents::aCommandIsNotedAndHowItEnded()
 
 void TestScopeEvents::whatAnExperimentAsksForIsNotedAtItsTime()
 {
-    drive::MotionEntry record;
-    record.act = drive::MotionAct::SpeedRamp;
-    record.motor = 1;
-    record.detail = "1500 rpm in 200 ms";
-    record.asked = TimePoint(1500ms);
-    record.ended = TimePoint(1700ms);
-    facts::feed(m_rig->device(), {record}); // the user's, which was noted as it was asked for
+    drive::MotionEntry entry;
+    entry.act = drive::MotionAct::SpeedRamp;
+    entry.motor = 1;
+    entry.detail = "1500 rpm in 200 ms";
+    entry.asked = TimePoint(1500ms);
+    entry.ended = TimePoint(1700ms);
+    facts::feed(m_rig->device(), {entry}); // the user's, which was noted as it was asked for
     QCOMPARE(noted(), QStringList());
-    record.source = drive::Source::Script;
-    facts::feed(m_rig->device(), {record});
+    entry.source = drive::Source::Script;
+    facts::feed(m_rig->device(), {entry});
     QCOMPARE(
         noted(), QStringList{QStringLiteral("Command Experiment: Speed ramp 1500 rpm in 200 ms")});
     QCOMPARE(log().find(lastId())->seconds, 1.5);
-    for (record.asked += 60ms; record.asked < TimePoint(2500ms); record.asked += 60ms)
-        facts::feed(m_rig->device(), {record});
+    for (entry.asked += 60ms; entry.asked < TimePoint(2500ms); entry.asked += 60ms)
+        facts::feed(m_rig->device(), {entry});
     QCOMPARE(noted().size(), 1); // the first of an excitation
-    record.asked += 200ms;
-    facts::feed(m_rig->device(), {record});
+    entry.asked += 200ms;
+    facts::feed(m_rig->device(), {entry});
     QCOMPARE(noted().size(), 2);
-    record.act = drive::MotionAct::Start;
-    record.detail.clear();
-    record.outcome = drive::Outcome::Refused;
-    facts::feed(m_rig->device(), {record});
+    entry.act = drive::MotionAct::Start;
+    entry.detail.clear();
+    entry.outcome = drive::Outcome::Refused;
+    facts::feed(m_rig->device(), {entry});
     QVERIFY2(noted().last().startsWith(QStringLiteral("Command Experiment: Start (")),
         qPrintable(noted().last()));
 }

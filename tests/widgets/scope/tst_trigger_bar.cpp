@@ -3,10 +3,10 @@
 #include "support/trigger_test.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/files/event_recorder.h"
-#include "widgets/files/record_table.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/ghosts.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/trigger/record_table.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>

@@ -3,6 +3,7 @@
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/time_window.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/about_dialog.h"
 
@@ -24,6 +25,8 @@
 #include <QScrollArea>
 #include <QSet>
 #include <QShortcut>
+#include <QSlider>
+#include <QSpinBox>
 #include <QTabBar>
 #include <QTranslator>
 
@@ -242,6 +245,45 @@ private Q_SLOTS:
             language.isEmpty() ? QStringLiteral("Ctrl+K") : QStringLiteral("Strg+K")));
     }
 
+    /// The scope's own are taken in the whole window: a control that they move something in has them first.
+    void pageAndEndKeysBelongToTheControlThatHasTheFocus()
+    {
+        QApplication::setActiveWindow(&m_rig->window);
+        widgets::TimeWindow &time = m_rig->window.scope()->time();
+        time.setFollowing(false);
+        QSlider slider(&m_rig->window);
+        slider.setRange(0, 100);
+        slider.setValue(50);
+        QSpinBox number(&m_rig->window);
+        number.setRange(0, 100);
+        number.setValue(50);
+        QComboBox choice(&m_rig->window);
+        for (int i = 0; i < 30; ++i)
+            choice.addItem(QString::number(i));
+        choice.setCurrentIndex(15);
+        for (QWidget *control : std::initializer_list<QWidget *>{&slider, &number, &choice}) {
+            control->show();
+            control->setFocus();
+            QTRY_VERIFY(control->hasFocus());
+            QTest::keyClick(control, Qt::Key_PageDown);
+            QTest::keyClick(control, Qt::Key_PageDown);
+            QTest::keyClick(control, Qt::Key_PageUp);
+        }
+        QVERIFY(slider.value() != 50);
+        QCOMPARE(number.value(), 40);
+        QVERIFY(choice.currentIndex() != 15);
+        for (QWidget *control : std::initializer_list<QWidget *>{&slider, &number, &choice}) {
+            control->setFocus();
+            QTRY_VERIFY(control->hasFocus());
+            QTest::keyClick(control, Qt::Key_End);
+            QVERIFY2(!time.following(), control->metaObject()->className());
+        }
+        QCOMPARE(choice.currentIndex(), 29);
+        m_rig->window.scope()->setFocus();
+        QTest::keyClick(m_rig->window.scope(), Qt::Key_End);
+        QVERIFY(time.following());
+    }
+
     void noLetterBelongsToAMenuAndAPageOrToTwoOfAPage_data()
     {
         QTest::addColumn<QString>("language");
@@ -263,6 +305,8 @@ private Q_SLOTS:
         QStringList clashes;
         const QHash<QString, QStringList> menus = lettersOfMenus();
         clashesIn(menus, QStringLiteral("menu bar"), clashes);
+        for (const QAction *entry : m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions())
+            clashesIn(lettersOf(entry->menu()->actions()), entry->text(), clashes);
         int tools = 0, letters = 0;
         QStringList docks;
         for (const QAction *tool : m_rig->window.findChildren<QAction *>())
@@ -384,9 +428,15 @@ private Q_SLOTS:
 private:
     QHash<QString, QStringList> lettersOfMenus() const
     {
+        return lettersOf(m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions());
+    }
+    static QHash<QString, QStringList> lettersOf(const QList<QAction *> &entries)
+    {
         QHash<QString, QStringList> letters;
-        for (const QAction *entry : m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions())
-            letters[QKeySequence::mnemonic(entry->text()).toString()].append(entry->text());
+        for (const QAction *entry : entries)
+            if (const QString key = QKeySequence::mnemonic(entry->text()).toString();
+                !key.isEmpty())
+                letters[key].append(entry->text());
         return letters;
     }
     static QString dockOf(const QWidget *widget)

@@ -341,6 +341,16 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(path));
     }
 
+    void anExportWithoutSamplesIsToldAsSuch()
+    {
+        QSignalSpy exported(&m_flows->exporting, &widgets::Exporting::exported);
+        sample(); // of the first 0.1 s
+        carryOut(m_folder->filePath(QStringLiteral("late.csv")), capture::TimeSpan{100.0, 200.0});
+        QTRY_VERIFY2(m_said.contains(QStringLiteral("holds no samples")), qPrintable(m_said));
+        QCOMPARE(m_kind, Banner::Kind::Warning);
+        QCOMPARE(exported.size(), 0);
+    }
+
     void anExportThatFailedIsToldAndNothingIsTakenForKept()
     {
         sample();
@@ -414,11 +424,12 @@ private:
         capture.append({1, 0, 100, std::vector<std::int16_t>(100, 7), {}, 0});
         QVERIFY(capture.timeSpan());
     }
-    void carryOut(const QString &path)
+    void carryOut(const QString &path, std::optional<capture::TimeSpan> range = {})
     {
         widgets::ExportOrder order;
         order.format = session::exportFormatOf(path);
         order.path = path;
+        order.range = range;
         std::vector<capture::ChannelId> ids;
         for (const auto &info : m_flows->bench.capture().channels())
             ids.push_back(info.id);

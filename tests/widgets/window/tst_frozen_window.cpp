@@ -1,5 +1,5 @@
 // The real window, the real session thread and the simulated board, while the window stands still: its thread does not
-// come back to its event loop. What the board does meanwhile is told by the session's records afterwards.
+// come back to its event loop. What the board does meanwhile is told by the entries of the motion log afterwards.
 #include "support/window_rig.h"
 #include "widgets/control/panel.h"
 
@@ -37,7 +37,7 @@ private Q_SLOTS:
         connect(&device(), &widgets::Device::interrupted, this,
             [this](const Interruption &what) { m_interruptions.push_back(what); });
         connect(&device(), &widgets::Device::motionLogged, this,
-            [this](const drive::MotionEntry &record) { m_motions.push_back(record); });
+            [this](const drive::MotionEntry &entry) { m_motions.push_back(entry); });
         QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
         QTRY_VERIFY(device().answering() && device().identified());
         QTRY_COMPARE(state(), MotorState::Idle);
@@ -62,8 +62,8 @@ private Q_SLOTS:
         QVERIFY2(after < 3200ms, qPrintable(QString::number(toSeconds(after))));
         QVERIFY(find(drive::MotionAct::Disarm));
         QVERIFY(find(drive::MotionAct::Disarm)->asked < stop->asked);
-        for (const drive::MotionEntry &record : m_motions)
-            QVERIFY(record.act != drive::MotionAct::Arm || record.asked <= frozen);
+        for (const drive::MotionEntry &entry : m_motions)
+            QVERIFY(entry.act != drive::MotionAct::Arm || entry.asked <= frozen);
     }
 
     void whatWasTypedIntoItDoesNotActWhenItThaws()
@@ -110,9 +110,9 @@ private:
     MotorState state() { return device().status(1).state; }
     const drive::MotionEntry *find(drive::MotionAct act) const
     {
-        for (const drive::MotionEntry &record : m_motions)
-            if (record.act == act)
-                return &record;
+        for (const drive::MotionEntry &entry : m_motions)
+            if (entry.act == act)
+                return &entry;
         return nullptr;
     }
     /// Clicked until it is taken: what is clicked right after a freeze is not.

@@ -76,6 +76,57 @@ private Q_SLOTS:
         QCOMPARE(baud->currentText(), QStringLiteral("921600"));
     }
 
+    void anSpiDeviceHasAClockAndNoChoiceOfProtocols()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        auto *connect = m_rig->find<QPushButton>("connect");
+        QTest::mouseClick(connect, Qt::LeftButton); // no longer wanted
+        widgets::ConnectBar &bar = *m_rig->window.connectBar();
+        const auto *rate = m_rig->find<QComboBox>("baud");
+        const auto *protocol = m_rig->find<QComboBox>("protocol");
+        bar.setProtocol(QStringLiteral("mcp"));
+        QCOMPARE(rate->accessibleName(), QStringLiteral("Baud rate"));
+        bar.setEndpoint(QStringLiteral("/dev/spidev9.9"), 20'000'000);
+        QCOMPARE(rate->accessibleName(), QStringLiteral("Clock [Hz]"));
+        QCOMPARE(rate->currentText(), QStringLiteral("20000000"));
+        QCOMPARE(bar.baud(), 20'000'000U);
+        QVERIFY(!protocol->isEnabled());
+        QTest::mouseClick(connect, Qt::LeftButton);
+        QVERIFY(device().endpoint().protocol == drive::Protocol::Mcb);
+        QCOMPARE(device().endpoint().baud, 20'000'000U);
+        device().portChanged(session::PortState::Open, {});
+        const auto *link = m_rig->find<QWidget>("statusStrip")->findChild<Lamp *>();
+        QCOMPARE(link->text(), QStringLiteral("/dev/spidev9.9 @ 20000000\u202fHz"));
+        device().portChanged(session::PortState::Closed, {});
+        QTest::mouseClick(connect, Qt::LeftButton);
+        bar.setEndpoint(QStringLiteral("/dev/ttyACM9"), 0);
+        QCOMPARE(rate->accessibleName(), QStringLiteral("Baud rate"));
+        QCOMPARE(bar.baud(), 0U); // no serial port is so fast
+        QVERIFY(protocol->isEnabled());
+    }
+
+    void aBoardWithoutABaudRateShowsNone()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        auto *connect = m_rig->find<QPushButton>("connect");
+        QTest::mouseClick(connect, Qt::LeftButton); // no longer wanted
+        widgets::ConnectBar &bar = *m_rig->window.connectBar();
+        auto *rate = m_rig->find<QComboBox>("baud");
+        rate->setEditText(QStringLiteral("none"));
+        bar.setEndpoint(QStringLiteral("sim:mcb"), 0);
+        QVERIFY(rate->isHidden());
+        QTest::mouseClick(connect, Qt::LeftButton);
+        QCOMPARE(device().endpoint().path, QStringLiteral("sim:mcb"));
+        device().portChanged(session::PortState::Open, {});
+        QCOMPARE(m_rig->find<QWidget>("statusStrip")->findChild<Lamp *>()->text(),
+            QStringLiteral("simulated board"));
+        device().portChanged(session::PortState::Closed, {});
+        QTest::mouseClick(connect, Qt::LeftButton);
+        QVERIFY(rate->isHidden());
+        bar.setEndpoint(QStringLiteral("sim"), 921600);
+        QVERIFY(!rate->isHidden());
+    }
+
     void whereTheScreenHasNoRoomForItItTakesAllThereIs_data()
     {
         QTest::addColumn<QSize>("screen");
@@ -323,13 +374,21 @@ private Q_SLOTS:
         rig.window.openFile(csv.fileName());
         QTRY_COMPARE(rig.window.scope()->channels().size(), 1);
         QVERIFY2(said()->text().contains(QStringLiteral("a.csv")), qPrintable(said()->text()));
+        QFile loud(folder.filePath(QStringLiteral("B.CSV"))); // as other systems write it
+        QVERIFY(loud.open(QIODevice::WriteOnly));
+        loud.write("time [s],speed [rpm],current [A]\n0,10,1\n0.001,20,1\n0.002,30,1\n");
+        loud.close();
+        rig.window.openFile(loud.fileName());
+        QTRY_COMPARE(rig.window.scope()->channels().size(), 2);
         rig.window.openFile(folder.filePath(QStringLiteral("none.pcapng")));
         QTRY_VERIFY2(
             said()->text().contains(QStringLiteral("none.pcapng")), qPrintable(said()->text()));
-        QCOMPARE(rig.window.scope()->channels().size(), 1);
-        rig.window.openFile(folder.filePath(QStringLiteral("none.workspace")));
-        QTRY_VERIFY2(
-            said()->text().contains(QStringLiteral("none.workspace")), qPrintable(said()->text()));
+        QCOMPARE(rig.window.scope()->channels().size(), 2);
+        for (const char *name : {"none.workspace", "NONE.WORKSPACE"}) {
+            rig.window.openFile(folder.filePath(QLatin1String(name)));
+            QTRY_VERIFY2(said()->text().contains(QLatin1String(name)), qPrintable(said()->text()));
+            QVERIFY(said()->text().contains(QStringLiteral("was not opened")));
+        }
     }
 
     void aLostLinkStaysToldUntilTheBoardAnswers()
@@ -386,7 +445,7 @@ private Q_SLOTS:
         facts::feed(device(), {board});
         QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: 500 ms"));
         QVERIFY(
-            shown->toolTip().contains(QStringLiteral("fed by a live window, only while armed")));
+            shown->toolTip().contains(QStringLiteral("from a window that responds and is armed")));
         facts::feed(device(), {facts::status(drive::MotorState::Running)});
         feed({LinkState::Lost, LinkReason::Silence});
         QVERIFY(banner()->text().contains(QStringLiteral("stop it by itself after 500 ms")));

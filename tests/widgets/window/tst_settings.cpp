@@ -44,8 +44,36 @@ private Q_SLOTS:
             {QStringLiteral("M2"), QStringLiteral("[I_A (2)]"), true}};
         settings.workspace.notes = QStringLiteral("a note");
         settings.recentFiles = {QStringLiteral("/b.pcapng"), QStringLiteral("/a.csv")};
-        QVERIFY(widgets::saveSettings(settings, path));
-        QCOMPARE(widgets::loadSettings(path), settings);
+        QCOMPARE(widgets::saveSettings(settings, path), QString());
+        QString problem;
+        QCOMPARE(widgets::loadSettings(path, &problem), settings);
+        QCOMPARE(problem, QString());
+    }
+
+    void aDamagedFileIsPutAsideAndTold()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("settings.json"));
+        QString problem;
+        QCOMPARE(widgets::loadSettings(path, &problem), Settings{});
+        QCOMPARE(problem, QString()); // there was none
+        Settings settings;
+        settings.workspace.notes = QStringLiteral("a note");
+        const QByteArray cut = widgets::toJson(settings).chopped(4);
+        for (const QByteArray &content : {QByteArray("earlier"), cut}) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(content);
+            file.close();
+            problem.clear();
+            QCOMPARE(widgets::loadSettings(path, &problem), Settings{});
+            QVERIFY2(problem.contains(QStringLiteral("settings.json.bad")), qPrintable(problem));
+            QVERIFY(!QFile::exists(path));
+        }
+        QCOMPARE(widgets::saveSettings(Settings{}, path), QString());
+        QFile aside(path + QStringLiteral(".bad"));
+        QVERIFY(aside.open(QIODevice::ReadOnly));
+        QCOMPARE(aside.readAll(), cut); // whatever was saved since
     }
 
     void aMissingOrDamagedFileGivesTheDefaultsButNoLimitIsLostWithIt()
@@ -170,7 +198,9 @@ private Q_SLOTS:
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.close();
-        QVERIFY(!widgets::saveSettings(Settings{}, path + QStringLiteral("/settings.json")));
+        const QString why =
+            widgets::saveSettings(Settings{}, path + QStringLiteral("/settings.json"));
+        QVERIFY2(why.contains(QStringLiteral("cannot be saved")), qPrintable(why));
     }
 };
 

@@ -12,7 +12,9 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include <array>
@@ -324,6 +326,43 @@ private Q_SLOTS:
         second.rig.files.answer = path;
         second.fileAction("Open a workspace")->trigger();
         QVERIFY(ghosts.hasReference(widgets::Reference::A));
+    }
+
+    void notesThatAreInNoFileAreAskedAbout()
+    {
+        QTemporaryDir folder;
+        Workspace other = ofABench();
+        other.notes = QStringLiteral("another bench");
+        const QString path = folder.filePath(QStringLiteral("other.workspace")),
+                      first = folder.filePath(QStringLiteral("first.workspace"));
+        QVERIFY(session::writeWholeFile(path, widgets::toJson(other)).isEmpty());
+        QVERIFY(session::writeWholeFile(first, widgets::toJson(ofABench())).isEmpty());
+        WorkspaceBench bench(ofABench());
+        const auto notes = [&] { return bench.rig.window.settings().workspace.notes; };
+        const auto question = [&] { return bench.rig.find<QMessageBox>("notesQuestion"); };
+        const auto open = [&](const QString &file) {
+            bench.rig.files.answer = file;
+            bench.fileAction("Open a workspace")->trigger();
+        };
+        open(path);
+        QVERIFY(question());
+        QTest::keyClick(question(), Qt::Key_Return); // neither Enter nor Esc throws them away
+        QTRY_VERIFY(!question());
+        QCOMPARE(notes(), ofABench().notes);
+        QVERIFY(bench.rig.window.settings().recentFiles.isEmpty());
+        open(path);
+        bench.rig.find<QPushButton>("keepNotes")->click();
+        QTRY_VERIFY(!question());
+        QCOMPARE(notes(), ofABench().notes);
+        QCOMPARE(bench.rig.window.settings().recentFiles, QStringList{path});
+        open(path);
+        QVERIFY(question()); // they are still in no file
+        bench.rig.find<QPushButton>("replaceNotes")->click();
+        QTRY_VERIFY(!question());
+        QCOMPARE(notes(), other.notes);
+        open(first); // which the file before has
+        QVERIFY(!question());
+        QCOMPARE(notes(), ofABench().notes);
     }
 
     void aDamagedFileChangesNothing()

@@ -1,5 +1,5 @@
 // Says over the scope that its picture is not live: a light hatch on every plot and one line of words. Takes no mouse
-// and knows no link; who shows it decides why.
+// and knows no link; the caller gives the reason.
 #pragma once
 
 #include <QWidget>

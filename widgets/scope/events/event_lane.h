@@ -27,7 +27,7 @@ public:
     };
     std::vector<Cluster> clusters() const; ///< of what is in view, from left to right
     QString textOf(const Cluster &cluster) const; ///< a line for each of the first events
-    void paintOn(QPainter &painter) const; ///< without the mark of who has the keys
+    void paintOn(QPainter &painter) const; ///< without the mark of the keyboard focus
     quint32 selected() const { return m_selected; } ///< 0: none
 
 Q_SIGNALS:

@@ -1,5 +1,5 @@
 // FaultRecords: what was recorded around each fault, kept whatever the trigger does and whatever is cleared afterwards.
-// It knows no board: who does tells it of faults.
+// It knows no board: its owner tells it of faults.
 #pragma once
 
 #include "capture/capture.h"

@@ -17,7 +17,7 @@ namespace widgets {
 class SignalPlan : public QObject {
     Q_OBJECT
 public:
-    /// Both outlive it. Who owns them feeds it what the device tells.
+    /// Both outlive it. The owner feeds it what the device tells.
     SignalPlan(Device &device, capture::Capture &capture, QObject *parent = nullptr);
 
     const std::vector<WantedSignal> &wanted() const { return m_wanted; }

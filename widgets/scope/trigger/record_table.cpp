@@ -1,4 +1,4 @@
-#include "widgets/files/record_table.h"
+#include "widgets/scope/trigger/record_table.h"
 
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/device_text.h"

@@ -1,12 +1,12 @@
-#include "widgets/files/record_panel.h"
+#include "widgets/scope/trigger/record_panel.h"
 
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/files/record_table.h"
 #include "widgets/scope/ghosts.h"
 #include "widgets/scope/trigger/control.h"
+#include "widgets/scope/trigger/record_table.h"
 #include "widgets/scope/view.h"
 
 #include <QGridLayout>
