@@ -5,47 +5,9 @@
 #include "drive/event.h"
 #include "drive/values.h"
 
-#include <charconv>
-
 namespace drive {
 
 namespace {
-
-std::string hex(const std::vector<Bytes> &requests, std::size_t all)
-{
-    std::string text;
-    for (const Bytes &request : requests)
-        text += (text.empty() ? "" : " | ") + hexOf(request, " ");
-    if (all > requests.size())
-        text += " | and " + std::to_string(all - requests.size()) + " more";
-    return text;
-}
-
-/// A cell that a spreadsheet takes as text: quoted where it must be, never a formula.
-std::string cell(std::string_view text)
-{
-    std::string safe;
-    if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
-        safe.push_back('\'');
-    for (const char c : text)
-        safe.push_back(static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
-    if (safe.find_first_of(",\"") == std::string::npos)
-        return safe;
-    std::string quoted = "\"";
-    for (const char c : safe) {
-        if (c == '"')
-            quoted.push_back('"');
-        quoted.push_back(c);
-    }
-    return quoted + '"';
-}
-
-std::string milliseconds(Duration time)
-{
-    char text[32];
-    const double value = std::chrono::duration<double, std::milli>(time).count();
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr};
-}
 
 constexpr std::size_t kMostNamed = 8; ///< registers in the detail of a write
 
@@ -196,29 +158,6 @@ std::string_view wordOf(StopWord word)
         {"drive idle", DriveIdle}, {"standstill measured", Standstill},
         {"speed not measurable", MayCoast}, {"NOT confirmed", NotConfirmed}};
     return wordFor(kWords, word);
-}
-
-std::string motionLogHeading()
-{
-    return "number,time,who,source,motor,command,detail,outcome,reason,took [ms],bytes";
-}
-
-std::string motionLogLine(
-    const MotionEntry &entry, std::size_t number, std::string_view time, std::string_view who)
-{
-    std::string line = std::to_string(number);
-    const auto add = [&line](std::string_view text) { line += ',' + cell(text); };
-    add(time);
-    add(who);
-    add(wordOf(entry.source));
-    add(entry.motor > 0 ? std::to_string(entry.motor) : std::string());
-    add(wordOf(entry.act));
-    add(entry.detail);
-    add(entry.stop ? wordOf(*entry.stop) : wordOf(entry.outcome));
-    add(entry.reason);
-    add(milliseconds(entry.ended - entry.asked));
-    add(hex(entry.sent, entry.requests));
-    return line;
 }
 
 } // namespace drive

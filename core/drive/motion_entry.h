@@ -64,12 +64,4 @@ std::string_view wordOf(Source source); ///< "person"
 std::string_view wordOf(Outcome outcome); ///< "ok"
 std::string_view wordOf(StopWord word); ///< "drive idle"
 
-/// One line an entry, without line ends: comma-separated, quoted where needed, a point as decimal sign.
-std::string motionLogHeading();
-/// @param number  of the entry in its log, from 1
-/// @param time    when it was asked, as the caller's clock tells it
-/// @param who     the user or program, e.g. "kim, Rotorscope"
-std::string motionLogLine(
-    const MotionEntry &entry, std::size_t number, std::string_view time, std::string_view who);
-
 } // namespace drive

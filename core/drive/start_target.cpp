@@ -133,7 +133,7 @@ std::string refuseStartTarget(const BoardFacts &board, int motor, const std::vec
         const RegisterInfo *info = catalog.find(reading.id);
         if (reading.status != ReadStatus::Ok || info == nullptr)
             continue;
-        const std::string name = catalog.nameOf(reading.id);
+        std::string name = catalog.nameOf(reading.id);
         if (isSource(*info) && asNumber(reading.value).value_or(0.0) != 0.0)
             return name + " is on, and then no limit of your own holds: turn it off first";
         std::string why;
@@ -146,7 +146,7 @@ std::string refuseStartTarget(const BoardFacts &board, int motor, const std::vec
         else if (torque || (info->setPoint == catalog::SetPoint::Speed && !byRamp))
             why = refuseNumber(board, {reading.id, reading.value});
         if (!why.empty())
-            return name + " is " + why;
+            return name.append(" is ").append(why);
     }
     return {};
 }

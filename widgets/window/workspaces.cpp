@@ -134,7 +134,7 @@ bool Workspaces::open(const QString &path)
     const auto json = session::readWholeFile(path);
     if (!json)
         return tell(json.error());
-    const auto workspace = readWorkspace(*json);
+    auto workspace = readWorkspace(*json);
     if (!workspace)
         return tell(workspace.error());
     m_folder = QFileInfo(path).path();

@@ -40,6 +40,14 @@ private:
 /// "kim, Rotorscope"
 QString motionLogWho(const QString &program);
 
+/// One line an entry, without line ends: comma-separated, quoted where needed, a point as decimal sign.
+std::string motionLogHeading();
+/// @param number  of the entry in its log, from 1
+/// @param time    when it was asked, as the caller's clock tells it
+/// @param who     the user or program, e.g. "kim, Rotorscope"
+std::string motionLogLine(const drive::MotionEntry &entry, std::size_t number,
+    std::string_view time, std::string_view who);
+
 /// The whole file, heading included; times are UTC with milliseconds. Costs about 10 us an entry.
 /// @param leftOut  acts before the first one that are not held any more: the file says so, and counts them
 QByteArray motionLogText(

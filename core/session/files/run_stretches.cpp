@@ -147,7 +147,7 @@ public:
         if (!m_writer)
             beginRun(all[m_next]);
         if (m_writer)
-            (void)m_writer->add(item.at, std::move(item.entry)); // its end says why, if it is over
+            (void)m_writer->add(item.at, item.entry); // its end says why, if it is over
     }
 
     Result<KeptStretches, QString> end()

@@ -21,10 +21,7 @@ public:
 
     /// The next number, and the file of the recording. @return  empty, or why not
     QString begin(const recorded::Begin &begin);
-    bool add(recorded::Nanos at, recorded::Entry entry)
-    {
-        return m_file->add(at, std::move(entry));
-    }
+    bool add(recorded::Nanos at, const recorded::Entry &entry) { return m_file->add(at, entry); }
     /// Evaluates the recording, too. @return  the run, or why not
     Result<Run, QString> end(const std::optional<snapshots::Snapshot> &registers);
 
