@@ -30,6 +30,9 @@ inline std::string decimalText(double value, int digits)
         std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
 }
 
+/// For a sentence: six digits, the point as the decimal sign.
+inline std::string shortNumber(double value) { return decimalText(value, 6); }
+
 /// std::from_chars for a number with a point, made of a stream: some libraries have none (Apple's, before LLVM 20).
 std::from_chars_result decimalOfStream(const char *first, const char *last, double &value);
 

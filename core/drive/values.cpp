@@ -1,6 +1,5 @@
 #include "drive/values.h"
 
-#include "base/text.h"
 #include "catalog/limits.h"
 
 #include <cmath>
@@ -29,7 +28,5 @@ Result<std::int64_t, std::string> wholeNumberFor(ValueType type, const Value &va
             + std::to_string(std::llround(limits.greatest)));
     return static_cast<std::int64_t>(*number);
 }
-
-std::string shortNumber(double value) { return decimalText(value, 6); }
 
 } // namespace drive

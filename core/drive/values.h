@@ -24,7 +24,4 @@ bool sameValue(const Value &written, const Value &read);
 /// with the reason.
 Result<std::int64_t, std::string> wholeNumberFor(catalog::ValueType type, const Value &value);
 
-/// For a sentence: six digits, the point as the decimal sign.
-std::string shortNumber(double value);
-
 } // namespace drive

@@ -4,12 +4,6 @@
 
 namespace drive {
 
-namespace {
-
-constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
-
-} // namespace
-
 std::optional<Feature> featureOf(const Wish &wish)
 {
     if (const auto setPoint = setPointOf(wish.what))
@@ -207,6 +201,7 @@ void WishDrive::tellLink(LinkState state, LinkReason reason)
 
 void WishDrive::tellCounters(const LinkCounters &counters, TimePoint now)
 {
+    constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
     if (now < m_countersAt || counters == m_counters)
         return;
     m_counters = counters;

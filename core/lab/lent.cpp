@@ -9,7 +9,7 @@ std::string typedText(const catalog::Value &value)
 {
     const auto *bytes = std::get_if<Bytes>(&value);
     return bytes != nullptr ? "\"" + hexOf(*bytes, " ") + "\""
-                            : drive::shortNumber(drive::asNumber(value).value_or(0.0));
+                            : shortNumber(drive::asNumber(value).value_or(0.0));
 }
 
 std::vector<std::string> leftTexts(const std::vector<Lent> &lent)

@@ -1,5 +1,6 @@
 #include "snapshots/drive_parameters.h"
 
+#include "base/text.h"
 #include "drive/values.h"
 #include "motor/rev_up.h"
 
@@ -94,8 +95,8 @@ public:
             define(phase + "_FINAL_SPEED_UNIT",
                 "(" + std::to_string(stage.speed_rpm) + "*SPEED_UNIT/U_RPM)");
             if (ampsPerDigit > 0.0)
-                define(phase + "_FINAL_CURRENT_A",
-                    drive::shortNumber(stage.current_digits * ampsPerDigit));
+                define(
+                    phase + "_FINAL_CURRENT_A", shortNumber(stage.current_digits * ampsPerDigit));
             else
                 define(phase + "_FINAL_CURRENT", std::to_string(stage.current_digits));
         }

@@ -4,12 +4,6 @@
 
 namespace drive {
 
-namespace {
-
-constexpr auto kNotThere = static_cast<std::uint8_t>(fcp::ErrorCode::WriteOnly);
-
-} // namespace
-
 std::optional<std::uint8_t> nackCode(const fcp::Reply &reply)
 {
     const auto *nack = std::get_if<fcp::Nack>(&reply);
@@ -48,6 +42,7 @@ fcp::Request FcpReads::request(std::span<const RegisterId> ids, std::size_t &cou
 std::optional<std::vector<Reading>> FcpReads::readings(
     std::span<const RegisterId> ids, const fcp::Reply &answer, TimePoint now)
 {
+    constexpr auto kNotThere = static_cast<std::uint8_t>(fcp::ErrorCode::WriteOnly);
     Reading reading{ids.front(), ReadStatus::Ok, {}, now};
     if (const auto *ack = std::get_if<fcp::Ack>(&answer); ack == nullptr) {
         reading.status =

@@ -371,14 +371,13 @@ void McbDrive::sendInFrames(
 /// Whether the last frame had these words for the register.
 bool McbDrive::tookAlong(std::uint16_t address, const mcb::Words &words) const
 {
-    const mcb::Words &sent = m_link.cyclicSent();
+    const mcb::WordView sent(m_link.cyclicSent()), wanted(words);
     std::size_t at = 0;
     for (const mcb::MappedRegister &entry : m_link.mapping().rx) {
         const std::size_t count = mcb::wordsOf(entry.size);
         if (entry.address == address)
-            return words.size() >= count && sent.size() >= at + count
-                && std::equal(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count),
-                    sent.begin() + static_cast<std::ptrdiff_t>(at));
+            return wanted.size() >= count && sent.size() >= at + count
+                && std::ranges::equal(wanted.first(count), sent.subspan(at, count));
         at += count;
     }
     return false;

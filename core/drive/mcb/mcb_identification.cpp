@@ -168,9 +168,7 @@ void McbIdentification::findTextOrder()
         if (!web.empty())
             return web.starts_with("http") || web.starts_with("ww");
         const std::size_t dot = version.find('.');
-        return dot > 0 && dot != std::string::npos
-            && std::all_of(version.begin(), version.begin() + static_cast<std::ptrdiff_t>(dot),
-                [](char c) { return c >= '0' && c <= '9'; });
+        return dot != std::string::npos && numberIn<std::uint64_t>(version.substr(0, dot));
     };
     if (!looksRight(mcb::TextOrder::HighByteFirst) && !looksRight(mcb::TextOrder::LowByteFirst))
         m_board.order = mcb::TextOrder::HighByteFirst;

@@ -233,18 +233,15 @@ std::optional<McbRequest> McbStreamTask::nextRequest(TimePoint)
 /// Why the motor does not count as standing; empty if it may.
 std::string McbStreamTask::reasonInStanding(std::uint16_t address, const McbAnswer &answer) const
 {
-    constexpr const char *kMoves = "only while the motor stands";
     const auto value =
         answer.ok ? mcbValueOf(m_control.m_board, address, answer.words) : std::optional<Value>();
     const auto number = value ? asNumber(*value) : std::nullopt;
     if (!number)
         return "the drive does not tell whether the motor stands";
-    if (address == mcbreg::kStatus)
-        return mcbStateOf(static_cast<std::uint16_t>(*number)).state == MotorState::Idle
-            ? std::string()
-            : kMoves;
-    return std::abs(*number) * kSecondsPerMinute <= StopSequence::kStandstillRpm ? std::string()
-                                                                                 : kMoves;
+    const bool stands = address == mcbreg::kStatus
+        ? mcbStateOf(static_cast<std::uint16_t>(*number)).state == MotorState::Idle
+        : std::abs(*number) * kSecondsPerMinute <= StopSequence::kStandstillRpm;
+    return stands ? "" : "only while the motor stands";
 }
 
 void McbStreamTask::onInfo(std::uint16_t address, const McbAnswer &answer)

@@ -5,12 +5,6 @@
 
 namespace drive {
 
-namespace {
-
-constexpr int kErrorDigits = 8;
-
-} // namespace
-
 std::vector<RegisterId> McbVitals::idsToRead()
 {
     m_errorAsked = false;
@@ -47,8 +41,7 @@ std::optional<MotorStatus> McbVitals::statusOf(int) const
     if (hasFault(state.state)) {
         const auto code =
             static_cast<std::int32_t>(numberOf(mcbIdOf(mcbreg::kLastError)).value_or(0.0));
-        const std::string fault =
-            "ERROR_0x" + hexDigits(static_cast<std::uint32_t>(code), kErrorDigits);
+        const std::string fault = "ERROR_0x" + hexDigits(static_cast<std::uint32_t>(code), 8);
         (state.state == MotorState::FaultNow ? status.faultsNow : status.faultsPast) = {fault};
     }
     return status;

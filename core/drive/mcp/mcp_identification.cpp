@@ -15,7 +15,6 @@ namespace {
 constexpr int kMaxMotors = 7; // what three bits can number
 constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
-constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4;
 
 constexpr catalog::StartRegisters kStart{{"CONTROL_MODE"}, {"SPEED_RAMP"},
     {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}, catalog::controlModeOf,
@@ -41,14 +40,11 @@ std::string speedSignalOf(const McpMotorDescription &motor, const catalog::Catal
 {
     if (!motor.firmware || motor.firmware->sixStep)
         return {};
-    const std::uint8_t sensor = motor.firmware->primarySensor;
-    const std::string name = sensor == kSensorPll ? "STOPLL_ROT_SPEED"
-        : sensor == kSensorCordic                 ? "STOCORDIC_ROT_SPEED"
-        : sensor == kSensorEncoder                ? "ENCODER_SPEED"
-        : sensor == kSensorHall                   ? "HALL_SPEED"
-                                                  : "";
-    const catalog::RegisterInfo *info = name.empty() ? nullptr : catalog.find(name);
-    return info && info->streaming != catalog::Streaming::Polled ? name : std::string();
+    const auto *sensor =
+        std::ranges::find(kSensors, motor.firmware->primarySensor, &McpSensor::number);
+    const auto *info = sensor == std::end(kSensors) ? nullptr : catalog.find(sensor->speed);
+    return info && info->streaming != catalog::Streaming::Polled ? std::string(sensor->speed)
+                                                                 : std::string();
 }
 
 } // namespace
@@ -206,8 +202,8 @@ void McpIdentification::finish()
             m_board.knownFirmware ? scalesOf(motor, m_board.version) : catalog::Scales{});
         m_board.limits.push_back(limitsOf(motor));
         m_board.speedMeasured.push_back(motor.firmware && m_board.knownFirmware
-            && (motor.firmware->primarySensor == kSensorEncoder
-                || motor.firmware->primarySensor == kSensorHall));
+            && (motor.firmware->primarySensor == kEncoder
+                || motor.firmware->primarySensor == kHall));
         m_board.sensors.push_back(
             m_board.knownFirmware ? sensorsOf(motor) : std::set<std::uint8_t>());
     }

@@ -19,8 +19,7 @@ constexpr std::array kStructures{
     "MOTOR_CONFIG", "APPLICATION_CONFIG", "FOCFW_CONFIG", "SCALE_CONFIG", "GLOBAL_CONFIG"};
 constexpr const char *kInertia = "SC_J";
 
-// Primary sensors and topologies as FOCFW_CONFIG numbers them.
-constexpr std::uint8_t kObserverPll = 1, kObserverCordic = 2, kEncoder = 3, kHall = 4;
+// Topologies as FOCFW_CONFIG numbers them.
 constexpr std::uint8_t kThreeShunts = 0, kOneShunt = 1, kOneShuntShifted = 2;
 
 struct FieldUnit {
@@ -72,8 +71,8 @@ double speedDelay_s(std::uint8_t sensor, const MotorFacts &facts)
     constexpr double kEncoderPeriods = 16.0; // periods of the speed loop
     constexpr double kHallEdges = 6.0; // an electrical turn
     switch (sensor) {
-    case kObserverPll:
-    case kObserverCordic:
+    case kPll:
+    case kCordic:
         return kObserverPeriods / 2.0 * facts.controlPeriod_s;
     case kEncoder:
         return kEncoderPeriods / 2.0 * facts.speedPeriod_s;

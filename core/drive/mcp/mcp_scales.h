@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace drive {
@@ -18,6 +19,16 @@ struct McpMotorDescription {
     std::optional<mcp::FirmwareConfig> firmware;
     std::optional<mcp::ScaleConfig> scale;
 };
+
+/// Of speed, as FOCFW_CONFIG numbers it: how the names of its registers begin, and that of its speed.
+struct McpSensor {
+    std::uint8_t number;
+    std::string_view prefix, speed;
+};
+inline constexpr std::uint8_t kPll = 1, kCordic = 2, kEncoder = 3, kHall = 4;
+inline constexpr McpSensor kSensors[] = {{kPll, "STOPLL_", "STOPLL_ROT_SPEED"},
+    {kCordic, "STOCORDIC_", "STOCORDIC_ROT_SPEED"}, {kEncoder, "ENCODER_", "ENCODER_SPEED"},
+    {kHall, "HALL_", "HALL_SPEED"}};
 
 /// From SCALE_CONFIG, or (firmware 6.0 and 6.1) from APPLICATION_CONFIG. Six-step: all unknown, its scales mean
 /// something else. @param version 0xMMmmpp

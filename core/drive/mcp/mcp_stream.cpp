@@ -1,10 +1,10 @@
 #include "drive/mcp/mcp_stream.h"
 
+#include "drive/mcp/mcp_scales.h"
 #include "mcp/datalog.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace drive {
 
@@ -31,17 +31,12 @@ capture::StreamSignal signalOf(const McpFacts &board, RegisterId id, bool fast)
 /// Whether a signal is of a sensor that the build lacks: boards take it, and log zeros.
 bool lacksSensor(const McpFacts &board, RegisterId id)
 {
-    struct Row {
-        std::string_view begins;
-        std::uint8_t sensor;
-    };
-    constexpr Row kRows[] = {{"STOPLL_", 1}, {"STOCORDIC_", 2}, {"ENCODER_", 3}, {"HALL_", 4}};
     const auto *info = board.catalog->find(id);
     const auto motor = static_cast<std::size_t>(board.catalog->motorOf(id)) - 1;
     if (info == nullptr || motor >= board.sensors.size() || board.sensors[motor].empty())
         return false;
-    return std::ranges::any_of(kRows, [&](const Row &row) {
-        return info->name.starts_with(row.begins) && !board.sensors[motor].contains(row.sensor);
+    return std::ranges::any_of(kSensors, [&](const McpSensor &one) {
+        return info->name.starts_with(one.prefix) && !board.sensors[motor].contains(one.number);
     });
 }
 
