@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""layers.py FILE...: says where an include goes up, where Qt is where it must not be, and where ARCHITECTURE.md is not true.
+"""layers.py FILE...: says where an include goes up, where Qt is where it must not be, where tests are beside no source, and
+where ARCHITECTURE.md is not true.
 
 Folders are layers: each may include those of lower rows, and its own. A folder that the list does not name is a finding.
 """
@@ -114,6 +115,11 @@ def main():
 
     found += [f'{path}: its name repeats the folder' for path in source
               if path.name.startswith(f'{path.parent.name}_') and str(path.parent.parent) not in TWINS]
+
+    # tests/core/drive/mcp/tst_x.cpp tests something of core/drive/mcp; whose folder moves, moves its tests.
+    found += [f'{path}: there is no folder {path.parent.relative_to("tests")} that it could test' for path in files
+              if path.parts[0] == 'tests' and path.parts[1] in ('core', 'widgets', 'app')
+              and not path.parent.relative_to('tests').is_dir()]
 
     counts = {}
     for path in files:

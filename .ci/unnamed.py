@@ -3,7 +3,8 @@
 
 The files of a folder are compiled in batches (cmake/precompiled.cmake), where both would be one. Constants, types and functions
 count, functions with what they take: others of that name may stand beside them. In tests functions count by their names alone:
-a test must not call another's helper because that fits better. Files that are compiled alone are left out.
+a test must not call another's helper because that fits better; and with the folder of a program of tests go those inside it.
+Files that are compiled alone are left out.
 """
 import collections
 import pathlib
@@ -15,6 +16,15 @@ CONSTANT = re.compile(r'(?:constexpr|const|inline|static)\b.*?\b(k[A-Z]\w*)\s*(?
 FURTHER = re.compile(r',\s*\*?(k[A-Z]\w*)\s*=')
 TYPE = re.compile(r'(?:class|struct|enum class|enum) (\w+)')
 FUNCTION = re.compile(r'[\w:<>*&, ]+?[ *&](\w+)\((.*)\)(?: const)?$')
+
+
+def room(path):
+    """The folder whose files are compiled together: of tests that of their program, see tests/CMakeLists.txt."""
+    parts = path.parent.parts
+    if parts[0] != 'tests':
+        return path.parent
+    inside = {('app',): 2, ('core', 'session'): 4, ('core', 'simulation'): 4}
+    return pathlib.Path(*parts[:inside.get(parts[1:2], inside.get(parts[1:3], 3))])
 
 
 def parameters(text):
@@ -56,7 +66,7 @@ def main():
         for what, number in names(path):
             if path.name.startswith('tst_'):
                 what = what.split('(')[0]
-            found[path.parent, what].setdefault(name, number)
+            found[room(path), what].setdefault(name, number)
     for (folder, what), places in sorted(found.items(), key=str):
         if len(places) > 1:
             print(f'{folder}: {what} is in ' + ', '.join(f'{pathlib.Path(p).name}:{n}' for p, n in sorted(places.items())))

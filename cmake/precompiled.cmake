@@ -29,9 +29,10 @@ function(rotorscope_precompile target)
     endif()
 endfunction()
 
-# rotorscope_batch(TARGET): compiles the files of a folder in batches, so that what they include is read once a batch. In exchange
-# the files of a folder share what they keep to themselves: of two things in unnamed namespaces each has a name of its own, or
-# both files use one. Since that holds for a folder, it does not matter where a batch ends. Call it behind the last source.
+# rotorscope_batch(TARGET [NAME]): compiles the files of a folder, with a NAME all of the target, in batches, so that what they
+# include is read once a batch. In exchange the files of a folder share what they keep to themselves: of two things in unnamed
+# namespaces each has a name of its own, or both files use one. Since that holds for a folder, it does not matter where a batch
+# ends. Call it behind the last source.
 function(rotorscope_batch target)
     if(ROTORSCOPE_BATCH LESS 2)
         return()
@@ -39,9 +40,12 @@ function(rotorscope_batch target)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source ${sources})
-        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE folder)
-        cmake_path(GET folder PARENT_PATH folder)
-        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+        set(folder ${ARGN})
+        if(NOT folder)
+            cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE folder)
+            cmake_path(GET folder PARENT_PATH folder)
+            cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+        endif()
         string(MAKE_C_IDENTIFIER "${folder}" group)
         list(APPEND files_${group} "${source}")
         list(LENGTH files_${group} count)

@@ -55,8 +55,9 @@ SEEDS = [
     ('core/recorded/seed_two.cpp', 'namespace {\nconstexpr int kOther = 1, kSeeded = 2;\nint seededSum(\n    int b)\n{\n    return b;\n}\n'
      '} // namespace\n', 'core/recorded: seededSum(int) is in seed_one.cpp:3, seed_two.cpp:3'),
     ('tests/core/recorded/tst_seed_one.cpp', 'namespace {\nint seededHelp(int a) { return a; }\n} // namespace\n',
-     'tests/core/recorded: seededHelp is in tst_seed_one.cpp:2, tst_seed_two.cpp:2'),
-    ('tests/core/recorded/tst_seed_two.cpp', 'namespace {\nint seededHelp(double a) { return int(a); }\n} // namespace\n', None),
+     'tests/core/recorded: seededHelp is in tst_seed_two.cpp:2, tst_seed_one.cpp:2'),
+    ('tests/core/recorded/attic/tst_seed_two.cpp', 'namespace {\nint seededHelp(double a) { return int(a); }\n} // namespace\n',
+     'tests/core/recorded/attic/tst_seed_two.cpp: there is no folder core/recorded/attic that it could test'),
     # Functions that only tests call.
     ('core/recorded/seed_lonely.h', 'int seededProbe();\n', 'core/recorded/seed_lonely.h: only tests call seededProbe'),
     ('tests/core/recorded/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),
