@@ -28,6 +28,32 @@ inline double waitedForCore_ms(qint64 process)
     return waited_ns * 1e-6;
 }
 
+/// How long a board and the program that drives it had no core, from now on.
+class CoreWait {
+public:
+    explicit CoreWait(qint64 board)
+        : m_board(board)
+        , m_before_ms(waitedForCore_ms(board))
+    {
+    }
+
+    /// Again and again while that program runs: one that has ended does not tell it.
+    void look(qint64 program)
+    {
+        m_longest_ms = std::max(
+            m_longest_ms, waitedForCore_ms(m_board) - m_before_ms + waitedForCore_ms(program));
+    }
+    /// So long that a motor may have been out of bounds, or silent.
+    bool starved() const { return m_longest_ms > kStarved_ms; }
+
+private:
+    static constexpr double kStarved_ms = 200.0;
+
+    qint64 m_board;
+    double m_before_ms;
+    double m_longest_ms = 0.0;
+};
+
 class ExperimentProgram {
 public:
     /// @param line  its command; where it ends with -o its recording is kept in file()
@@ -52,8 +78,7 @@ public:
     void begin(const QStringList &more = {})
     {
         m_run.reset();
-        m_waited_ms = 0.0;
-        m_board_ms = waitedForCore_ms(m_board.processId());
+        m_wait = CoreWait(m_board.processId());
         QDir folder = QFileInfo(file()).dir();
         for (const QString &kept : folder.entryList({QStringLiteral("run*.pcapng")}, QDir::Files))
             folder.remove(kept); // parts, too
@@ -86,9 +111,7 @@ public:
         constexpr int kLook_ms = 20;
         const bool over =
             m_process.state() == QProcess::NotRunning || m_process.waitForFinished(kLook_ms);
-        const double waited_ms = waitedForCore_ms(m_board.processId()) - m_board_ms
-            + waitedForCore_ms(m_process.processId());
-        m_waited_ms = std::max(m_waited_ms, waited_ms);
+        m_wait.look(m_process.processId());
         return over;
     }
     /// What came of it; waits for that.
@@ -114,19 +137,15 @@ public:
         }
         return run();
     }
-    /// One of the two had no core for so long that a motor may have been out of bounds, or silent.
-    bool starved() const { return m_waited_ms > kStarved_ms; }
+    bool starved() const { return m_wait.starved(); }
 
 private:
-    static constexpr double kStarved_ms = 200.0;
-
     Simulator m_board;
+    CoreWait m_wait{m_board.processId()};
     QString m_line;
     QStringList m_more;
     QProcess m_process;
     std::optional<CliRun> m_run;
-    double m_board_ms = 0.0; ///< when it began
-    double m_waited_ms = 0.0;
 };
 
 } // namespace support
