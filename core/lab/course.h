@@ -26,10 +26,13 @@ enum class Beginning : std::uint8_t {
 /// A speed that has not come to rest so long after its ramp swings: a course that needs no more begins then.
 inline constexpr Duration kSwingsAfter = std::chrono::milliseconds(3750);
 
+/// The ramp to the first speed, and the way back.
+inline constexpr milliseconds kApproach{500};
+
 struct Conditions {
     Beginning beginning = Beginning::AtSpeed;
     int firstRpm = 0; ///< signed
-    milliseconds approach{500}; ///< the ramp there, and the way back
+    milliseconds approach = kApproach; ///< the ramp there, and the way back
     double leastRpm = 0.0, mostRpm = 0.0; ///< that are asked for
     double margin_rpm = 0.0; ///< that the speed may go beyond
     double undershoot_rpm = 0.0; ///< so far below the lower of them it goes at least

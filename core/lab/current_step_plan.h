@@ -18,7 +18,7 @@ struct CurrentStepPlan {
     int repeat = 5; ///< steps there, and as many back
     milliseconds hold{20}; ///< of each current
     int rpm = 0; ///< at which it turns, signed
-    milliseconds approach{500};
+    milliseconds approach = kApproach;
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const CurrentStepPlan &) const = default;
 };

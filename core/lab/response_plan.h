@@ -18,7 +18,7 @@ struct ResponsePlan {
     int amplitudeRpm = 60;
     int kp = 0, ki = 0; ///< digits of the speed loop's gains meanwhile; kp 0: as the board has them
     milliseconds length{16000};
-    milliseconds approach{500};
+    milliseconds approach = kApproach;
     std::uint32_t seed = 1; ///< of the times
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const ResponsePlan &) const = default;

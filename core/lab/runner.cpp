@@ -16,15 +16,7 @@ using namespace std::chrono_literals;
 using drive::MotorState;
 
 constexpr Duration kAnswerWithin = 3s; ///< of what moves nothing
-constexpr Duration kRunsWithin = 10s; ///< a start, with its alignment and its rev-up
-constexpr Duration kReachesWithin = 5s; ///< after the ramp
 constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
-constexpr Duration kRestsWithin = 5s; ///< after its stop
-/// An idle motor is not at rest: an alignment would catch a rotor that coasts, and a rev-up lose it. Heavy ones take
-/// seconds.
-constexpr Duration kCoastsSeen = 10s, kCoastsUnseen = 4s;
-constexpr double kStands = 0.01; ///< of the allowed speed
-constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
@@ -36,7 +28,6 @@ constexpr Duration kAnswersTake = 5s;
 constexpr double kBusRise = 1.1, kBusSag = 0.7;
 constexpr double kHottest_c = 85.0;
 constexpr double kNoTemperature_c = 200.0; ///< a board that tells as much measures none
-constexpr double kNoCurrent = 0.005; ///< of the nominal one: a few digits
 
 std::string rpmText(double rpm) { return std::to_string(std::lround(rpm)) + " rpm"; }
 
@@ -107,7 +98,7 @@ void Runner::enter(Phase phase, Duration within, TimePoint now)
 {
     m_phase = phase;
     m_until = now + within;
-    m_settled = false;
+    m_settling = {};
 }
 
 void Runner::ask(Ask what, TimePoint now)
@@ -405,12 +396,11 @@ void Runner::onRead(TimePoint now)
     if (const std::string why = unbounded(); !why.empty())
         return refuse(why);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
-    if (m_ran && !near(m_status->speedRpm, m_before_rpm))
+    if (m_ran && !isNear(m_status->speedRpm, m_before_rpm, m_experiment.subject.limits))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
     m_target_rpm = static_cast<int>(std::lround(*target.rpm));
-    const double none_a = kNoCurrent * m_experiment.subject.limits.nominalCurrentAmps;
     for (const drive::RegisterId id : m_conditions.zeroBefore)
-        if (m_ran && std::abs(shown(id).value_or(0.0)) > none_a)
+        if (m_ran && flows(shown(id).value_or(0.0), m_experiment.subject.limits))
             return refuse(m_experiment.subject.nameOf(id)
                 + " is not 0, and would be afterwards: bring it to 0 first");
     enter(Phase::Streaming, kAnswerWithin, now);
@@ -498,9 +488,6 @@ Caps Runner::courseCaps() const
     return narrow;
 }
 
-/// What set-points differ by in the board's digits is no difference.
-double Runner::tolerated() const { return std::max(1.0, m_experiment.subject.limits.speedStepRpm); }
-
 void Runner::coast(TimePoint now)
 {
     const Duration unseen =
@@ -512,8 +499,9 @@ void Runner::coast(TimePoint now)
 /// As far as a sensor sees it.
 bool Runner::stands() const
 {
-    const double least = std::max(tolerated(), kStands * allowedRpm(m_experiment));
-    return m_experiment.subject.seesRotor() && std::abs(m_status->speedRpm.value_or(0.0)) <= least;
+    const Subject &subject = m_experiment.subject;
+    return subject.seesRotor()
+        && isStill(m_status->speedRpm, allowedRpm(m_experiment), subject.limits);
 }
 
 void Runner::lend(TimePoint now)
@@ -666,7 +654,8 @@ void Runner::onCompared()
 {
     const drive::StartTarget target = startTarget();
     m_byTorque = target.control == catalog::ControlMode::Torque;
-    if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= tolerated())
+    const double same_rpm = toleratedRpm(m_experiment.subject.limits);
+    if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= same_rpm)
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
         m_target_rpm = static_cast<int>(std::lround(target.rpm.value_or(m_target_rpm)));
@@ -757,7 +746,9 @@ void Runner::finish()
         addReason(m_soFar, what);
         m_soFar.leaves = true;
     };
-    const auto isOld = [this](double rpm) { return std::abs(rpm - m_before_rpm) <= tolerated(); };
+    const auto isOld = [this](double rpm) {
+        return std::abs(rpm - m_before_rpm) <= toleratedRpm(m_experiment.subject.limits);
+    };
     // What is on its way may have been taken, and may not.
     std::string now;
     if (m_asked_rpm && !isOld(*m_asked_rpm))
@@ -782,13 +773,6 @@ void Runner::finish()
     m_outcome = m_soFar;
 }
 
-bool Runner::near(std::optional<double> speed, double rpm) const
-{
-    constexpr double kDigits = 3.0, kShare = 0.03;
-    return speed
-        && std::abs(*speed - rpm) <= std::max(kDigits * tolerated(), kShare * std::abs(rpm));
-}
-
 drive::StartTarget Runner::startTarget() const
 {
     const Subject &subject = m_experiment.subject;
@@ -802,14 +786,7 @@ drive::StartTarget Runner::startTarget() const
 /// The speed has been right for a while.
 bool Runner::steadyAt(double rpm, TimePoint now)
 {
-    if (!near(m_envelope.rpm(), rpm)) {
-        m_settled = false;
-        return false;
-    }
-    if (!m_settled)
-        m_settledAt = now;
-    m_settled = true;
-    return now - m_settledAt >= kSteadyFor;
+    return m_settling.settled(isNear(m_envelope.rpm(), rpm, m_experiment.subject.limits), now);
 }
 
 /// A speed that has not come to rest by now swings.

@@ -14,6 +14,7 @@
 #include "drive/start_target.h"
 #include "lab/envelope.h"
 #include "lab/experiment.h"
+#include "lab/waits.h"
 
 #include <deque>
 #include <map>
@@ -100,7 +101,6 @@ private:
     bool steadyAt(double rpm, TimePoint now);
     bool hadItsTime(TimePoint now) const;
     bool swingsThrough(TimePoint now);
-    bool near(std::optional<double> speed, double rpm) const;
     drive::StartTarget startTarget() const;
     bool isAsBefore(const drive::RegisterWrite &old) const;
     std::optional<ShownReference> shownReference() const;
@@ -112,7 +112,6 @@ private:
     std::optional<double> busRise() const;
     double mostBefore_v() const;
     milliseconds wayTo(double rpm) const;
-    double tolerated() const;
     drive::Stream stream() const;
     drive::Watch watch() const;
     std::optional<double> shown(drive::RegisterId id) const;
@@ -126,8 +125,7 @@ private:
     Phase m_phase = Phase::Over;
     TimePoint m_until{}; ///< the phase is over by then, or it has failed
     std::optional<TimePoint> m_deadline; ///< the motor is as before by then; once it runs
-    TimePoint m_settledAt{}; ///< the speed has been right since then
-    bool m_settled = false;
+    Settling m_settling; ///< of the speed, in this phase
     bool m_swings = false; ///< and was not when the course began
     double m_ampSum = 0.0; ///< of the means of the packets since the speed should have come to rest
     int m_ampCount = 0;

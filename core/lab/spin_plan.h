@@ -18,7 +18,7 @@ struct SpinPlan {
     static constexpr milliseconds kListen{300}; ///< to what holds the first speed
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000}; ///< spinPlanFor() says a longer one for most motors
-    milliseconds approach{500};
+    milliseconds approach = kApproach;
     /// Most along the magnets, to either side; each way has another. 0: none.
     double fluxAmps = 0.0;
     std::uint32_t seed = 1; ///< of the torques

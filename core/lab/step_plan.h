@@ -14,7 +14,7 @@ struct StepPlan {
     int fromRpm = 0, toRpm = 0; ///< mechanical, signed
     int repeat = 1; ///< steps up and as many down
     milliseconds hold{500}; ///< of each speed
-    milliseconds approach{500}; ///< the ramp to `from`, and the way back
+    milliseconds approach = kApproach; ///< the ramp to `from`, and the way back
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const StepPlan &) const = default;
 };

@@ -1,6 +1,7 @@
 #include "experiments/running_motor.h"
 
 #include "drive/values.h"
+#include "lab/waits.h"
 #include "motor_facts.h"
 #include "sentences.h"
 
@@ -10,28 +11,11 @@
 
 namespace cli {
 
-using namespace std::chrono_literals;
 using drive::MotorState;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 namespace {
-
-constexpr auto kStopsWithin = 5s, kRunsWithin = 10s; ///< the latter with alignment and rev-up
-constexpr milliseconds kWayBack = 500ms; ///< as an experiment goes back to the speed of before
-constexpr auto kReachesWithin = kWayBack + 5s;
-constexpr auto kSteadyFor = 200ms; ///< a speed that only passes by is not reached
-/// A rotor that coasts is no start for an alignment or a rev-up; without a sensor nothing tells when it stands.
-constexpr auto kCoastsSeen = 10s, kCoastsUnseen = 4s;
-constexpr double kStands = 0.01; ///< of the board's limit
-
-bool isNear(const drive::MotorStatus &status, double rpm, const drive::MotorLimits &limits)
-{
-    constexpr double kDigits = 3.0, kShare = 0.03;
-    const double most =
-        std::max(kDigits * std::max(1.0, limits.speedStepRpm), kShare * std::abs(rpm));
-    return status.speedRpm && std::abs(*status.speedRpm - rpm) <= most;
-}
 
 /// The first status that is meant, or the last one of that time.
 template <class Meant>
@@ -50,7 +34,6 @@ QString rpmText(double rpm) { return QStringLiteral("%1 rpm").arg(std::lround(rp
 Outcome<QString> lostReferences(
     Desk &desk, const lab::Subject &subject, const std::vector<lab::Experiment> &wanted)
 {
-    constexpr double kNoCurrent = 0.005; ///< of the nominal one: a few digits
     std::vector<drive::RegisterId> ids;
     for (const lab::Experiment &one : wanted)
         for (const drive::RegisterId id : lab::conditionsOf(one).zeroBefore)
@@ -63,7 +46,7 @@ Outcome<QString> lostReferences(
         const auto digits = drive::asNumber(reading.value);
         const double factor = desk.catalog().readScale(reading.id).factor;
         if (reading.status == drive::ReadStatus::Ok && digits
-            && std::abs(*digits * factor) > kNoCurrent * subject.limits.nominalCurrentAmps)
+            && lab::flows(*digits * factor, subject.limits))
             return QString::fromStdString(subject.nameOf(reading.id));
     }
     return QString();
@@ -88,7 +71,7 @@ Outcome<bool> RunningMotor::stop()
     if (const auto ended = m_desk.talk.command(stop, QStringLiteral("The stop")); !ended)
         return tl::make_unexpected(ended.error());
     const auto idle = [](const drive::MotorStatus &it) { return it.state == MotorState::Idle; };
-    const auto status = statusWithin(m_desk, kStopsWithin, idle);
+    const auto status = statusWithin(m_desk, lab::kRestsWithin, idle);
     if (!status)
         return tl::make_unexpected(status.error());
     if (!idle(*status))
@@ -101,10 +84,9 @@ Outcome<bool> RunningMotor::goOn()
 {
     const drive::MotorLimits &limits = m_subject.limits;
     const bool seen = m_subject.seesRotor();
-    const double still = std::max({1.0, limits.speedStepRpm, kStands * limits.maxSpeedRpm});
-    const auto rested =
-        statusWithin(m_desk, seen ? kCoastsSeen : kCoastsUnseen, [&](const drive::MotorStatus &it) {
-            return seen && std::abs(it.speedRpm.value_or(0.0)) <= still;
+    const auto rested = statusWithin(
+        m_desk, seen ? lab::kCoastsSeen : lab::kCoastsUnseen, [&](const drive::MotorStatus &it) {
+            return seen && lab::isStill(it.speedRpm, limits.maxSpeedRpm, limits);
         });
     if (!rested)
         return tl::make_unexpected(rested.error());
@@ -112,7 +94,7 @@ Outcome<bool> RunningMotor::goOn()
         return failure(kRefused,
             QStringLiteral("The motor is not started again: %1.").arg(stateText(*rested)));
     const int motor = m_subject.motor;
-    const drive::SpeedRamp gently{motor, m_rpm, kWayBack};
+    const drive::SpeedRamp gently{motor, m_rpm, lab::kApproach};
     if (const auto ended = m_desk.talk.command(gently, QStringLiteral("The way back")); !ended)
         return tl::make_unexpected(ended.error());
     const drive::Command start{drive::MotorAction::Start, motor};
@@ -129,27 +111,25 @@ Outcome<bool> RunningMotor::goOn()
 Outcome<bool> RunningMotor::reach()
 {
     const drive::MotorLimits &limits = m_subject.limits;
-    const auto running = statusWithin(m_desk, kRunsWithin, [](const drive::MotorStatus &it) {
+    const auto running = statusWithin(m_desk, lab::kRunsWithin, [](const drive::MotorStatus &it) {
         return it.state == MotorState::Running || drive::hasFault(it.state);
     });
     if (!running)
         return tl::make_unexpected(running.error());
-    constexpr auto kNotYet = steady_clock::time_point::max();
-    auto since = kNotYet;
+    const auto isThere = [&](const drive::MotorStatus &it) {
+        return it.state == MotorState::Running && lab::isNear(it.speedRpm, m_rpm, limits);
+    };
+    lab::Settling settling;
     const auto steady = [&](const drive::MotorStatus &it) {
-        const auto now = steady_clock::now();
-        if (it.state != MotorState::Running || !isNear(it, m_rpm, limits))
-            since = kNotYet;
-        else
-            since = std::min(since, now);
-        return drive::hasFault(it.state) || (since != kNotYet && now - since >= kSteadyFor);
+        const TimePoint now(steady_clock::now().time_since_epoch());
+        return settling.settled(isThere(it), now) || drive::hasFault(it.state);
     };
     const auto there = running->state == MotorState::Running
-        ? statusWithin(m_desk, kReachesWithin, steady)
+        ? statusWithin(m_desk, lab::kApproach + lab::kReachesWithin, steady)
         : running;
     if (!there)
         return tl::make_unexpected(there.error());
-    if (there->state != MotorState::Running || !isNear(*there, m_rpm, limits))
+    if (!isThere(*there))
         return failure(kRefused,
             QStringLiteral("The motor did not come back to %1: %2.")
                 .arg(rpmText(m_rpm), stateText(*there)));
@@ -175,7 +155,7 @@ Outcome<std::optional<RunningMotor>> runningMotor(
         return tl::make_unexpected(target.error());
     if (target->control != catalog::ControlMode::Speed || !target->rpm)
         return None();
-    if (!isNear(*status, *target->rpm, subject.limits))
+    if (!lab::isNear(status->speedRpm, *target->rpm, subject.limits))
         return failure(kRefused,
             QStringLiteral("Not begun: the motor does not turn at its set-point of %1.")
                 .arg(rpmText(*target->rpm)));
