@@ -39,4 +39,22 @@ private:
     double m_lost_s = 0.0;
 };
 
+/// What is found of the bench's plan when 400 ms of its samples are lost. A failure as well where it does not come to
+/// its end, or where the loss is not said.
+/// @param after  from its beginning until then
+template <class Evaluate>
+auto foundWithAGap(support::LabBench &bench, Duration after, Evaluate evaluate)
+    -> decltype(evaluate(bench.capture, bench.happenings))
+{
+    const LostSamples lost(bench, after, std::chrono::milliseconds(400));
+    const Outcome outcome = bench.run();
+    bench.loses = nullptr;
+    if (outcome.end != End::Complete)
+        return fail(support::outcomeText(outcome).toStdString());
+    auto found = evaluate(bench.capture, bench.happenings);
+    if (found && !lost.saidIn(found->notes))
+        return fail(std::string("the loss is not said"));
+    return found;
+}
+
 } // namespace lab

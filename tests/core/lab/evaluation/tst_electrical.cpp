@@ -461,11 +461,8 @@ private Q_SLOTS:
         bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
         VERIFY_END(bench.run(), End::Complete);
         bench.experiment.plan = fluxPlanFor(bench.experiment.subject, {});
-        const LostSamples lost(bench, 8s, 400ms);
-        VERIFY_END(bench.run(), End::Complete);
-        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        const auto found = foundWithAGap(bench, 8s, evaluateElectrics);
         QVERIFY2(found, found ? "" : found.error().c_str());
-        QVERIFY(lost.saidIn(found->notes));
         const simulation::MotorParameters &motor = simulation::findPreset("servo24")->motor;
         verifyWithin("Ld", found->ld_h, motor.ld_h, 2.0);
         verifyWithin("flux", found->flux_wb, motor.flux_wb, 1.5);
