@@ -35,6 +35,15 @@ constexpr const char *kReasons[] = {
     QT_TRANSLATE_NOOP("Messages",
         "in torque control nothing keeps the speed within your own limit of %1 rpm: take that "
         "limit away first"),
+    QT_TRANSLATE_NOOP("Messages",
+        "in torque control this board does not tell to which current a start goes; take your own "
+        "limit of current away first"),
+    QT_TRANSLATE_NOOP("Messages", "beyond the %1 rpm that this protocol can hold"),
+    QT_TRANSLATE_NOOP("Messages", "beyond what 16 bits hold"),
+    QT_TRANSLATE_NOOP("Messages", "the scale of motor %1 is not known"),
+    QT_TRANSLATE_NOOP("Messages", "the board does not tell where the shaft is"),
+    QT_TRANSLATE_NOOP("Messages", "the limits have changed"),
+    QT_TRANSLATE_NOOP("Messages", "too many wishes wait already"),
     QT_TRANSLATE_NOOP("Messages", "the fault is still present; remove its cause first"),
     QT_TRANSLATE_NOOP("Messages", "no answer about what it would start to"),
     QT_TRANSLATE_NOOP("Messages", "no answer"), QT_TRANSLATE_NOOP("Messages", "not connected"),

@@ -11,7 +11,8 @@
 namespace widgets {
 namespace {
 
-/// A place holder takes whatever stands there up to a semicolon, which may be another of these.
+/// Known by their words, because recordings and run books hold no more of them; a test holds these against the sources
+/// of core. A place holder takes whatever stands there up to a semicolon, which may be another of these.
 constexpr const char *kLabTexts[] = {
     // NOLINTBEGIN(bugprone-suspicious-missing-comma): long ones stand in several pieces
     QT_TRANSLATE_NOOP("Lab", "a current of %1 A is above the %2 A that are allowed"),
