@@ -36,7 +36,7 @@ protected:
     /// The registers that it is judged by.
     virtual std::vector<RegisterId> needs() const { return {}; }
     /// Why it is not sent where one of them was never answered.
-    virtual std::string unread() const { return "no answer"; }
+    virtual std::string unread() const { return kNoAnswer; }
     /// Gives the requests, with what was read; none: it is done. @return  why it must not be; empty if it may, or was
     /// ended here
     virtual std::string plan() = 0;

@@ -50,7 +50,7 @@ private:
     {
         if (m_reader.finished() && !this->finished())
             this->end(m_reader.gaveUp() ? Outcome::Unknown : Outcome::Ok,
-                m_reader.gaveUp() ? "no answer" : "");
+                m_reader.gaveUp() ? kNoAnswer : "");
     }
 
     const typename P::Facts &m_board;

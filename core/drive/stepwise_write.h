@@ -162,7 +162,7 @@ void StepwiseWrite<P>::onNoResponse(std::optional<bool> executed, TimePoint)
         return;
     const Step &step = m_steps[m_step];
     if (step.kind == Kind::Ask)
-        return close(Outcome::NotSent, "no answer" + reasonWithout(step.request));
+        return close(Outcome::NotSent, kNoAnswer + reasonWithout(step.request));
     if (step.kind != Kind::Write) {
         m_reader.onNoResponse();
         if (m_reader.finished())
@@ -171,7 +171,7 @@ void StepwiseWrite<P>::onNoResponse(std::optional<bool> executed, TimePoint)
     }
     if (executed == false) {
         if (!repeats())
-            return close(Outcome::NotSent, "no answer");
+            return close(Outcome::NotSent, kNoAnswer);
         if (!std::exchange(current().repeated, true))
             return;
     }

@@ -139,7 +139,7 @@ protected:
     /// As what leaves once ends whose answer was lost.
     void endLost(std::optional<bool> executed)
     {
-        end(executed == false ? Outcome::NotSent : Outcome::Unknown, "no answer");
+        end(executed == false ? Outcome::NotSent : Outcome::Unknown, kNoAnswer);
     }
     void markSent() { m_sent = true; }
     void markBoardChanged() { m_boardChanged = true; }

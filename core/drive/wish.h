@@ -134,6 +134,7 @@ struct Watch {
 /// link is free for it ends NotSent. A start that leaves seconds after its key was pressed is not expected any more.
 constexpr Duration kWishExpiresAfter = std::chrono::milliseconds(500);
 inline constexpr char kTooLate[] = "too late: it was asked for more than half a second ago";
+inline constexpr char kNoAnswer[] = "no answer"; ///< why a wish ended, too
 
 using WishContent = std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference,
     PositionRamp, Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode, CurrentScale>;

@@ -94,7 +94,7 @@ void WriteTask<P>::judge(Item &item)
         && info->effect == catalog::Effect::Reference && showsInForce(*info);
     if (item.state == State::Doubtful) {
         if (!result.readBack)
-            endItem(item, Outcome::Unknown, "no answer");
+            endItem(item, Outcome::Unknown, kNoAnswer);
         else if (asWanted)
             endItem(item, Outcome::Ok);
         else if (waits)

@@ -18,7 +18,6 @@ using drive::MotorState;
 constexpr Duration kAnswerWithin = 3s; ///< of what moves nothing
 constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
 constexpr int kMostTries = 4; ///< of what could not leave in time
-constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
 /// All answers to a plan's steps, beyond its length: 25 ms each for 200 of them. Speeds that are reached at once leave
 /// 10 s more.
@@ -180,7 +179,7 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     if (ended.id != m_waiting)
         return;
     m_waiting = 0;
-    const bool mayBeRepeated = ended.reason == drive::kTooLate || ended.reason == kNoAnswer;
+    const bool mayBeRepeated = ended.reason == drive::kTooLate || ended.reason == drive::kNoAnswer;
     if (ended.outcome == drive::Outcome::NotSent && mayBeRepeated && ++m_tries < kMostTries)
         return again(now); // this computer or the line stood still, and nothing has left
     m_tries = 0;

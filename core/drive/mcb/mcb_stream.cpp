@@ -313,7 +313,7 @@ void McbStreamTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     const bool asks = !m_steps.empty() && m_steps.front().step != Step::Unmap
         && m_steps.front().step != Step::Map;
-    fail(executed == false || asks ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    fail(executed == false || asks ? Outcome::NotSent : Outcome::Unknown, kNoAnswer);
 }
 
 void McbStreamTask::cut(const std::string &reason)

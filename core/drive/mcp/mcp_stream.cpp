@@ -261,7 +261,7 @@ void McpStreamTask::onResponse(const ByteView &response, TimePoint now)
 void McpStreamTask::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (++m_losses >= McpProtocol::kAttempts)
-        end(Outcome::Unknown, "no answer");
+        end(Outcome::Unknown, kNoAnswer);
 }
 
 } // namespace drive

@@ -268,7 +268,7 @@ void McpWriteTask::onNoResponse(std::optional<bool> executed, TimePoint)
         else if (!raw && !std::exchange(item->repeated, true))
             item->state = State::Waiting;
         else
-            endItem(*item, Outcome::NotSent, "no answer");
+            endItem(*item, Outcome::NotSent, kNoAnswer);
     }
 }
 
