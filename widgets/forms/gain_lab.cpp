@@ -150,7 +150,8 @@ QWidget *GainLab::makeEnd()
     grid->addWidget(m_findings, 0, 0);
     m_buttons = new QWidget(this);
     m_fromBoard = named(new QPushButton(tr("From the &board"), m_buttons), "labFromBoard");
-    m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
+    m_fromBoard->setToolTip(tr("Forgets what was typed here and what was measured, and takes the "
+                               "board's numbers again."));
     m_preview = named(new QPushButton(tr("&Preview"), m_buttons), "labPreview");
     auto *buttons = bare(new QHBoxLayout(m_buttons));
     buttons->addWidget(m_fromBoard);
@@ -269,6 +270,13 @@ void GainLab::setFacts(const drive::MotorFacts &facts, std::optional<double> rem
         fillDelay();
     if (const auto bandwidth = m_bandwidth->value())
         fillBandwidth(*bandwidth, m_bandwidth); // the slider may end elsewhere now
+    useBoardsBandwidth();
+    recompute();
+}
+
+void GainLab::setMeasured(const MeasuredMotor &measured)
+{
+    m_motor->setMeasured(measured);
     useBoardsBandwidth();
     recompute();
 }
@@ -395,7 +403,8 @@ void GainLab::showFindings()
             + gainFindingText(finding));
     if (lines.isEmpty() && m_plan.gains.empty())
         lines.append(QStringLiteral("\u26a0 ") + obstacle());
-
+    if (const QString measured = m_motor->measuredText(); !measured.isEmpty())
+        lines.append(QStringLiteral("\u2022 ") + measured);
     m_findings->setFont(m_plan.blocked() ? inBold(font()) : font());
     m_findings->say(lines.join(QLatin1Char('\n')));
 }

@@ -21,6 +21,7 @@ class GainForecast;
 class GainLabel;
 class GainMotor;
 class GainNumber;
+struct MeasuredMotor;
 
 class GainLab : public QWidget {
     Q_OBJECT
@@ -29,6 +30,8 @@ public:
 
     /// What the board says; fields that the user has typed into keep what was typed.
     void setFacts(const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2);
+    /// What experiments found goes before what the board says.
+    void setMeasured(const MeasuredMotor &measured);
     /// Back to the board's own numbers, as after another board or motor came.
     void forgetTyped();
     /// The board may hold other gains now.

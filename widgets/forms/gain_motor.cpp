@@ -105,10 +105,24 @@ void GainMotor::setFacts(
     fill();
 }
 
+void GainMotor::setMeasured(const MeasuredMotor &measured)
+{
+    m_measured = measured;
+    fill();
+}
+
 void GainMotor::forgetTyped()
 {
     m_typed.clear();
+    m_measured = {};
     fill();
+}
+
+/// Where the board knows none, one that was typed for motors of this name stays.
+std::optional<lab::Estimate> GainMotor::measuredInertia() const
+{
+    return m_facts.inertia_kgm2 > 0.0 || !m_remembered_kgm2 ? m_measured.inertia_kgm2
+                                                            : std::nullopt;
 }
 
 void GainMotor::fill()
@@ -117,20 +131,60 @@ void GainMotor::fill()
         if (!isTyped(field))
             field->setValue(value > 0.0 ? std::optional(value * factor) : std::nullopt);
     };
+    const auto measured = [](const std::optional<lab::Estimate> &found, double board) {
+        return found ? found->value : board;
+    };
     const motor::MotorParameters &motor = m_facts.motor;
-    put(m_rs, motor.rs_ohm, 1.0);
-    put(m_lq, motor.lq_h, kMilli);
-    put(m_ld, motor.ld_h, kMilli);
+    put(m_rs, measured(m_measured.rs_ohm, motor.rs_ohm), 1.0);
+    put(m_lq, measured(m_measured.lq_h, motor.lq_h), kMilli);
+    put(m_ld, measured(m_measured.ld_h, motor.ld_h), kMilli);
     put(m_polePairs, motor.polePairs, 1.0);
     if (!isTyped(m_flux) && !isTyped(m_ke)) {
-        put(m_flux, motor.flux_wb, kMilli);
+        const double flux_wb = measured(m_measured.flux_wb, motor.flux_wb);
+        put(m_flux, flux_wb, kMilli);
         put(m_ke,
-            motor.polePairs > 0.0 ? motor::keOfFlux_vrmsPerKrpm(motor.flux_wb, motor.polePairs)
-                                  : 0.0,
+            motor.polePairs > 0.0 ? motor::keOfFlux_vrmsPerKrpm(flux_wb, motor.polePairs) : 0.0,
             1.0);
     }
     put(m_inertia,
-        m_facts.inertia_kgm2 > 0.0 ? m_facts.inertia_kgm2 : m_remembered_kgm2.value_or(0.0), kGcm2);
+        measured(measuredInertia(),
+            m_facts.inertia_kgm2 > 0.0 ? m_facts.inertia_kgm2 : m_remembered_kgm2.value_or(0.0)),
+        kGcm2);
+}
+
+QString GainMotor::measuredText() const
+{
+    struct Shown {
+        QString name;
+        std::optional<lab::Estimate> found;
+        double factor;
+        const char16_t *unit;
+    };
+    const auto unless = [](bool typed, const std::optional<lab::Estimate> &found) {
+        return typed ? std::nullopt : found;
+    };
+    QStringList parts;
+    for (const Shown &shown :
+        {Shown{tr("Rs"), unless(isTyped(m_rs), m_measured.rs_ohm), 1.0, u"\u03a9"},
+            Shown{tr("Lq"), unless(isTyped(m_lq), m_measured.lq_h), 1.0, u"H"},
+            Shown{tr("Ld"), unless(isTyped(m_ld), m_measured.ld_h), 1.0, u"H"},
+            Shown{tr("Flux"), unless(isTyped(m_flux) || isTyped(m_ke), m_measured.flux_wb), 1.0,
+                u"Wb"},
+            Shown{tr("Inertia"), unless(isTyped(m_inertia), measuredInertia()), kGcm2,
+                u"g\u00b7cm\u00b2"}}) {
+        if (!shown.found)
+            continue;
+        const auto figure = [&shown](double value) {
+            return siText(value * shown.factor, QString::fromUtf16(shown.unit),
+                lab::lastPlaceOf(*shown.found) * shown.factor);
+        };
+        parts.append(shown.found->low && shown.found->high
+                ? tr("%1 from %2 to %3", "quantity, least and greatest value")
+                      .arg(shown.name, figure(*shown.found->low), figure(*shown.found->high))
+                : shown.name + QLatin1Char(' ') + figure(shown.found->value));
+    }
+    return parts.isEmpty() ? QString()
+                           : tr("Measured, with 95 %: %1.").arg(parts.join(QStringLiteral("; ")));
 }
 
 motor::GainPlant GainMotor::plant() const

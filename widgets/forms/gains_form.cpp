@@ -130,6 +130,7 @@ void GainsForm::boardChanged()
 {
     const Writes previewed = std::exchange(m_previewed, {}); // of what is shown no more
     m_lab->forgetTyped();
+    m_lab->setMeasured(m_measured); // is emptied, before or behind this, where it is of another motor
     adoptFacts();
     m_lab->refreshPresent();
     if (!previewed.empty())
@@ -143,6 +144,14 @@ void GainsForm::setInertias(const Inertias &inertias)
         return;
     m_inertias = inertias;
     adoptFacts();
+}
+
+void GainsForm::setMeasured(const MeasuredMotor &measured)
+{
+    if (measured == m_measured)
+        return;
+    m_measured = measured;
+    m_lab->setMeasured(measured);
 }
 
 void GainsForm::adoptFacts()

@@ -5,6 +5,7 @@
 #include "drive/motor_view.h"
 #include "widgets/base/form.h"
 #include "widgets/base/motor_description.h"
+#include "widgets/forms/gain_motor.h"
 #include "widgets/registers/register_edits.h"
 
 class QAction;
@@ -32,6 +33,8 @@ public:
         const override; ///< as high as the page that is seen needs, not as the higher of the two
     /// What is known of motors by now; what is typed here stays.
     void setInertias(const Inertias &inertias);
+    /// Of the motor that is shown, by now; told again, it changes nothing. What is typed here stays.
+    void setMeasured(const MeasuredMotor &measured);
 
 Q_SIGNALS:
     void inertiaRemembered(const QString &motor, double inertia_kgm2);
@@ -52,6 +55,7 @@ private:
     RegisterModel &m_model;
     RegisterEdits &m_edits;
     Inertias m_inertias;
+    MeasuredMotor m_measured;
     QString m_motorName; ///< made fit to be shown
     std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
     /// What the last preview planned, while some of it waits.

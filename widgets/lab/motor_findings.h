@@ -37,6 +37,7 @@ public:
     void clear();
     void setKnown(const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file);
     motor::MotorSheet measured() const; ///< only that
+    const std::optional<lab::Estimate> &estimate(Row row) const { return m_rows[row].value; }
     bool any() const; ///< something was measured that a motor file holds
 
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;

@@ -34,6 +34,20 @@
 #include <QMenu>
 
 namespace widgets {
+namespace {
+
+/// What gains are computed from.
+MeasuredMotor measuredOf(const MotorFindings &found)
+{
+    using Row = MotorFindings;
+    return {.rs_ohm = found.estimate(Row::Resistance),
+        .lq_h = found.estimate(Row::Lq),
+        .ld_h = found.estimate(Row::Ld),
+        .flux_wb = found.estimate(Row::Flux),
+        .inertia_kgm2 = found.estimate(Row::Inertia)};
+}
+
+} // namespace
 
 Tools::Tools(const Parts &parts, const Settings &settings)
     : m_parts(parts)
@@ -257,6 +271,10 @@ void Tools::addForms()
             m_parts.edits.apply, m_parts.edits.revert, m_settings.inertias);
         connect(this, &Tools::inertiasChanged, gains, &GainsForm::setInertias);
         connect(gains, &GainsForm::inertiaRemembered, this, &Tools::rememberInertia);
+        const MotorFindings &found = m_identification.findings();
+        const auto tell = [gains, &found] { gains->setMeasured(measuredOf(found)); };
+        connect(&found, &MotorFindings::dataChanged, gains, tell);
+        tell();
         return gains;
     });
     m_docks.add(tr("Rev-up"), "revUpDock", "rev-up", Qt::CTRL | Qt::Key_2, [this, &workbench] {

@@ -206,6 +206,64 @@ private Q_SLOTS:
         QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.35"));
     }
 
+    void whatWasMeasuredGoesBeforeTheBoardsAndNotBeforeWhatIsTyped()
+    {
+        GainBench bench;
+        bench.typeInto("labLq", QStringLiteral("0.7"));
+        widgets::MeasuredMotor found;
+        found.rs_ohm = {0.42, 0.408, 0.432};
+        found.lq_h = {0.65e-3, 0.638e-3, 0.662e-3};
+        found.ld_h = {0.55e-3, 0.538e-3, 0.562e-3};
+        found.flux_wb = {7e-3, std::nullopt, std::nullopt};
+        found.inertia_kgm2 = {2.4e-5, 2.388e-5, 2.412e-5};
+        bench.form.setMeasured(found);
+        QCOMPARE(bench.field("labRs")->value(), std::optional(0.42));
+        QCOMPARE(bench.field("labLq")->text(), QStringLiteral("0.7"));
+        QCOMPARE(bench.field("labLd")->text(), QStringLiteral("0.55"));
+        QCOMPARE(bench.field("labFlux")->text(), QStringLiteral("7"));
+        QVERIFY(std::abs(*bench.field("labKe")->value() - 3.591) < 0.01); // 4 pole pairs
+        QCOMPARE(bench.field("labInertia")->text(), QStringLiteral("240"));
+        const auto told = [&] {
+            return textOf(bench, "labFindings").replace(QChar(0x202f), QLatin1Char(' '));
+        };
+        QVERIFY2(told().contains(QStringLiteral("Measured, with 95 %: Rs from 408 m\u03a9 to 432 "
+                                                "m\u03a9; Ld from 538 \u00b5H to 562 \u00b5H; "
+                                                "Flux 7 mWb; Inertia from 238.8 ")),
+            qPrintable(told()));
+        bench.look(); // which reads the board's again
+        QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.42"));
+
+        bench.button("labFromBoard")->click();
+        QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.35"));
+        QCOMPARE(bench.field("labLq")->text(), QStringLiteral("0.6"));
+        bench.form.setMeasured(found); // nothing new was measured
+        QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.35"));
+        found.rs_ohm = {0.43, 0.42, 0.44};
+        bench.form.setMeasured(found);
+        QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.43"));
+        bench.form.setMeasured({}); // another motor
+        QCOMPARE(bench.field("labRs")->text(), QStringLiteral("0.35"));
+        QVERIFY(bench.field("labInertia")->isEmpty());
+        QVERIFY(!told().contains(QStringLiteral("Measured")));
+    }
+
+    void aTypedInertiaOfThisNameStaysBeforeAMeasuredOne()
+    {
+        const QString motor = [] {
+            GainBench bench;
+            QSignalSpy spy(&bench.form, &widgets::GainsForm::inertiaRemembered);
+            bench.typeInto("labInertia", QStringLiteral("300"));
+            return spy.isEmpty() ? QString() : spy.first().first().toString();
+        }();
+        QVERIFY(!motor.isEmpty());
+        GainBench bench({}, {{motor, 3e-5}});
+        widgets::MeasuredMotor found;
+        found.inertia_kgm2 = {2.4e-5, 2.39e-5, 2.41e-5};
+        bench.form.setMeasured(found);
+        QCOMPARE(bench.field("labInertia")->text(), QStringLiteral("300"));
+        QVERIFY(!textOf(bench, "labFindings").contains(QStringLiteral("Measured")));
+    }
+
     void fluxAndKeAreTheSameMagnets()
     {
         GainBench bench;

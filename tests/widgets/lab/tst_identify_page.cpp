@@ -4,6 +4,7 @@
 #include "widgets/base/banner.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
+#include "widgets/forms/gain_number.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/identify_page.h"
@@ -15,6 +16,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QRegularExpression>
+#include <QSignalSpy>
 
 #include <cmath>
 
@@ -184,6 +186,16 @@ private Q_SLOTS:
         QCOMPARE(file(Findings::Inertia), none);
         QVERIFY(!form->model().hasFile());
         QVERIFY(!bench.find<QPushButton>("identifyBack")->isEnabled());
+
+        // Gains are computed from what was measured.
+        bench.open(Qt::Key_1, Qt::ControlModifier);
+        QTRY_VERIFY(bench.find<widgets::GainNumber>("labRs"));
+        const auto shown = [&](const char *name) {
+            return bench.find<widgets::GainNumber>(name)->value();
+        };
+        QCOMPARE(shown("labRs"), measured.rs_ohm);
+        QCOMPARE(shown("labLd"), std::optional(*measured.ld_h * 1e3));
+        QCOMPARE(shown("labLq"), std::optional(*measured.lq_h * 1e3));
     }
 
     /// Refused, or ended early: what was measured before is as true as it was.
