@@ -1,5 +1,5 @@
-// GainMotor: the numbers of motor and load that gains are computed from: those that were measured, else the board's; typed
-// by the user where they lack or are wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
+// GainMotor: the numbers of motor and load that gains are computed from: those that were measured, else the board's;
+// typed by the user where they lack or are wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
 #pragma once
 
 #include "drive/motor_view.h"

@@ -145,6 +145,15 @@ int ExperimentBar::add(Button button)
 
 void ExperimentBar::addAside(QWidget *widget) { m_flow->addWidget(widget); }
 
+void ExperimentBar::rename(int which, const QString &text, const QString &help)
+{
+    Button &button = m_buttons[static_cast<std::size_t>(which)];
+    button.text = text;
+    button.help = help;
+    m_runs[static_cast<std::size_t>(which)]->setText(text);
+    refresh();
+}
+
 /// Whether the sentence has room for a text, in so many pixels.
 bool ExperimentBar::fits(const QString &text, int width) const
 {
@@ -368,6 +377,7 @@ void ExperimentBar::accept(const Experiments::RunPtr &record)
         return refresh();
     m_progress->setValue(0);
     m_told = endText(record->outcome);
+    m_swung = record->outcome.swings;
     m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();
     m_evaluating = true;
     refresh();

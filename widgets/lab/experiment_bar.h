@@ -74,6 +74,7 @@ public:
 
     int add(Button button); ///< its number, from 0
     void addAside(QWidget *widget); ///< behind the others
+    void rename(int which, const QString &text, const QString &help); ///< it stands for something else now
     QSize minimumSizeHint() const override;
     void setLook(Look look) { m_look = std::move(look); }
     /// Its page says why none can begin now: the sentence leaves that out.
@@ -85,6 +86,7 @@ public:
     bool goOn(int which);
     QString told() const { return m_told; } ///< how the last one ended
     QString more() const { return m_more; } ///< and what has to be known of it
+    bool swung() const { return m_swung; } ///< it ended before it began: its speed did not come to rest
     bool busy() const { return m_own || m_evaluating; } ///< with an experiment of this page
     bool running() const { return m_own; } ///< one of this page moves the motor
     QString hint(int which) const; ///< why it cannot be run now; empty if it can
@@ -126,7 +128,7 @@ private:
     QPointer<QDialog> m_question;
     QTimer m_patience; ///< with what is being written before a run
     int m_which = -1; ///< that is waited for, is running or is being evaluated
-    bool m_own = false, m_evaluating = false;
+    bool m_own = false, m_evaluating = false, m_swung = false;
     bool m_hadFocus = false;
     std::vector<lab::Experiment> m_experiments; ///< that are running
     Evaluate m_evaluate; ///< of them

@@ -95,10 +95,7 @@ QWidget *TourPage::makeChoices()
 
 void TourPage::makeBar()
 {
-    m_tour = m_bar->add({tr("Sta&rt the tour"), "tourRun",
-        tr("Measures windings, mechanics and the response of the speed, one after the other, and "
-           "proposes gains; nothing is written."),
-        [this] { return wholeTour(); }});
+    m_tour = m_bar->add({{}, "tourRun", {}, [this] { return wholeTour(); }});
     ExperimentBar::Button prove{tr("&Apply and prove"), "tourProveRun",
         tr("Writes the proposed gains as one step, which can be undone, reads them back, and "
            "measures the response and steps with them."),
@@ -142,7 +139,7 @@ void TourPage::showEvent(QShowEvent *event)
 
 void TourPage::forget()
 {
-    m_next = TourSteps::Windings;
+    waitAt(TourSteps::Windings);
     m_steps.clear();
     check();
     showGains();
@@ -259,16 +256,35 @@ void TourPage::began(int which)
     m_steps.set(m_next, State::Runs);
 }
 
-/// The next station begins by itself: it was asked about with the first.
+/// From the first station, or from a response with gentler gains: nobody has agreed to them yet.
+void TourPage::waitAt(Step next)
+{
+    m_next = next;
+    if (next == TourSteps::Response)
+        m_bar->rename(m_tour, tr("Go on with the tou&r"),
+            tr("Measures the response with gentler gains, which it asks about, and proposes gains "
+               "from it; the old ones come back."));
+    else
+        m_bar->rename(m_tour, tr("Sta&rt the tour"),
+            tr("Measures windings, mechanics and the response of the speed, one after the other, "
+               "and proposes gains; nothing is written."));
+}
+
+/// The next station begins by itself: it was asked about with the first. So it does behind windings whose speed swings:
+/// it needs none at rest.
 void TourPage::ended(int which, bool complete)
 {
     const Step step = which == m_prove ? TourSteps::Proof : m_next;
+    const bool swung = which == m_tour && !complete && m_bar->swung();
+    const bool calmed = swung && step == TourSteps::Response && !m_bar->more().isEmpty();
     if (complete)
         showStation(step);
     else
-        m_steps.set(step, State::Ended, m_bar->told());
-    if (which == m_prove || !complete || step == TourSteps::Response) {
-        m_next = TourSteps::Windings;
+        m_steps.set(step, State::Ended,
+            calmed ? m_bar->told() + QLatin1Char(' ') + tr("Go on with the tour: it begins there.")
+                   : m_bar->told());
+    if (which == m_prove || step == TourSteps::Response || !(complete || swung)) {
+        waitAt(calmed ? TourSteps::Response : TourSteps::Windings);
         showGains();
         return m_bar->refresh();
     }

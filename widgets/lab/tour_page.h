@@ -48,6 +48,7 @@ private:
     Result<ExperimentBar::Run, QString> proof();
     void began(int which);
     void ended(int which, bool complete);
+    void waitAt(Step next); ///< by itself it does not go on
     void showStation(Step step);
     void showGains();
     /// The tour's was not conclusive, and none was measured since: one from before does not stand in for it.

@@ -242,6 +242,72 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
     }
 
+    /// Windings and response need a speed at rest. The gains of the next response are no part of what was agreed to.
+    void behindASwingItGoesOnAndAsksForGentlerGains()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("tourRun"));
+        scaleGains(bench, 1.0);
+        if (QTest::currentTestFailed())
+            return;
+        widgets::Experiments &experiments = bench.rig.workbench.experiments();
+        // How each one ends is told here; none reaches the board.
+        QObject::disconnect(&experiments, &widgets::Experiments::wished, nullptr, nullptr);
+        std::vector<lab::Experiment> wished;
+        const QObject listener;
+        connect(&experiments, &widgets::Experiments::wished, &listener,
+            [&wished](const lab::Experiment &one) { wished.push_back(one); });
+        const auto *button = bench.find<QPushButton>("tourRun");
+        const QString start = button->text();
+        const auto swings = [&] {
+            experiments.end({.end = lab::End::Refused,
+                .reason = "the speed did not come to rest at 1600 rpm",
+                .at = bench.world.now(),
+                .swings = true});
+        };
+        bench.press("tourRun");
+        bench.agree();
+        QTRY_VERIFY(bench.running());
+        experiments.end({.reason = {}, .at = bench.world.now()}); // the windings are of two parts
+        QVERIFY(bench.running());
+        swings();
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Mechanics), State::Runs);
+        QCOMPARE(stepsOf(bench).state(Steps::Windings), State::Ended);
+        QVERIFY(bench.running() && !bench.asks());
+        experiments.end({.reason = {}, .at = bench.world.now()});
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Runs);
+        QVERIFY(bench.running() && !bench.asks());
+        QCOMPARE(wished.size(), 4U);
+
+        swings();
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Ended);
+        const QString told = bench.cell("tourSteps", Steps::Response, Steps::ResultColumn);
+        QVERIFY2(told.contains(QLatin1String("It swings with its gains"))
+                && told.contains(QLatin1String("Go on with the tour")),
+            qPrintable(told));
+        QVERIFY(button->text() != start);
+        QVERIFY(!bench.running() && !bench.asks());
+        QCOMPARE(wished.size(), 4U); // nothing by itself
+        QTRY_VERIFY(button->isEnabled());
+        bench.press("tourRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        const QString kp = QString::number(bench.held("SPEED_KP") / 4);
+        QVERIFY2(words.contains(QStringLiteral("Its gains are Kp ") + kp)
+                && !words.contains(QLatin1String("At rest")),
+            qPrintable(words));
+        bench.agree();
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Runs);
+        QCOMPARE(stepsOf(bench).state(Steps::Windings), State::Ended); // as it was
+        QCOMPARE(wished.size(), 5U);
+        QCOMPARE(std::get<lab::ResponsePlan>(wished.back().plan).kp, kp.toInt());
+        experiments.end({.reason = {}, .at = bench.world.now()}); // of which nothing is known
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Unclear);
+        QCOMPARE(button->text(), start);
+    }
+
     void escEndsTheWholeTour()
     {
         LabWindow bench("servo24", {960, 540});
