@@ -17,8 +17,6 @@ RunKeeper::RunKeeper(Device &device, Experiments &experiments, QWidget *window, 
     , m_reader(device)
 {
     connect(&experiments, &Experiments::ended, this, &RunKeeper::ended);
-    // What the registers held behind the last one cannot be read any more.
-    connect(&experiments, &Experiments::began, &m_reader, &SnapshotReader::cancel);
     connect(&m_reader, &SnapshotReader::finished, this, [this](const BoardReading &reading) {
         const bool whole = reading.end == BoardReading::End::Whole;
         write(whole ? std::optional(behindTheRun(reading.snapshot)) : std::nullopt);
@@ -69,10 +67,15 @@ void RunKeeper::ended(const Experiments::RunPtr &record)
     m_reader.start(snapshots::Scope::Tunable);
 }
 
-/// What the experiment gave back itself may be told late, and is as it was behind it.
+/// What the experiment gave back itself may be told late, and is as it was behind it. Wishes of an experiment have the
+/// time in their numbers at which it began: those of the next one come behind this one's end.
 void RunKeeper::noteWrites(const drive::Ended &ended)
 {
-    if (!m_ended || ended.id >= lab::Runner::kFirstWish)
+    if (!m_ended)
+        return;
+    const auto end = m_ended->outcome.at.time_since_epoch().count();
+    if (ended.id >= lab::Runner::kFirstWish
+        && ended.id - lab::Runner::kFirstWish < static_cast<drive::WishId>(end))
         return;
     for (const drive::WriteResult &one : ended.writes)
         if (one.before)

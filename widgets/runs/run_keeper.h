@@ -1,7 +1,7 @@
 // RunKeeper: puts every experiment that ends into the run book, with the registers as they are right behind it. It
-// reads them, and it writes files in a thread of a pool; nothing waits for it. What is written while it reads is put
-// back in what is kept: it belongs to the next run. Closed before it is done, it keeps the run without registers.
-// Without a folder it does nothing.
+// reads them, and it writes files in a thread of a pool; nothing waits for it. What is written while it reads, by the
+// next experiment too, is put back in what is kept: it belongs to the next run. Closed before it is done, it keeps the
+// run without registers. Without a folder it does nothing.
 #pragma once
 
 #include "session/files/run_book.h"

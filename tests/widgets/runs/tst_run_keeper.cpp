@@ -19,6 +19,13 @@ namespace {
 
 constexpr std::uint32_t kGain = 0x100, kIntegral = 0x140;
 
+/// The numbers of an experiment's wishes begin with the time at which it began.
+constexpr TimePoint kEndsAt{std::chrono::seconds(20)};
+drive::WishId wishOfRunFrom(TimePoint begin)
+{
+    return (drive::WishId{1} << 62) + drive::WishId(begin.time_since_epoch().count()) + 5;
+}
+
 drive::Identified twoMotors()
 {
     drive::Identified board = facts::identified();
@@ -41,6 +48,7 @@ drive::Identified twoMotors()
 widgets::Experiments::RunPtr anEnd(const char *motor)
 {
     auto record = std::make_shared<widgets::Experiments::Run>();
+    record->outcome.at = kEndsAt;
     const recorded::Happening plan{
         "step plan", {{"motor", motor}, {"from rpm", "1000"}, {"to rpm", "1500"}}};
     const recorded::Happening end{"experiment ended", {{"outcome", "complete"}, {"reason", ""}}};
@@ -169,10 +177,25 @@ private Q_SLOTS:
         QSignalSpy spy(&*bench.keeper, &widgets::RunKeeper::kept);
         bench.held[kGain + 1] = 90; // lent
         Q_EMIT bench.experiments.ended(anEnd("1"));
-        bench.write(kGain + 1, 700, (drive::WishId{1} << 62) + 5);
+        bench.write(kGain + 1, 700, wishOfRunFrom(kEndsAt - std::chrono::seconds(5)));
         bench.answer();
         QTRY_COMPARE(spy.size(), 1);
         QCOMPARE(bench.kept(spy)->gains[QStringLiteral("SPEED_KP")], 700.0);
+    }
+
+    void aRunThatBeginsAtOnceLeavesTheLastOneItsRegisters()
+    {
+        Board bench;
+        QSignalSpy spy(&*bench.keeper, &widgets::RunKeeper::kept);
+        Q_EMIT bench.experiments.ended(anEnd("1"));
+        Q_EMIT bench.experiments.began();
+        bench.write(kGain + 1, 90, wishOfRunFrom(kEndsAt)); // lent
+        bench.answer();
+        QTRY_COMPARE(spy.size(), 1);
+        const auto run = bench.kept(spy);
+        QVERIFY(run && run->registers);
+        QCOMPARE(run->gains[QStringLiteral("SPEED_KP")], 700.0);
+        QCOMPARE(run->gains[QStringLiteral("SPEED_KI")], 30.0);
     }
 
     void aWindowThatIsClosedMeanwhileKeepsTheRunWithoutRegisters()
