@@ -18,7 +18,7 @@ namespace {
 
 constexpr Milliseconds kRatePeriod{1000};
 constexpr std::uint64_t kMostCounted = 999'999; ///< that is written out in the line
-constexpr int kLongestPlace = 28; ///< characters of a port that the line has room for
+constexpr int kLongestPlace = 33; ///< characters of a port that the line has room for
 constexpr int kPartMargin = kGrid; ///< at either side
 constexpr int kPartGap = 6; ///< of QStatusBar, between two parts
 
@@ -132,11 +132,11 @@ QString StatusStrip::endpointText() const
     const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
         ? tr("simulated board")
         : deviceText(endpoint.path);
-    if (drive::rowOf(endpoint.protocol).choice.serial)
-        return QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
-    return endpoint.kind == session::Endpoint::Kind::Simulator // whose line has no rate
-        ? where
-        : QStringLiteral("%1 @ %2\u202fHz").arg(where, QString::number(endpoint.baud));
+    const bool serial = drive::rowOf(endpoint.protocol).choice.serial;
+    if (!serial && endpoint.kind == session::Endpoint::Kind::Simulator) // whose line has no rate
+        return where;
+    return QStringLiteral("%1 @ %2\u202f%3")
+        .arg(where, QString::number(endpoint.baud), serial ? tr("baud") : QStringLiteral("Hz"));
 }
 
 void StatusStrip::updateLink()

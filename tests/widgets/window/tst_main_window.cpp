@@ -76,6 +76,18 @@ private Q_SLOTS:
         QCOMPARE(baud->currentText(), QStringLiteral("921600"));
     }
 
+    void theSpeedOfALineHasItsUnit()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        auto *connect = m_rig->find<QPushButton>("connect");
+        QTest::mouseClick(connect, Qt::LeftButton); // no longer wanted
+        m_rig->window.connectBar()->setEndpoint(QStringLiteral("sim"), 1'843'200);
+        QTest::mouseClick(connect, Qt::LeftButton);
+        device().portChanged(session::PortState::Open, {});
+        QCOMPARE(m_rig->find<QWidget>("statusStrip")->findChild<Lamp *>()->text(),
+            QStringLiteral("simulated board @ 1843200\u202fbaud"));
+    }
+
     void anSpiDeviceHasAClockAndNoChoiceOfProtocols()
     {
         device().portChanged(session::PortState::Closed, {});
