@@ -86,6 +86,19 @@ QString releasedText(const capture::Capture &capture)
             numberText(span->from, 1));
 }
 
+QString lostText(const recorded::Lost &lost)
+{
+    QStringList parts;
+    const auto add = [&parts](const QString &text, std::uint64_t count) {
+        if (count > 0)
+            parts.append(text.arg(count));
+    };
+    add(Opening::tr("%1 samples"), lost.samples);
+    add(Opening::tr("%1 bytes of the line"), lost.linkBytes);
+    add(Opening::tr("%1 other entries"), lost.others);
+    return parts.join(QStringLiteral(", "));
+}
+
 QString openedText(const OpenedRecording &opened, bool &whole)
 {
     const session::RecordingReport &report = opened.report;
@@ -96,9 +109,8 @@ QString openedText(const OpenedRecording &opened, bool &whole)
         sentences.append(
             Opening::tr("%n place(s) in it are damaged; what lies before and after is shown.",
                 nullptr, static_cast<int>(report.damagedPlaces)));
-    if (report.lost.samples > 0)
-        sentences.append(Opening::tr("%1 samples are missing, because the disk was too slow.")
-                             .arg(QString::number(report.lost.samples)));
+    if (const QString lost = lostText(report.lost); !lost.isEmpty())
+        sentences.append(Opening::tr("It lacks %1, because the disk was too slow.").arg(lost));
     if (report.leftOut > 0)
         sentences.append(
             Opening::tr("%1 of its events, snapshots and notes are left out: they take "

@@ -7,6 +7,7 @@
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
+#include "widgets/files/open_recording.h"
 #include "widgets/scope/events/event_log.h"
 
 #include <QAction>
@@ -197,8 +198,8 @@ void RecordingControl::finished(const session::RecordingResult &result)
                 tr("Recorded to %1: %2 MB.", "path, size").arg(deviceText(result.path), size));
         else
             Q_EMIT said(Banner::Kind::Warning,
-                tr("Recorded to %1: %2 MB, without %3 samples, because the disk was too slow.")
-                    .arg(deviceText(result.path), size, QString::number(result.last.lost.samples)));
+                tr("Recorded to %1: %2 MB, without %3, because the disk was too slow.")
+                    .arg(deviceText(result.path), size, lostText(result.last.lost)));
         break;
     case RecordingOutcome::DiskFull:
         m_line->show(Lamp::Light::Bad, m_name + QStringLiteral(": ") + tr("ended, disk full"));

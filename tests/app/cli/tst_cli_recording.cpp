@@ -35,6 +35,8 @@ private Q_SLOTS:
     void aWavFileIsReadByOthers();
     void aMatlabFileIsReadByOthers();
     void aDamagedRecordingIsExportedAndTold();
+    void whatADiskWasTooSlowForIsNamed_data();
+    void whatADiskWasTooSlowForIsNamed();
     void aFileThatIsThereIsNotRecordedOver();
     void aRecordingIsCalledPcapng_data();
     void aRecordingIsCalledPcapng();
@@ -280,6 +282,39 @@ void TestCliRecording::aDamagedRecordingIsExportedAndTold()
         {QStringLiteral("export"), path("damaged.pcapng"), QStringLiteral("-o"), path("d.csv")});
     COMPARE_STATUS(exported, 4);
     QVERIFY(contents(path("d.csv")).count('\n') > 1000);
+}
+
+void TestCliRecording::whatADiskWasTooSlowForIsNamed_data()
+{
+    QTest::addColumn<quint64>("samples");
+    QTest::addColumn<quint64>("linkBytes");
+    QTest::addColumn<quint64>("others");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("the line") << quint64(0) << quint64(4096) << quint64(0)
+                              << QStringLiteral("it lacks 4096 bytes of the line, because");
+    QTest::newRow("an event") << quint64(0) << quint64(0) << quint64(1)
+                              << QStringLiteral("it lacks 1 other entry, because");
+    QTest::newRow("all") << quint64(120) << quint64(1) << quint64(2)
+                         << QStringLiteral("it lacks 120 samples, 1 byte of the line, 2 other "
+                                           "entries, because the disk was too slow.");
+}
+
+void TestCliRecording::whatADiskWasTooSlowForIsNamed()
+{
+    QFETCH(const quint64, samples);
+    QFETCH(const quint64, linkBytes);
+    QFETCH(const quint64, others);
+    QFETCH(const QString, said);
+    QFile::remove(path("slow.pcapng")); // of the row before
+    QString why;
+    session::RecordingFile file(
+        session::makeDiskSink(path("slow.pcapng"), why), {1'700'000'000, "test", "sim"});
+    QVERIFY(file.open());
+    QVERIFY(file.add(1000, recorded::Lost{samples, linkBytes, others}));
+    QVERIFY(file.end());
+    const CliRun shown = typed({QStringLiteral("show"), path("slow.pcapng")});
+    COMPARE_STATUS(shown, 4);
+    QVERIFY2(shown.err.contains(said), qPrintable(shown.err));
 }
 
 void TestCliRecording::aFileThatIsThereIsNotRecordedOver()

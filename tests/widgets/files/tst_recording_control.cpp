@@ -465,6 +465,21 @@ private Q_SLOTS:
         QVERIFY(sentence.contains(QString::number(500'000 - kept) + QStringLiteral(" samples")));
     }
 
+    void whatADiskWasTooSlowForIsNamed()
+    {
+        widgets::OpenedRecording opened;
+        opened.report.ending = recorded::End{};
+        opened.report.lost.linkBytes = 4096;
+        bool whole = true;
+        const QString line = widgets::openedText(opened, whole);
+        QVERIFY(!whole);
+        QVERIFY2(line.contains(QLatin1String("It lacks 4096 bytes of the line, because")),
+            qPrintable(line));
+        opened.report.lost = {120, 0, 2};
+        const QString both = widgets::openedText(opened, whole);
+        QVERIFY2(both.contains(QLatin1String("120 samples, 2 other entries")), qPrintable(both));
+    }
+
     void aConnectionAfterAnOpenedFileStartsAfresh()
     {
         makeRig();
