@@ -223,6 +223,51 @@ private Q_SLOTS:
             qPrintable(QString::number(found->crossover_hz->value)));
     }
 
+    /// What is polled comes within half of the time that an envelope takes for silence.
+    void aSlowLinkHasRoomForThePolls()
+    {
+        simulation::BoardOptions options = support::servo();
+        options.baud = 115200;
+        LabBench bench(options);
+        const Subject &subject = bench.experiment.subject;
+        ResponsePlan plan = responsePlanFor(subject, {});
+        plan.length = std::chrono::seconds(4);
+        QCOMPARE(objectionTo(plan, subject), std::string());
+        bench.experiment.plan = plan;
+        std::optional<TimePoint> last;
+        Duration longest{};
+        bench.pair.onEvent = [&, before = bench.pair.onEvent](const drive::Event &event) {
+            before(event);
+            const auto *read = std::get_if<drive::RegistersRead>(&event);
+            if (read == nullptr || !bench.ranAt)
+                return;
+            for (const drive::Reading &one : read->readings)
+                if (one.id == subject.registers.bus) {
+                    longest = std::max(longest, bench.pair.now - last.value_or(bench.pair.now));
+                    last = bench.pair.now;
+                }
+        };
+        VERIFY_END(bench.run(), End::Complete);
+        const Duration silence = Caps().silence + std::chrono::milliseconds(100);
+        QVERIFY2(longest > Duration::zero() && longest <= silence / 2,
+            qPrintable(QString::number(toSeconds(longest))));
+    }
+
+    /// What worked before the polls were counted still does: by any usual control loop a current's response at 230400
+    /// baud, a speed's at 115200.
+    void slowLinksCarryWhatResponsesNeed()
+    {
+        const LabBench bench;
+        for (const double tick_hz : {8e3, 10e3, 12e3, 16e3, 20e3, 25e3, 30e3}) {
+            Subject slow = bench.experiment.subject;
+            slow.tickHz = tick_hz;
+            slow.linkBytesPerSecond = 23040.0;
+            QCOMPARE(objectionTo(currentResponsePlanFor(slow, {}), slow), std::string());
+            slow.linkBytesPerSecond = 11520.0;
+            QCOMPARE(objectionTo(responsePlanFor(slow, {}), slow), std::string());
+        }
+    }
+
     void samplesTooFarApartTellNoResponse()
     {
         const LabBench bench;
