@@ -1,5 +1,6 @@
 #include "sentences.h"
 
+#include "drive/protocol_table.h"
 #include "session/link/problems.h"
 
 namespace cli {
@@ -56,8 +57,12 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
     QString text = arguments.port + QLatin1String(": ") + session::linkProblemText(reason);
     switch (reason) {
     case LinkReason::OnlyGarbage:
-        if (arguments.protocol != drive::Protocol::Mcb)
-            text += QLatin1String(" A drive that speaks MCB needs --protocol mcb.");
+        for (const drive::ProtocolRow &row : drive::protocolTable()) {
+            const QString word = QString::fromLatin1(row.choice.word);
+            if (!row.choice.serial && row.choice.protocol != arguments.protocol)
+                text += QStringLiteral(" A drive that speaks %1 needs --protocol %2.")
+                            .arg(word.toUpper(), word);
+        }
         [[fallthrough]];
     case LinkReason::NoAnswer:
         return text + baudText(arguments);

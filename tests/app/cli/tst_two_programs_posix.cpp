@@ -191,6 +191,8 @@ void TestTwoPrograms::garbageIsExitStatus3()
     QCOMPARE(cli.process.exitCode(), 3);
     QCOMPARE(cli.sentences().size(), 1);
     QVERIFY2(cli.err().contains(QLatin1String("make no sense")), qPrintable(cli.err()));
+    QVERIFY2(cli.err().contains(QLatin1String("A drive that speaks MCB needs --protocol mcb.")),
+        qPrintable(cli.err()));
 }
 
 QTEST_GUILESS_MAIN(TestTwoPrograms)
