@@ -173,9 +173,9 @@ void Simulator::step()
 /// which a real board would have seen.
 void Simulator::receive(const Bytes &bytes, TimePoint now)
 {
-    const bool late = now - m_looked >= kLate && bytes.size() > m_served.headerBytes;
+    const bool late = now - m_looked >= kLate && bytes.size() > m_device.headerBytes();
     const ByteView all = bytes;
-    const std::size_t before = late ? m_served.headerBytes : 0;
+    const std::size_t before = late ? m_device.headerBytes() : 0;
     m_device.receive(all.first(before), m_looked);
     m_device.receive(all.subspan(before), now);
 }
@@ -205,7 +205,7 @@ void Simulator::readWords()
 
 int serve(const sim::Options &options)
 {
-    const auto served = sim::makeServed(options);
+    const auto served = options.serve(options);
     if (!served) {
         sayError(served.error());
         return kUsage;

@@ -1,7 +1,10 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
+#include "served.h"
+
 #include "base/text.h"
+#include "drive/protocol_table.h"
 #include "session/files/motor_file.h"
 #include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/mcp/profile.h"
@@ -94,8 +97,6 @@ it takes of the options above --profile, --motor, --motors, --load, --with,
                     and quit: state N | faults HEX | execute | rx-timeout |
                     rx-overrun
 )";
-
-constexpr std::uint32_t kFcpBaud = 115200;
 
 struct Flag {
     std::string_view name;
@@ -276,51 +277,92 @@ std::optional<std::string> readLoad(std::string_view list, simulation::LoadParam
     });
 }
 
-/// The firmware that a name stands for; a sentence if there is none.
-std::optional<std::string> readServoProfile(std::string_view name, simulation::ServoOptions &servo)
+// The firmware that a name stands for; a sentence if there is none.
+
+std::optional<std::string> readMcpProfile(std::string_view name, Options &options)
 {
-    servo.newer = name == "newer";
-    if (servo.newer || name == "summit-1.12")
+    options.board.profile = name;
+    if (simulation::findTraits(name) != nullptr)
+        return std::nullopt;
+    return "there is no profile " + quoted(name) + "; there are " + profileNames();
+}
+
+std::optional<std::string> readFcpProfile(std::string_view name, Options &options)
+{
+    options.board.profile = name;
+    if (simulation::isFcpProfile(name))
+        return std::nullopt;
+    return "there is no profile " + quoted(name) + " of this protocol; see --help";
+}
+
+std::optional<std::string> readMcbProfile(std::string_view name, Options &options)
+{
+    options.mcb.servo.newer = name == "newer";
+    if (options.mcb.servo.newer || name == "summit-1.12")
         return std::nullopt;
     return "there is no profile " + quoted(name) + "; there are summit-1.12, newer";
 }
 
-std::optional<std::string> applyNamed(
-    std::string_view name, std::string_view value, Options &options)
+std::optional<std::string> readMcpLies(std::string_view list, Options &options)
 {
-    const bool mcb = options.protocol == Protocol::Mcb;
-    if (name == "--profile" && mcb)
-        return readServoProfile(value, options.mcb.servo);
-    if (name == "--profile" && options.protocol == Protocol::Fcp) {
-        options.board.profile = value;
-        if (simulation::isFcpProfile(value))
-            return std::nullopt;
-        return "there is no profile " + quoted(value) + " of this protocol; see --help";
-    }
-    if (name == "--profile") {
-        options.board.profile = value;
-        if (simulation::findTraits(value) != nullptr)
-            return std::nullopt;
-        return "there is no profile " + quoted(value) + "; there are " + profileNames();
-    }
+    return readLies(list, simulation::lies(), [&](const auto &row, std::uint32_t oneIn) {
+        options.board.lies.push_back({row.lie, oneIn});
+    });
+}
+
+std::optional<std::string> readMcbLies(std::string_view list, Options &options)
+{
+    return readLies(list, simulation::mcbFaultList(), [&](const auto &row, std::uint32_t oneIn) {
+        simulation::McbFaultChoice choice{row.fault};
+        if (oneIn > 0)
+            choice.every = oneIn;
+        options.mcb.faults.push_back(choice);
+    });
+}
+
+constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
+constexpr std::array kOfServos{
+    "--motor", "--load", "--hf-hz", "--seed", "--profile", "--reply-delay", "--liar"};
+constexpr std::array kOfFcp{
+    "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
+
+bool isOneOf(std::span<const char *const> names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool mcpTakes(std::string_view name) { return name != "--rig" && name != "--reply-delay"; }
+bool fcpTakes(std::string_view name) { return isOneOf(kOfRigs, name) || isOneOf(kOfFcp, name); }
+bool mcbTakes(std::string_view name) { return isOneOf(kOfRigs, name) || isOneOf(kOfServos, name); }
+
+/// A protocol's options here; its word, usual profile and baud rate are those of drive::protocolTable().
+struct Spoken {
+    drive::Protocol protocol;
+    bool (*takes)(std::string_view name); ///< whether that option means something to its devices
+    std::optional<std::string> (*readProfile)(std::string_view name, Options &options);
+    std::optional<std::string> (*readLies)(std::string_view list, Options &options);
+    decltype(Options::serve) serve;
+};
+constexpr std::array kSpoken{
+    Spoken{drive::Protocol::Mcp, mcpTakes, readMcpProfile, readMcpLies, serveBoard},
+    Spoken{drive::Protocol::Fcp, fcpTakes, readFcpProfile, nullptr, serveFcp},
+    Spoken{drive::Protocol::PowerPc, fcpTakes, readFcpProfile, nullptr, serveFcp},
+    Spoken{drive::Protocol::Mcb, mcbTakes, readMcbProfile, readMcbLies, serveMcb},
+};
+
+std::optional<std::string> applyNamed(
+    const Spoken &spoken, std::string_view name, std::string_view value, Options &options)
+{
+    if (name == "--profile")
+        return spoken.readProfile(value, options);
+    if (name == "--liar")
+        return spoken.readLies(value, options);
     if (name == "--with")
         return readBuildOptions(value, options.board.with);
     if (name == "--motor")
         return readMotorOption(value, options.board);
     if (name == "--load")
         return readLoad(value, options.board.load.emplace());
-    if (name == "--liar" && mcb)
-        return readLies(
-            value, simulation::mcbFaultList(), [&](const auto &row, std::uint32_t oneIn) {
-                simulation::McbFaultChoice choice{row.fault};
-                if (oneIn > 0)
-                    choice.every = oneIn;
-                options.mcb.faults.push_back(choice);
-            });
-    if (name == "--liar")
-        return readLies(value, simulation::lies(), [&](const auto &row, std::uint32_t oneIn) {
-            options.board.lies.push_back({row.lie, oneIn});
-        });
     if (name == "--rig") {
         options.rig = value;
         return std::nullopt;
@@ -334,31 +376,6 @@ std::optional<std::string> applyNamed(
             return apply(flag, value, options);
     }
     return "there is no option " + quoted(name) + "; see --help";
-}
-
-constexpr Word<Protocol> kProtocols[] = {{"mcp", Protocol::Mcp}, {"mcb", Protocol::Mcb},
-    {"legacy", Protocol::Fcp}, {"powerpc", Protocol::Fcp}};
-
-constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
-constexpr std::array kOfServos{
-    "--motor", "--load", "--hf-hz", "--seed", "--profile", "--reply-delay", "--liar"};
-constexpr std::array kOfFcp{
-    "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
-
-bool isOneOf(std::span<const char *const> names, std::string_view name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// A sentence if that option means nothing to a device of that protocol.
-std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
-{
-    const bool fits = protocol == Protocol::Mcp ? name != "--rig" && name != "--reply-delay"
-        : protocol == Protocol::Fcp             ? isOneOf(kOfRigs, name) || isOneOf(kOfFcp, name)
-                                    : isOneOf(kOfRigs, name) || isOneOf(kOfServos, name);
-    if (!fits)
-        return std::string(name) + " does not go with this protocol; see --help";
-    return std::nullopt;
 }
 
 /// They need nothing else.
@@ -382,23 +399,26 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     }
     if (options.action != Action::Serve)
         return options;
-    const auto *protocol = words.empty() ? nullptr : findWord(kProtocols, words[0]);
-    if (protocol == nullptr)
+    const auto protocol = drive::protocolOf(words.empty() ? std::string_view() : words[0]);
+    const auto spoken =
+        std::ranges::find_if(kSpoken, [&](const Spoken &one) { return one.protocol == protocol; });
+    if (spoken == kSpoken.end())
         return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
                                 "[OPTION]...; see --help"));
-    options.protocol = *protocol;
-    if (*protocol == Protocol::Fcp) {
-        options.board.profile = words[0];
-        options.board.baud = kFcpBaud;
-    }
+    options.serve = spoken->serve;
+    const drive::ProtocolRow &row = drive::rowOf(spoken->protocol);
+    if (!row.boards.front().empty())
+        options.board.profile = row.boards.front();
+    if (row.baud > 0)
+        options.board.baud = row.baud;
     std::string_view ofMotors; // an option that a rig leaves no room for
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
         const std::size_t equals = word.find('=');
         const std::string_view name = word.substr(0, equals);
-        if (const auto problem = misplaced(name, *protocol))
-            return fail(*problem);
-        if (isOneOf(kOfServos, name) || isOneOf(kOfFcp, name))
+        if (!spoken->takes(name))
+            return fail(std::string(name) + " does not go with this protocol; see --help");
+        if (!isOneOf(kOfRigs, name))
             ofMotors = word;
         if (word == "--control") {
             options.control = true;
@@ -418,10 +438,10 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         } else {
             return fail(std::string(name) + " needs a value; see --help");
         }
-        if (const auto problem = applyNamed(name, value, options))
+        if (const auto problem = applyNamed(*spoken, name, value, options))
             return fail(*problem);
     }
-    if (options.protocol != Protocol::Mcp && !options.rig.empty() && !ofMotors.empty())
+    if (!options.rig.empty() && !ofMotors.empty())
         return fail(std::string(ofMotors) + " does not go with --rig; see --help");
     if (options.tcp && !options.link.empty())
         return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));

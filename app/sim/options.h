@@ -22,11 +22,12 @@ enum class Action : std::uint8_t {
     Describe
 };
 
-enum class Protocol : std::uint8_t { Mcp, Mcb, Fcp };
+struct Served;
 
 struct Options {
     Action action = Action::Serve;
-    Protocol protocol = Protocol::Mcp;
+    /// Makes what speaks the protocol that was named.
+    Result<Served, std::string> (*serve)(const Options &options) = nullptr;
     simulation::BoardOptions board;
     simulation::McbBoardOptions mcb; ///< without its board, which is the one above
     std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none

@@ -1,6 +1,5 @@
 #include "served.h"
 
-#include "aspep/packet.h"
 #include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
 #include "simulation/fcp/fcp_board.h"
@@ -10,36 +9,6 @@
 namespace sim {
 
 namespace {
-
-Served boardOf(const Options &options, std::size_t headerBytes)
-{
-    auto board = simulation::makeBoard(options.board);
-    auto &known = *board;
-    return {std::move(board), headerBytes,
-        [&known](std::string_view line) { return obey(line, known); }};
-}
-
-Served servoOf(const Options &options)
-{
-    simulation::McbBoardOptions wanted = options.mcb;
-    wanted.board = options.board;
-    auto board = simulation::makeMcbBoard(wanted);
-    auto &known = *board;
-    return {std::move(board), 0, [&known](std::string_view line) { return obey(line, known); }};
-}
-
-Result<Served, std::string> mcbOf(const Options &options)
-{
-    if (options.rig.empty())
-        return servoOf(options);
-    auto rig = session::readMcbRigFile(QString::fromStdString(options.rig));
-    if (!rig)
-        return fail(options.rig + ": " + rig.error().toStdString());
-    auto stream = std::make_unique<simulation::McbStream>(std::move(*rig));
-    auto &known = *stream;
-    return Served{std::move(stream), 0,
-        [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
-}
 
 /// The words that a static board of the older serial protocol obeys besides those of every board:
 /// `state N`, `faults HEX` (first motor), `execute`, `rx-timeout`, `rx-overrun`; all else as obey().
@@ -70,32 +39,45 @@ Result<Obeyed, std::string> obeyFcp(std::string_view line, simulation::FcpBoard 
     return Obeyed::Done;
 }
 
-Result<Served, std::string> fcpOf(const Options &options)
+} // namespace
+
+Result<Served, std::string> serveBoard(const Options &options)
+{
+    auto board = simulation::makeBoard(options.board);
+    auto &known = *board;
+    return Served{std::move(board), [&known](std::string_view line) { return obey(line, known); }};
+}
+
+Result<Served, std::string> serveFcp(const Options &options)
 {
     if (options.rig.empty())
-        return boardOf(options, 0);
+        return serveBoard(options);
     auto rig = session::readFcpRigFile(QString::fromStdString(options.rig));
     if (!rig)
         return fail(rig.error());
     auto board = std::make_unique<simulation::FcpBoard>(std::move(*rig));
     auto &known = *board;
     return Served{
-        std::move(board), 0, [&known](std::string_view line) { return obeyFcp(line, known); }};
+        std::move(board), [&known](std::string_view line) { return obeyFcp(line, known); }};
 }
 
-} // namespace
-
-Result<Served, std::string> makeServed(const Options &options)
+Result<Served, std::string> serveMcb(const Options &options)
 {
-    switch (options.protocol) {
-    case Protocol::Mcb:
-        return mcbOf(options);
-    case Protocol::Fcp:
-        return fcpOf(options);
-    case Protocol::Mcp:
-        break;
+    if (options.rig.empty()) {
+        simulation::McbBoardOptions wanted = options.mcb;
+        wanted.board = options.board;
+        auto board = simulation::makeMcbBoard(wanted);
+        auto &servo = *board;
+        return Served{
+            std::move(board), [&servo](std::string_view line) { return obey(line, servo); }};
     }
-    return boardOf(options, aspep::kHeaderSize);
+    auto rig = session::readMcbRigFile(QString::fromStdString(options.rig));
+    if (!rig)
+        return fail(options.rig + ": " + rig.error().toStdString());
+    auto stream = std::make_unique<simulation::McbStream>(std::move(*rig));
+    auto &known = *stream;
+    return Served{std::move(stream),
+        [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
 }
 
 } // namespace sim

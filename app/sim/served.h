@@ -12,13 +12,13 @@ namespace sim {
 
 struct Served {
     std::unique_ptr<simulation::ByteDevice> device;
-    /// Bytes of a header, behind which a sender has to pause (ASPEP); 0: the protocol wants no pause.
-    std::size_t headerBytes = 0;
     /// Does what one line of standard input says, as obey() of control_words.h.
     std::function<Result<Obeyed, std::string>(std::string_view)> obey;
 };
 
-/// The device that the options ask for; a sentence if its rig file is none.
-Result<Served, std::string> makeServed(const Options &options);
+// The device that the options ask for; a sentence if its rig file is none.
+Result<Served, std::string> serveBoard(const Options &options); ///< of simulation::makeBoard()
+Result<Served, std::string> serveFcp(const Options &options);
+Result<Served, std::string> serveMcb(const Options &options);
 
 } // namespace sim

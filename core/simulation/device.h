@@ -18,6 +18,8 @@ public:
     [[nodiscard]] virtual Bytes takeOutput() = 0;
     /// When advance() will next have something to do that can be seen from outside.
     [[nodiscard]] virtual TimePoint nextWake() const = 0;
+    /// Of a header, behind which a sender has to pause; 0: the protocol wants no pause.
+    [[nodiscard]] virtual std::size_t headerBytes() const { return 0; }
 };
 
 } // namespace simulation

@@ -50,7 +50,6 @@ std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
     if (options.profile == kServoProfile) {
         McbBoardOptions servo;
         servo.board = options;
-        servo.board.profile = BoardOptions().profile;
         return makeMcbBoard(std::move(servo));
     }
     return makeMcpBoard(options);

@@ -2,6 +2,7 @@
 // the control rate.
 #include "simulation/mcp/mcp_board.h"
 
+#include "aspep/packet.h"
 #include "simulation/axis.h"
 #include "simulation/mcp/datalog_recorder.h"
 #include "simulation/mcp/performer.h"
@@ -127,6 +128,7 @@ public:
     void advance(TimePoint now) override;
     Bytes takeOutput() override { return std::exchange(m_output, {}); }
     TimePoint nextWake() const override { return m_nextSysTick; }
+    std::size_t headerBytes() const override { return aspep::kHeaderSize; }
 
     void reset() override
     {

@@ -1,5 +1,6 @@
 // rotorscope-sim as others script against it: its first line, its link, its end, its complaints.
 #include "aspep/packet.h"
+#include "drive/protocol_table.h"
 #include "support/places.h"
 
 #include <QElapsedTimer>
@@ -67,6 +68,7 @@ class TestSimulatorProgram : public QObject {
 private slots:
     void aWrongCommandLineIsOneSentenceAndStatus2_data();
     void aWrongCommandLineIsOneSentenceAndStatus2();
+    void eachProtocolOfTheTableIsServed();
     void helpNamesEveryFlag();
     void listsHaveOneThingALine_data();
     void listsHaveOneThingALine();
@@ -137,6 +139,18 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2()
     QCOMPARE(program.process.exitCode(), 2);
     QCOMPARE(program.process.readAllStandardOutput(), QByteArray());
     QCOMPARE(program.process.readAllStandardError().count('\n'), 1);
+}
+
+/// As the window and the command line have a simulated board for each.
+void TestSimulatorProgram::eachProtocolOfTheTableIsServed()
+{
+    for (const drive::ProtocolRow &row : drive::protocolTable()) {
+        if (row.choice.protocol == drive::Protocol::Auto)
+            continue;
+        const QString word = QString::fromStdString(std::string(row.choice.word));
+        SimProgram program({word, QStringLiteral("--tcp"), QStringLiteral("0")});
+        QVERIFY2(program.firstLine().startsWith(QLatin1String("ready ")), qPrintable(word));
+    }
 }
 
 void TestSimulatorProgram::helpNamesEveryFlag()
