@@ -1,5 +1,6 @@
 #include "widgets/measuring/ready_formulas.h"
 
+#include "catalog/motor_signals.h"
 #include "widgets/base/device_text.h"
 #include "widgets/measuring/math_formula.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace widgets {
 
@@ -24,6 +26,8 @@ struct Found {
     bool there() const { return !names.contains(QString()); }
 };
 
+using Names = std::span<const std::string_view>;
+
 /// Finds signals by what boards call them.
 class Signals {
 public:
@@ -34,11 +38,11 @@ public:
     {
     }
     /// Of each list the first that is there; all of one motor.
-    Found together(std::initializer_list<std::initializer_list<const char *>> wanted) const
+    Found together(std::initializer_list<Names> wanted) const
     {
         for (const std::string &ending : m_endings) {
             Found found{{}, ending};
-            for (const auto &one : wanted)
+            for (const Names one : wanted)
                 found.names.append(any(one, ending));
             if (found.there())
                 return found;
@@ -55,8 +59,10 @@ public:
             if (!its.empty() && !motor.empty() && its != motor)
                 continue;
             const bool turns = one.unit == "°" || one.unit == "rad";
-            const bool electrical = one.name.find("EL_ANGLE") != std::string::npos;
-            if (turns && (!best || (electrical && best->name.find("EL_") == std::string::npos)))
+            const bool electrical = one.name.find(catalog::kElectricalAngle) != std::string::npos;
+            if (turns
+                && (!best
+                    || (electrical && best->name.find(catalog::kElectrical) == std::string::npos)))
                 best = &one;
         }
         return best ? inFormula(QString::fromStdString(best->name)) : QString();
@@ -68,11 +74,11 @@ public:
     }
 
 private:
-    QString any(std::initializer_list<const char *> wanted, const std::string &ending) const
+    QString any(Names wanted, const std::string &ending) const
     {
-        for (const char *name : wanted) {
-            const auto found = std::find_if(m_names.begin(), m_names.end(),
-                [&](const scope::FormulaName &one) { return one.name == name + ending; });
+        for (const std::string_view name : wanted) {
+            const auto found =
+                std::ranges::find(m_names, std::string(name) + ending, &scope::FormulaName::name);
             if (found != m_names.end())
                 return inFormula(QString::fromStdString(found->name));
         }
@@ -113,10 +119,10 @@ std::vector<ReadyFormula> readyFormulas(
     const std::vector<scope::FormulaName> &names, const QString &chosen, int motor)
 {
     const Signals all(names, motor);
-    const Found both = all.together({{"I_A"}, {"I_B"}});
+    const Found both = all.together({{&catalog::kCurrentA, 1}, {&catalog::kCurrentB, 1}});
     const QStringList &phases = both.names;
     const QString needPhases = Ready::tr("needs I_A and I_B in the recording");
-    Found turned = all.together({{"I_ALPHA_MEAS", "I_ALPHA"}, {"I_BETA_MEAS", "I_BETA"}});
+    Found turned = all.together({catalog::kCurrentAlpha, catalog::kCurrentBeta});
     if (!turned.there() && both.there())
         turned = {{call("clarke_alpha", phases), call("clarke_beta", phases)}, both.motor};
     const QString angle = all.angle();
@@ -124,7 +130,9 @@ std::vector<ReadyFormula> readyFormulas(
     const QStringList park = turned.names + QStringList{its};
     const QString needPark = Ready::tr("needs two phase currents and an electrical angle");
     const QStringList powers =
-        all.together({{"V_D"}, {"I_D_MEAS", "I_D"}, {"V_Q"}, {"I_Q_MEAS", "I_Q"}}).names;
+        all.together({Names(catalog::kVoltageD).first(1), catalog::kCurrentD,
+                         Names(catalog::kVoltageQ).first(1), catalog::kCurrentQ})
+            .names;
     const QString one = chosen.isEmpty() ? all.first() : inFormula(chosen);
     const QString needOne = Ready::tr("needs a signal in the recording");
     const auto ofOne = [&](const QString &title, const QString &text) {

@@ -1,5 +1,6 @@
 #include "widgets/measuring/xy_panel.h"
 
+#include "catalog/motor_signals.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
@@ -30,25 +31,20 @@ constexpr double kNewest = 0.1; ///< seconds
 constexpr std::size_t kPointsAPixel = 8; ///< of the plot's width and height: some turns of a circle
 enum class XyRange { Picture, NewestStretch, BetweenCursors };
 
-/// What boards call the two.
-struct Names {
-    const char *x;
-    const char *y;
-};
 struct Vector {
-    std::array<Names, 2> names; ///< the first pair that is recorded is taken
+    catalog::SignalNames x, y; ///< the first pair that is recorded is taken
     const char *missing;
 };
 /// In the order of XyPanel::Kind, but for the last one.
 constexpr std::array kVectors{
-    Vector{{{{"I_ALPHA_MEAS", "I_BETA_MEAS"}, {"I_ALPHA", "I_BETA"}}},
+    Vector{catalog::kCurrentAlpha, catalog::kCurrentBeta,
         QT_TRANSLATE_NOOP("widgets::XyPanel",
             "Record I_A and I_B, or the currents \u03b1 and \u03b2, to see this.")},
-    Vector{{{{"I_D_MEAS", "I_Q_MEAS"}, {"I_D", "I_Q"}}},
+    Vector{catalog::kCurrentD, catalog::kCurrentQ,
         QT_TRANSLATE_NOOP("widgets::XyPanel", "Record the measured currents d and q to see this.")},
-    Vector{{{{"V_ALPHA", "V_BETA"}, {"U_ALPHA", "U_BETA"}}},
+    Vector{catalog::kVoltageAlpha, catalog::kVoltageBeta,
         QT_TRANSLATE_NOOP("widgets::XyPanel", "Record V_ALPHA and V_BETA to see this.")},
-    Vector{{{{"V_D", "V_Q"}, {"U_D", "U_Q"}}},
+    Vector{catalog::kVoltageD, catalog::kVoltageQ,
         QT_TRANSLATE_NOOP("widgets::XyPanel", "Record V_D and V_Q to see this.")}};
 } // namespace
 
@@ -160,9 +156,11 @@ void XyPanel::kindChosen()
     compute();
 }
 
-/// The channel of that name that got a sample last.
-std::optional<capture::ChannelId> XyPanel::recorded(const std::string &name) const
+/// The channel of that name and motor that got a sample last.
+std::optional<capture::ChannelId> XyPanel::recorded(
+    std::string_view signal, const std::string &ending) const
 {
+    const std::string name = std::string(signal) + ending;
     for (const capture::ChannelInfo &info : m_capture.channels()) {
         if (info.name == name)
             return m_capture.find(info.registerId);
@@ -187,14 +185,15 @@ std::optional<XyPanel::Pair> XyPanel::pair() const
 std::optional<XyPanel::Pair> XyPanel::vectorOf(const std::string &ending) const
 {
     std::optional<Pair> named;
-    for (const Names &names : kVectors.at(static_cast<std::size_t>(kind())).names) {
-        const auto x = recorded(names.x + ending), y = recorded(names.y + ending);
+    const Vector &vector = kVectors.at(static_cast<std::size_t>(kind()));
+    for (std::size_t i = 0; i < vector.x.size(); ++i) {
+        const auto x = recorded(vector.x.at(i), ending), y = recorded(vector.y.at(i), ending);
         if (x && y && !named)
             named = Pair{*x, *y, false};
     }
     if (kind() != Kind::CurrentAlphaBeta)
         return named;
-    const auto a = recorded("I_A" + ending), b = recorded("I_B" + ending);
+    const auto a = recorded(catalog::kCurrentA, ending), b = recorded(catalog::kCurrentB, ending);
     // What is recorded now goes before what was once.
     const ScopeView::TimeRange seen = m_scope.visibleRange();
     const bool there = named && !m_capture.extremes(named->x, seen.from, seen.to).empty();
@@ -244,7 +243,7 @@ XyWanted XyPanel::wanted() const
 
 std::vector<catalog::RegisterId> XyPanel::watchedRegisters() const
 {
-    const auto bus = m_registers.idOf("BUS_VOLTAGE");
+    const auto bus = m_registers.idOf(catalog::kBusVoltage);
     return isVoltage() && bus ? std::vector{*bus} : std::vector<catalog::RegisterId>();
 }
 
@@ -252,11 +251,11 @@ std::vector<catalog::RegisterId> XyPanel::watchedRegisters() const
 std::optional<double> XyPanel::busVolts() const
 {
     for (const std::string &ending : {motorShown(), std::string()}) {
-        if (const auto channel = recorded("BUS_VOLTAGE" + ending))
+        if (const auto channel = recorded(catalog::kBusVoltage, ending))
             if (const auto value = m_capture.valueAt(*channel, m_scope.visibleRange().to))
                 return value;
     }
-    const auto id = m_registers.idOf("BUS_VOLTAGE");
+    const auto id = m_registers.idOf(catalog::kBusVoltage);
     return id ? m_registers.shownValue(*id) : std::nullopt;
 }
 

@@ -59,7 +59,8 @@ private:
     QFormLayout *makeChoices();
     void fillTraces();
     Kind kind() const;
-    std::optional<capture::ChannelId> recorded(const std::string &name) const;
+    std::optional<capture::ChannelId> recorded(
+        std::string_view signal, const std::string &ending) const;
     std::optional<Pair> pair() const;
     std::optional<Pair> vectorOf(const std::string &ending) const;
     std::string motorShown() const;

@@ -1,5 +1,6 @@
 // The register table and the names of its numbers.
 #include "catalog/catalog.h"
+#include "catalog/motor_signals.h"
 #include "catalog/names.h"
 
 #include <QTest>
@@ -53,6 +54,7 @@ private Q_SLOTS:
     void quotesHoldSeparatorsAndLineEnds();
     void statesFaultsAndFlagsHaveNames();
     void everyNamedFaultHasAKind();
+    void signalsOfVectorsAreRegisters();
 };
 
 void TestCatalog::everyIdAgreesWithElementAndType()
@@ -235,6 +237,27 @@ void TestCatalog::everyNamedFaultHasAKind()
             QCOMPARE(faultKindOf(name) == FaultKind::Other, name.starts_with("bit "));
     QVERIFY(faultKindOf("") == FaultKind::Other);
     QVERIFY(faultKindOf("over_volt ") == FaultKind::Other);
+}
+
+/// The first of two names is the standard firmware's, the second that of HSO; recordings have no aliases.
+void TestCatalog::signalsOfVectorsAreRegisters()
+{
+    const Catalog standard = catalogOf(k642), hso(table("hso", k642), 1, {Scales{}});
+    const auto isName = [](const Catalog &catalog, std::string_view name) {
+        const RegisterInfo *info = catalog.find(name);
+        return info != nullptr && info->name == name;
+    };
+    for (const SignalNames &names : {kCurrentAlpha, kCurrentBeta, kCurrentD, kCurrentQ,
+             kVoltageAlpha, kVoltageBeta, kVoltageD, kVoltageQ}) {
+        QVERIFY2(isName(standard, names[0]), names[0].data());
+        QVERIFY2(isName(hso, names[1]), names[1].data());
+    }
+    for (const std::string_view name : {kCurrentA, kCurrentB, kBusVoltage})
+        QVERIFY2(isName(standard, name), name.data());
+    const auto isAngle = [](const RegisterInfo &info) {
+        return info.name.find(kElectricalAngle) != std::string::npos;
+    };
+    QVERIFY(std::ranges::any_of(standard.registers(), isAngle));
 }
 
 QTEST_APPLESS_MAIN(TestCatalog)
