@@ -35,6 +35,9 @@ struct StartRegisters {
     std::array<std::string_view, 2> mode, ramp, speed, current;
     ControlMode (*controlOf)(std::int64_t mode) = controlModeOf;
     std::string_view torqueRamp = {};
+    /// Where one is not 0 the motor follows what is no set-point: an open loop, a potentiometer.
+    std::array<std::string_view, 2> sources = {};
+    bool isSource(std::string_view name) const { return name == sources[0] || name == sources[1]; }
 };
 
 class Catalog {

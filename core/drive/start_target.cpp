@@ -100,11 +100,6 @@ StartTarget startTarget(
     return target;
 }
 
-bool isSource(const RegisterInfo &info)
-{
-    return info.name == "OPENLOOP" || info.name == "FOC_SPEED_SOURCE_SELECT";
-}
-
 std::string refuseStartTarget(const BoardFacts &board, int motor, const std::vector<Reading> &found)
 {
     const Catalog &catalog = *board.catalog;
@@ -134,7 +129,7 @@ std::string refuseStartTarget(const BoardFacts &board, int motor, const std::vec
         if (reading.status != ReadStatus::Ok || info == nullptr)
             continue;
         std::string name = catalog.nameOf(reading.id);
-        if (isSource(*info) && asNumber(reading.value).value_or(0.0) != 0.0)
+        if (start.isSource(info->name) && asNumber(reading.value).value_or(0.0) != 0.0)
             return name + " is on, and then no limit of your own holds: turn it off first";
         std::string why;
         if (info->name == start.ramp[0])

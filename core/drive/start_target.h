@@ -32,9 +32,6 @@ std::vector<catalog::RegisterId> startRegisters(const catalog::Catalog &catalog,
 StartTarget startTarget(
     const catalog::Catalog &catalog, const MotorLimits &limits, int motor, const ValueSource &held);
 
-/// Where it is not 0 the motor follows what is no set-point: an open loop, a potentiometer.
-bool isSource(const catalog::RegisterInfo &info);
-
 /// Why a START must not be, by what the board was set to before it; empty if it may.
 /// @param found  what was read for this judgement; what was not read refuses nothing
 std::string refuseStartTarget(

@@ -18,7 +18,7 @@ std::vector<RegisterId> McpCommandTask::needs() const
         if (info.readable() && !info.stub
             && (info.setPoint != catalog::SetPoint::None || info.id == mcp::reg::kControlMode.bits
                 || info.id == mcp::reg::kRevUpData.bits || info.name == catalog.start().ramp[0]
-                || info.name == catalog.start().torqueRamp || isSource(info)))
+                || info.name == catalog.start().torqueRamp || catalog.start().isSource(info.name)))
             ids.push_back(catalog.withMotor(info, m_motor));
     return ids;
 }

@@ -18,7 +18,7 @@ constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
 
 constexpr catalog::StartRegisters kStart{{"CONTROL_MODE"}, {"SPEED_RAMP"},
     {"FOC_SPEEDREF_FREQ_PU", "SPEED_REF"}, {"FOC_IQREF", "I_Q_REF"}, catalog::controlModeOf,
-    "TORQUE_RAMP"};
+    "TORQUE_RAMP", {"OPENLOOP", "FOC_SPEED_SOURCE_SELECT"}};
 
 std::string versionText(std::uint32_t version)
 {
