@@ -66,6 +66,8 @@ SEEDS = [
     ('core/base/seed_wide.h', '// ' + 'so wide ' * 15 + '\n', 'core/base/seed_wide.h:1: wider than 120 columns'),
     ('core/base/seed_broken.h', 'int seededFacts(\n    int a); ///< whatever it is, and some more\n',
      'core/base/seed_broken.h:2: the comment breaks'),
+    ('core/drive/protocol_table.cpp', '// ProtocolRow{{Seed, "seeded", "", "", true}},\n', None),
+    ('widgets/base/seed_of_table.h', '// as seeded has it\n', 'widgets/base/seed_of_table.h'),
     ('widgets/base/seed_word.h', '// as MCB has it\n', 'widgets/base/seed_word.h'),
     ('tests/core/base/tst_seed_sleep.cpp', 'QTest::qW' 'ait(5);\n', 'tests/core/base/tst_seed_sleep.cpp:1:'),
     ('tests/core/base/tst_seed_skip.cpp', 'QSK' 'IP("later");\n', 'tests/core/base/tst_seed_skip.cpp:1:'),
