@@ -18,6 +18,8 @@ using drive::MotorState;
 constexpr Duration kAnswerWithin = 3s; ///< of what moves nothing
 constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
 constexpr int kMostTries = 4; ///< of what could not leave in time
+constexpr const char *kStoppedByOthers = "something else stopped the motor";
+constexpr const char *kNotSeenToStop = "the motor was not seen to stop";
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
 /// All answers to a plan's steps, beyond its length: 25 ms each for 200 of them. Speeds that are reached at once leave
 /// 10 s more.
@@ -221,16 +223,16 @@ void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
         const auto &faults = status.faultsNow.empty() ? status.faultsPast : status.faultsNow;
         // Of its own start, which an experiment only asks for.
         const bool early = !m_ran && (m_phase == Phase::Starting || m_phase == Phase::Approaching);
-        m_soFar = {End::Aborted,
+        return endButReturn(End::Aborted,
             (early ? "the motor did not get to its first speed: " : "")
                 + ("the board reports a fault: " + namesOf(faults)),
-            {}};
-        return finish();
+            now);
     }
     const bool rests = status.state == MotorState::Idle || status.state == MotorState::Stopping;
     const bool mayRest = m_phase == Phase::Starting || (m_phase == Phase::Returning && !m_ran);
     if (rests && !mayRest)
-        return interrupt("something else stopped the motor");
+        return needsEnvelope() ? interrupt(kStoppedByOthers)
+                               : endButReturn(End::Interrupted, kStoppedByOthers, now);
     const bool atWork = m_phase == Phase::Working;
     if (m_conditions.beginning == Beginning::WhileStarting && atWork
         && status.state == MotorState::Running)
@@ -309,7 +311,7 @@ void Runner::advance(TimePoint now)
             return restore(now);
         break;
     case Phase::Restoring:
-        if (m_answered)
+        if (m_answered && (!m_cut || m_restores.empty() || drive::rests(m_status->state)))
             return restoreNext(now);
         break;
     case Phase::Comparing:
@@ -348,9 +350,10 @@ void Runner::onLate(TimePoint now)
             "the speed did not come to rest at " + rpmText(m_conditions.firstRpm), now);
     case Phase::Returning:
         return abort(m_ran ? "the speed did not come back to " + rpmText(m_before_rpm)
-                           : std::string("the motor was not seen to stop"));
+                           : std::string(kNotSeenToStop));
     default:
-        return giveUp(End::Refused, "no answer came in time", now);
+        return giveUp(
+            End::Refused, m_cut && m_answered ? kNotSeenToStop : "no answer came in time", now);
     }
 }
 
@@ -613,6 +616,21 @@ void Runner::restore(TimePoint now)
     restoreNext(now);
 }
 
+/// It is over, and armed still: what was borrowed goes back as soon as the motor rests. The set-point does not, which
+/// only a fresh act changes behind a fault.
+void Runner::endButReturn(End end, const std::string &why, TimePoint now)
+{
+    m_soFar = {end, why, {}};
+    if (!m_lent)
+        return finish();
+    m_cut = true;
+    m_wishes.clear();
+    m_waiting = 0;
+    m_answered = true;
+    m_restores.push_back(drive::Write{m_old, drive::Reach::Parameters});
+    enter(Phase::Restoring, kRestsWithin, now);
+}
+
 void Runner::restoreNext(TimePoint now)
 {
     if (m_restores.empty())
@@ -699,16 +717,23 @@ void Runner::interrupt(const std::string &why)
     if (over())
         return;
     m_stop = needsEnvelope();
-    m_soFar = {End::Interrupted, m_stop ? why + "; " + kStopping : why, {}};
+    cut(m_stop ? why + "; " + kStopping : why);
+}
+
+/// What ended it first is kept.
+void Runner::cut(const std::string &why)
+{
+    if (m_cut)
+        addReason(m_soFar, "then " + why);
+    else
+        m_soFar = {End::Interrupted, why, {}};
     finish();
 }
 
 void Runner::stopped()
 {
-    if (over())
-        return;
-    m_soFar = {End::Interrupted, "every motor was stopped", {}};
-    finish();
+    if (!over())
+        cut("every motor was stopped");
 }
 
 /// A torque accelerates the rotor until something takes it away; a start-up that was to turn nothing goes on by itself,

@@ -5,7 +5,8 @@
 //
 // Every way out brings the motor back to what it was, as far as that is possible, and says in a sentence what is not as
 // it was: at the end and where a wish is refused, by the old set-point or by stopping the motor that it started; after
-// a Stop the motor rests, and the set-point is the one that stood when it was stopped.
+// a Stop the motor rests, and the set-point is the one that stood when it was stopped. What it borrowed goes back after
+// a fault, too, and after another's stop, because the drive is armed still; not after a Stop, which disarms.
 //
 // Call order: begin(); then take() for every event of the drive and advance() when nextTimeout() is due, each followed
 // by takeStop() and takeWishes(); until over().
@@ -93,10 +94,12 @@ private:
     void giveBack(TimePoint now);
     void catchSpeed(TimePoint now);
     void restore(TimePoint now);
+    void endButReturn(End end, const std::string &why, TimePoint now);
     void restoreNext(TimePoint now);
     void compare(TimePoint now);
     void giveUp(End end, const std::string &reason, TimePoint now);
     void abort(const std::string &reason, const char *stopping = kStopping);
+    void cut(const std::string &why);
     void finish();
     bool steadyAt(double rpm, TimePoint now);
     bool hadItsTime(TimePoint now) const;
@@ -140,6 +143,7 @@ private:
     std::vector<drive::RegisterWrite> m_old; ///< of the borrowed registers
     std::optional<TimePoint> m_ranAt;
     bool m_lent = false; ///< they may hold what the experiment wrote
+    bool m_cut = false; ///< it has ended, and only gives those back
     std::deque<Ask> m_restores; ///< still to be asked for
     double m_before_rpm = 0.0; ///< the set-point
     milliseconds m_beforeRamp{}; ///< in which it was to be reached

@@ -34,6 +34,9 @@ private Q_SLOTS:
     void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
     void aFaultEndsItAndIsNamed();
     void aFaultOfTheStartIsNotOfTheExperiment();
+    void whatWasBorrowedComesBackWhereNothingDisarms_data();
+    void whatWasBorrowedComesBackWhereNothingDisarms();
+    void whatEndsTheGivingBackIsSaidBehindTheFault();
     void aLostLinkStopsWhatMoves();
     void severalInARowEndBehindWhatOneLeaves();
     void whatIsNotAPlanMovesNothing_data();
@@ -87,6 +90,18 @@ void retell(LabBench &bench, RegisterId id, std::function<void(Reading &)> chang
                     change(reading);
         handOn(event);
     };
+}
+
+/// Until its response is measured with three quarters of the gains that the board has.
+bool respondsWithOtherGains(LabBench &bench)
+{
+    const lab::Registers &registers = bench.experiment.subject.registers;
+    lab::ResponsePlan plan = lab::responsePlanFor(bench.experiment.subject, {});
+    plan.kp = 3 * int(bench.number(registers.gain)) / 4;
+    plan.ki = 3 * int(bench.number(registers.integral)) / 4;
+    bench.experiment.plan = plan;
+    bench.begin();
+    return bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 4; }, 40s);
 }
 
 bool askedForMotion(const LabBench &bench)
@@ -619,6 +634,58 @@ void TestRunner::aFaultOfTheStartIsNotOfTheExperiment()
     QVERIFY2(bench.runner->outcome().reason.starts_with(
                  "the motor did not get to its first speed: the board reports a fault: "),
         bench.runner->outcome().reason.c_str());
+}
+
+void TestRunner::whatWasBorrowedComesBackWhereNothingDisarms_data()
+{
+    QTest::addColumn<bool>("fault");
+    QTest::newRow("a fault") << true;
+    QTest::newRow("somebody else's stop") << false;
+}
+
+/// The set-point does not: behind a fault only a fresh act changes it.
+void TestRunner::whatWasBorrowedComesBackWhereNothingDisarms()
+{
+    QFETCH(const bool, fault);
+    LabBench bench;
+    const lab::Registers registers = bench.experiment.subject.registers;
+    const double kp = bench.number(registers.gain), ki = bench.number(registers.integral);
+    QVERIFY(respondsWithOtherGains(bench));
+    QCOMPARE(bench.asked<Write>().size(), 1U);
+    if (fault)
+        bench.pair.board->setFaults(0x0040);
+    else
+        bench.pair.submit(Command{MotorAction::StopMotor, 1});
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
+    const lab::Outcome outcome = bench.runner->outcome();
+    VERIFY_END(outcome, fault ? End::Aborted : End::Interrupted);
+    QVERIFY2(outcome.reason.starts_with(
+                 fault ? "the board reports a fault: " : "something else stopped the motor"),
+        outcome.reason.c_str());
+    QVERIFY2(outcome.reason.find("may hold") == std::string::npos, outcome.reason.c_str());
+    QCOMPARE(bench.stops, 0);
+    QVERIFY(std::holds_alternative<Read>(bench.wishes.back().what)); // and looks at it
+    QVERIFY(std::holds_alternative<Write>(bench.wishes[bench.wishes.size() - 2].what));
+    QCOMPARE(bench.asked<Write>().size(), 2U);
+    QCOMPARE(bench.number(registers.gain), kp);
+    QCOMPARE(bench.number(registers.integral), ki);
+}
+
+void TestRunner::whatEndsTheGivingBackIsSaidBehindTheFault()
+{
+    LabBench bench;
+    QVERIFY(respondsWithOtherGains(bench));
+    bench.pair.board->setFaults(0x0040);
+    QVERIFY(bench.runUntil([&] { return bench.asked<Write>().size() == 2; }, 5s));
+    QVERIFY(!bench.runner->over());
+    bench.runner->stopped();
+    const lab::Outcome outcome = bench.runner->outcome();
+    VERIFY_END(outcome, End::Aborted);
+    QVERIFY2(outcome.reason.starts_with("the board reports a fault: ")
+            && outcome.reason.find("; then every motor was stopped; ") != std::string::npos
+            && outcome.reason.find("SPEED_KP may hold what the experiment wrote")
+                != std::string::npos,
+        outcome.reason.c_str());
 }
 
 void TestRunner::aLostLinkStopsWhatMoves()
