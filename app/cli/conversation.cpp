@@ -64,9 +64,10 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
           session::tapped(session::noted(attendedHere(std::move(guardian)), m_lentNote), m_tap))
 {
     QObject::connect(m_lentNote.get(), &session::LentNote::left, this, [](const QString &texts) {
-        Output::error(QStringLiteral("An experiment was cut off before it gave back what it had "
-                                     "borrowed: %1.")
-                          .arg(texts));
+        if (!texts.isEmpty())
+            Output::error(QStringLiteral("An experiment was cut off before it gave back what it "
+                                         "had borrowed: %1.")
+                              .arg(texts));
     });
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::onBatch);

@@ -1,7 +1,11 @@
 #include "lab/lent.h"
 
 #include "base/text.h"
+#include "catalog/limits.h"
 #include "drive/values.h"
+
+#include <cmath>
+#include <utility>
 
 namespace lab {
 
@@ -10,6 +14,21 @@ std::string typedText(const catalog::Value &value)
     const auto *bytes = std::get_if<Bytes>(&value);
     return bytes != nullptr ? "\"" + hexOf(*bytes, " ") + "\""
                             : shortNumber(drive::asNumber(value).value_or(0.0));
+}
+
+std::optional<catalog::Value> typedValue(const std::string &text, catalog::ValueType type)
+{
+    if (type == catalog::ValueType::Raw) {
+        if (text.size() < 2 || text.front() != '"' || text.back() != '"')
+            return std::nullopt;
+        auto bytes = bytesIn(std::string_view(text).substr(1, text.size() - 2));
+        return bytes ? std::optional<catalog::Value>(std::move(*bytes)) : std::nullopt;
+    }
+    const auto number = numberIn<double>(text);
+    if (!number || !catalog::typeLimits(type).holds(*number))
+        return std::nullopt;
+    return catalog::isInteger(type) ? catalog::Value(std::int64_t{std::llround(*number)})
+                                    : catalog::Value(*number);
 }
 
 std::vector<std::string> leftTexts(const std::vector<Lent> &lent)

@@ -3,6 +3,7 @@
 
 #include "catalog/register_info.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Lent {
 /// As `rotorscope-cli set` takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a
 /// number as it is, because gains have no scale.
 std::string typedText(const catalog::Value &value);
+
+/// The value of such a text, as a register of that type holds it; empty if it has none.
+std::optional<catalog::Value> typedValue(const std::string &text, catalog::ValueType type);
 
 /// What is to be said of those that were not given back, and how all of it comes back; without full stops.
 std::vector<std::string> leftTexts(const std::vector<Lent> &lent);

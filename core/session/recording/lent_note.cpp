@@ -58,12 +58,30 @@ void LentNote::begin(const Endpoint &endpoint)
     m_lent.clear();
     m_lending = 0;
     m_fresh.clear();
+    tell();
+}
+
+void LentNote::tell()
+{
+    if (m_lent.empty() && !m_told)
+        return;
+    m_told = !m_lent.empty();
+    std::vector<lab::Lent> lent;
+    std::vector<drive::RegisterWrite> back;
+    for (const auto &[id, one] : m_lent) {
+        lent.push_back(one);
+        const catalog::RegisterInfo *info = m_catalog->find(id);
+        if (auto value = info != nullptr ? lab::typedValue(one.held, info->type) : std::nullopt)
+            back.push_back({id, std::move(*value)});
+    }
+    std::string texts;
+    for (const std::string &text : lab::leftTexts(lent))
+        texts += (texts.empty() ? "" : "; ") + text;
+    Q_EMIT left(QString::fromStdString(texts), back);
 }
 
 void LentNote::onEvent(const drive::Event &event, TimePoint)
 {
-    if (!m_keeps)
-        return;
     if (const auto *board = std::get_if<drive::Identified>(&event))
         meet(*board);
     else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
@@ -79,23 +97,19 @@ void LentNote::onEvent(const drive::Event &event, TimePoint)
 void LentNote::meet(const drive::Identified &board)
 {
     m_catalog = board.catalog;
+    if (!m_keeps)
+        return tell(); // the same one again
     m_path = QDir(m_folder).filePath(noteName(board.identity));
     m_lent.clear();
     const auto content = readWholeFile(m_path, kMostText);
     const QJsonArray all =
         QJsonDocument::fromJson(content.value_or(QByteArray())).object()[kRegisters].toArray();
-    std::vector<lab::Lent> lent;
     for (const auto &each : all) {
         const QJsonObject one = each.toObject();
         const auto id = static_cast<drive::RegisterId>(one[kId].toInteger());
         m_lent[id] = {one[kName].toString().toStdString(), one[kHeld].toString().toStdString()};
-        lent.push_back(m_lent[id]);
     }
-    std::string texts;
-    for (const std::string &text : lab::leftTexts(lent))
-        texts += (texts.empty() ? "" : "; ") + text;
-    if (!texts.empty())
-        Q_EMIT left(QString::fromStdString(texts));
+    tell();
 }
 
 /// What an experiment writes is borrowed, but where it is what the register held before: it is given back then, or was
@@ -103,7 +117,7 @@ void LentNote::meet(const drive::Identified &board)
 void LentNote::onWish(const drive::Wish &wish, TimePoint)
 {
     const auto *write = std::get_if<drive::Write>(&wish.what);
-    if (write == nullptr || wish.id < lab::Runner::kFirstWish || m_path.isEmpty())
+    if (write == nullptr || wish.id < lab::Runner::kFirstWish || !m_catalog)
         return;
     const auto isBack = [this](const drive::RegisterWrite &one) {
         const auto lent = m_lent.find(one.id);
@@ -134,10 +148,13 @@ void LentNote::written(const drive::Ended &ended)
         notBorrowed(ended);
     else
         for (const drive::WriteResult &one : ended.writes)
-            if (one.outcome == drive::Outcome::Ok)
+            if (one.outcome == drive::Outcome::Ok && one.verified != false)
                 m_lent.erase(one.id);
-    if (m_lent.size() != before)
-        save();
+    if (m_lent.size() == before)
+        return;
+    save();
+    if (m_told)
+        tell();
 }
 
 /// Off the note is what this write put on it and certainly did not change: it was not sent, or refused and nothing else
@@ -161,6 +178,8 @@ void LentNote::notBorrowed(const drive::Ended &ended)
 /// Whole or not at all. What cannot be kept is as it was without it: an experiment says at its end what it leaves.
 void LentNote::save() const
 {
+    if (m_path.isEmpty())
+        return;
     if (m_lent.empty()) {
         QFile::remove(m_path);
         return;

@@ -66,6 +66,17 @@ struct World : support::LabWorld {
             now);
     }
     int notes() const { return int(QDir(path).entryList(QDir::Files).size()); }
+    /// What was told last: a text, and what brings it back.
+    QString text() const { return left.last().at(0).toString(); }
+    std::vector<drive::RegisterWrite> back() const
+    {
+        return left.last().at(1).value<std::vector<drive::RegisterWrite>>();
+    }
+    bool tellsBack(const char *name, const catalog::Value &value) const
+    {
+        const auto all = back();
+        return all.size() == 1 && all.front().id == id(name) && all.front().value == value;
+    }
 
 private:
     explicit World(std::shared_ptr<LentNote> kept)
@@ -118,8 +129,12 @@ private Q_SLOTS:
                          "REVUP_DATA may hold what the experiment wrote; what it held before "))
                     && said.endsWith(set),
                 qPrintable(said));
-            if (again == 1)
+            QVERIFY(next.tellsBack(kStages, before));
+            if (again == 1) {
                 QVERIFY(next.writes(kStages, before));
+                QCOMPARE(next.left.size(), 2);
+                QVERIFY(next.text().isEmpty() && next.back().empty());
+            }
         }
         World later(folder.path());
         QVERIFY(later.connect());
@@ -149,6 +164,10 @@ private Q_SLOTS:
             world.session.stop();
             QVERIFY(world.ends());
             QVERIFY(world.outcomes[0].leaves);
+            QVERIFY(world.left.isEmpty());
+            world.note->tell(); // the experiment is over
+            QCOMPARE(world.left.size(), 1);
+            QVERIFY(world.text().startsWith(QLatin1String(kStages)));
             QVERIFY(world.idles());
         }
         World next(folder.path());
@@ -222,15 +241,77 @@ private Q_SLOTS:
         }
     }
 
-    /// It is gone when its program is.
+    /// A board may take a value and make another one of it.
+    void whatIsReadBackOtherwiseStaysBorrowed()
+    {
+        const QTemporaryDir folder;
+        World world(folder.path());
+        QVERIFY(world.connect());
+        const catalog::Value before = world.held(kGain);
+        world.wishes(1, std::int64_t{1});
+        world.note->tell();
+        QVERIFY(world.tellsBack(kGain, before));
+        drive::Ended ended{7, drive::Outcome::Ok, {}, {}};
+        ended.writes = {{.id = world.id(kGain),
+            .outcome = drive::Outcome::Ok,
+            .reason = {},
+            .before = {},
+            .readBack = std::int64_t{2},
+            .verified = false}};
+        world.note->onEvent(ended, world.now);
+        QCOMPARE(world.notes(), 1);
+        QCOMPARE(world.left.size(), 1);
+        ended.writes.front().verified = true;
+        world.note->onEvent(ended, world.now);
+        QCOMPARE(world.notes(), 0);
+        QVERIFY(world.text().isEmpty());
+    }
+
+    /// Another connection may be one to another board.
+    void whatIsLeftIsOfOneConnection()
+    {
+        const QTemporaryDir folder;
+        World world(folder.path());
+        QVERIFY(world.connect());
+        QVERIFY(world.held(kGain) != catalog::Value{std::int64_t{1}});
+        world.wishes(1, std::int64_t{1});
+        world.note->tell();
+        world.note->begin(world.endpoint);
+        QCOMPARE(world.left.size(), 2);
+        QVERIFY(world.text().isEmpty());
+        QCOMPARE(world.notes(), 1);
+    }
+
+    void whatMakesNoValueIsNotOffered()
+    {
+        using catalog::ValueType;
+        using lab::typedValue;
+        QVERIFY(typedValue("\"2C 01\"", ValueType::Raw) == catalog::Value(Bytes{0x2C, 0x01}));
+        QVERIFY(typedValue("-12", ValueType::S16) == catalog::Value(std::int64_t{-12}));
+        QVERIFY(typedValue("0.5", ValueType::F32) == catalog::Value(0.5));
+        for (const char *text : {"", "\"", "2C 01", "\"2C 0\""})
+            QVERIFY(!typedValue(text, ValueType::Raw));
+        for (const char *text : {"", "x", "1e300", "40000", "nan", "\"01\""})
+            QVERIFY(!typedValue(text, ValueType::S16));
+        QVERIFY(!typedValue("inf", ValueType::F32));
+    }
+
+    /// It is gone when its program is: until then it is told, from memory.
     void aBoardWithinTheProgramHasNone()
     {
         const QTemporaryDir folder;
         World world(folder.path());
         world.endpoint.kind = session::Endpoint::Kind::Simulator;
         QVERIFY(world.connect());
+        const catalog::Value before = world.held(kStages);
         QVERIFY(world.borrows());
         QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
+        world.session.stop();
+        QVERIFY(world.ends());
+        world.note->tell();
+        QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
+        QCOMPARE(world.left.size(), 1);
+        QVERIFY(world.tellsBack(kStages, before));
     }
 
     void aNoteThatMakesNoSenseSaysNothing()
