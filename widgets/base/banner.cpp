@@ -86,11 +86,20 @@ bool Banner::eventFilter(QObject *watched, QEvent *event)
     return QFrame::eventFilter(watched, event);
 }
 
-void Banner::say(Kind kind, const QString &sentence)
+void Banner::say(Kind kind, const QString &sentence, QWidget *act)
 {
     if (sentence.isEmpty())
         return;
     m_kind = kind;
+    if (m_act != nullptr && m_act != act)
+        m_act->hide();
+    m_act = act;
+    if (act != nullptr) {
+        auto *row = static_cast<QHBoxLayout *>(layout());
+        if (row->indexOf(act) < 0)
+            row->insertWidget(row->indexOf(m_close), act);
+        act->show();
+    }
     m_mark->setText(kind == Kind::Note ? QStringLiteral("\u2139") : QStringLiteral("\u26a0"));
     m_text->setText(sentence);
     setAccessibleName(sentence);

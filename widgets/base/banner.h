@@ -20,8 +20,8 @@ public:
     /// @param free  how many pixels of the upper edge it leaves free, as long as it fits below them
     Banner(QWidget *over, std::function<int()> free, QWidget *window);
 
-    /// Replaces what was said.
-    void say(Kind kind, const QString &sentence);
+    /// Replaces what was said. @param act  a button that belongs to it, which the banner takes in
+    void say(Kind kind, const QString &sentence, QWidget *act = nullptr);
     void clear();
     QString text() const;
     Kind kind() const { return m_kind; }
@@ -42,6 +42,7 @@ private:
     QLabel *m_mark;
     QLabel *m_text;
     QToolButton *m_close;
+    QWidget *m_act = nullptr; ///< of what is said now
     Kind m_kind = Kind::Note;
 };
 

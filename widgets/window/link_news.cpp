@@ -23,6 +23,40 @@ void LinkNews::say(Banner::Kind kind, const QString &sentence)
     m_banner.say(kind, sentence);
 }
 
+void LinkNews::setLeft(const QString &sentence, QWidget *act)
+{
+    m_left = sentence;
+    m_giveBack = act;
+    if (!sentence.isEmpty() && !tellsLoss())
+        sayLeft();
+    else if (sentence.isEmpty() && m_told == Told::Left)
+        clear();
+}
+
+void LinkNews::givenBack(const QString &sentence)
+{
+    if (m_left.isEmpty())
+        say(Banner::Kind::Note, sentence);
+    else if (!tellsLoss())
+        sayLeft(sentence);
+}
+
+void LinkNews::sayLeft(const QString &first)
+{
+    m_banner.say(Banner::Kind::Warning,
+        first.isEmpty() ? m_left : QStringLiteral("%1 %2").arg(first, m_left), m_giveBack);
+    m_told = Told::Left;
+}
+
+/// Of what is over; what is left is not.
+void LinkNews::clear()
+{
+    m_banner.clear();
+    m_told = Told::Other;
+    if (!m_left.isEmpty())
+        sayLeft();
+}
+
 void LinkNews::portChanged()
 {
     if (m_device.portOpen() && m_told == Told::Done) {
@@ -49,6 +83,8 @@ void LinkNews::armedChanged(bool armed)
     if (armed)
         m_reset = false;
     follow();
+    if (armed && !m_left.isEmpty())
+        sayLeft();
 }
 
 /// Connected, though the board may be silent for a moment.
@@ -62,7 +98,7 @@ bool LinkNews::alive() const
 void LinkNews::follow()
 {
     const Message now = message();
-    const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
+    const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done || m_told == Told::Left;
     if (!now.sentence.isEmpty()) {
         // What was read and closed is not told again by the same happening; what is bad comes back from behind other
         // words.
@@ -77,10 +113,8 @@ void LinkNews::follow()
     if (tellsLoss() && m_device.identified() && !m_device.answering() && m_connecting())
         return;
     m_said.clear();
-    if (notOfTheLink)
-        return;
-    m_banner.clear();
-    m_told = now.told;
+    if (!notOfTheLink)
+        clear();
 }
 
 LinkNews::Message LinkNews::message() const

@@ -22,6 +22,10 @@ public:
 
     /// Contact was lost: told until there is contact again.
     bool tellsLoss() const { return m_told == Told::Loss; }
+    /// What an experiment has left on the board; empty: nothing any more. It comes back from behind what the link says,
+    /// and whenever the board is armed. @param act  the button that gives it back; nullptr: there is none
+    void setLeft(const QString &sentence, QWidget *act);
+    void givenBack(const QString &sentence); ///< with what is left all the same
 
 public Q_SLOTS:
     void say(widgets::Banner::Kind kind, const QString &sentence);
@@ -37,6 +41,7 @@ private:
         Done, ///< goes when the next connection or replay begins
         Link, ///< goes when the link changes
         Loss, ///< stays until the board answers again
+        Left, ///< stays until it is given back
     };
     struct Message {
         Banner::Kind kind = Banner::Kind::Note;
@@ -45,6 +50,8 @@ private:
     };
     Message message() const;
     bool alive() const;
+    void sayLeft(const QString &first = {});
+    void clear();
 
     const Device &m_device;
     std::function<bool()> m_connecting;
@@ -52,6 +59,8 @@ private:
     Banner &m_banner;
     Told m_told = Told::Other;
     QString m_said; ///< of the link, in this happening
+    QString m_left; ///< by an experiment
+    QWidget *m_giveBack = nullptr;
     bool m_reset = false; ///< the board was, and has not been armed since
 };
 

@@ -23,6 +23,7 @@
 #include "widgets/files/recording_control.h"
 #include "widgets/files/sample_room.h"
 #include "widgets/files/sample_room_dialog.h"
+#include "widgets/lab/give_back.h"
 #include "widgets/lab/text.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/colors.h"
@@ -402,10 +403,16 @@ void MainWindow::connectFlows()
     const auto tell = &LinkNews::warn;
     connect(m_connectBar, &ConnectBar::refused, m_news, tell);
     connect(&m_workbench.motion(), &MotionGate::failed, m_news, tell);
-    connect(
-        &m_workbench.lentNote(), &session::LentNote::left, m_news, [this](const QString &texts) {
-            warn(tr("An experiment was cut off before it gave back what it had borrowed: %1.")
-                     .arg(labText(texts.toStdString())));
+    auto *giveBack = new GiveBack(m_device, m_workbench.edits(), m_workbench.experiments(), this);
+    connect(giveBack, &GiveBack::told, m_news, &LinkNews::givenBack);
+    connect(&m_workbench.lentNote(), &session::LentNote::left, m_news,
+        [this, giveBack](const QString &texts, const std::vector<drive::RegisterWrite> &back) {
+            giveBack->offer(back);
+            m_news->setLeft(texts.isEmpty()
+                    ? QString()
+                    : tr("An experiment was cut off before it gave back what it had borrowed: %1.")
+                          .arg(labText(texts.toStdString())),
+                back.empty() ? nullptr : giveBack);
         });
     connect(m_scales, &CurrentScales::told, m_news, tell);
     connect(&m_workbench.signalPlan(), &SignalPlan::failed, m_news, tell);

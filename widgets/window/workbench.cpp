@@ -207,6 +207,8 @@ void Workbench::connectExperiments()
     session::Session *session = m_thread.session();
     connect(&m_experiments, &Experiments::wished, session, &session::Session::run);
     connect(session, &session::Session::experimentEnded, &m_experiments, &Experiments::end);
+    connect(session, &session::Session::experimentEnded, session,
+        [note = m_lentNote] { note->tell(); }); // in the session's thread, where the note is
     // A file that is being written holds them as one of the command line does.
     connect(&m_experiments, &Experiments::noted, this,
         [this](qint64 at, const recorded::Happening &what) { m_recording.add(at, what); });
