@@ -43,6 +43,8 @@ void Envelope::set(const Caps &caps, TimePoint now)
         m_busRead = now;
     if (!(m_caps.mostTemperature_c > 0.0))
         m_temperatureRead = now;
+    if (!readsCurrent())
+        m_currentRead = now;
     m_caps = caps;
     m_heard = now;
 }
@@ -88,9 +90,7 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
     double sum = 0.0;
     const auto current = [&](double amps) {
         sum += amps;
-        return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
-            ? std::optional(broken("a current", std::abs(amps), m_caps.mostAmps, "A"))
-            : std::nullopt;
+        return this->current(amps);
     };
     if (m_currentD)
         if (auto found = visit(*m_currentD, current))
@@ -133,6 +133,19 @@ std::optional<std::string> Envelope::speed(double rpm)
     return std::nullopt;
 }
 
+std::optional<std::string> Envelope::current(double amps) const
+{
+    return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
+        ? std::optional(broken("a current", std::abs(amps), m_caps.mostAmps, "A"))
+        : std::nullopt;
+}
+
+/// It is bounded, and seen only where it is read.
+bool Envelope::readsCurrent() const
+{
+    return m_watched.polled && m_watched.current != 0 && m_caps.mostAmps > 0.0;
+}
+
 std::optional<std::string> Envelope::reading(
     const drive::Reading &reading, const catalog::Catalog &catalog, TimePoint now)
 {
@@ -140,6 +153,14 @@ std::optional<std::string> Envelope::reading(
     if (reading.status != drive::ReadStatus::Ok || !number || reading.id == 0)
         return std::nullopt;
     const double value = *number * catalog.readScale(reading.id).factor;
+    if (m_watched.polled && reading.id == m_watched.speed) {
+        m_heard = now;
+        return speed(value);
+    }
+    if (m_watched.polled && reading.id == m_watched.current) {
+        m_currentRead = now;
+        return current(value);
+    }
     if (reading.id == m_watched.bus) {
         m_busRead = now;
         m_bus_v = value;
@@ -164,8 +185,11 @@ std::optional<std::string> Envelope::silence(TimePoint now) const
         return std::optional(std::string(what) + " for " + text(toSeconds(time)) + " s");
     };
     if (now >= m_heard + m_caps.silence)
-        return missing("no samples came", m_caps.silence);
+        return missing(
+            m_watched.polled ? "the speed was not read" : "no samples came", m_caps.silence);
     const Duration unread = m_caps.silence + kReadsLater;
+    if (readsCurrent() && now >= m_currentRead + unread)
+        return missing("the current was not read", unread);
     if (boundsBus(m_caps) && now >= m_busRead + unread)
         return missing("the bus voltage was not read", unread);
     if (m_caps.mostTemperature_c > 0.0 && now >= m_temperatureRead + unread)
@@ -178,6 +202,8 @@ std::optional<TimePoint> Envelope::silentAt() const
     if (m_caps.silence == Duration::zero())
         return std::nullopt;
     TimePoint oldest = m_heard;
+    if (readsCurrent())
+        oldest = std::min(oldest, m_currentRead + kReadsLater);
     if (boundsBus(m_caps))
         oldest = std::min(oldest, m_busRead + kReadsLater);
     if (m_caps.mostTemperature_c > 0.0)

@@ -24,11 +24,12 @@ struct Caps {
 /// What the envelope has to know of the motor's signals; registers of this motor, 0: not there.
 struct Watched {
     int motor = 1;
-    drive::RegisterId speed = 0, current = 0, currentD = 0; ///< streamed
+    drive::RegisterId speed = 0, current = 0, currentD = 0; ///< streamed, but for `polled`
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     /// Streamed; where the speed is not, it is how far this goes in a packet.
     drive::RegisterId angle = 0;
     double polePairs = 0.0;
+    bool polled = false; ///< speed and current are, and their samples are readings
 };
 
 class Envelope {
@@ -61,6 +62,8 @@ public:
 private:
     std::optional<std::string> samples(const capture::SampleBlock &block);
     std::optional<std::string> speed(double rpm);
+    std::optional<std::string> current(double amps) const;
+    bool readsCurrent() const;
     std::optional<double> turnedRpm(const capture::SampleBlock &block) const;
     std::optional<std::string> reading(
         const drive::Reading &reading, const catalog::Catalog &catalog, TimePoint now);
@@ -77,7 +80,7 @@ private:
     std::optional<Column> m_speed, m_current, m_currentD, m_angle;
     double m_sampleHz = 0.0;
     std::optional<double> m_rpm, m_amps, m_bus_v;
-    TimePoint m_heard{}, m_busRead{}, m_temperatureRead{};
+    TimePoint m_heard{}, m_currentRead{}, m_busRead{}, m_temperatureRead{};
 };
 
 } // namespace lab

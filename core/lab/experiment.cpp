@@ -29,7 +29,7 @@ std::string generalObjection(const Conditions &conditions, const Subject &subjec
     const bool turnsBack = conditions.leastRpm < 0.0 && conditions.mostRpm > 0.0;
     const double lowest =
         turnsBack ? 0.0 : std::min(std::abs(conditions.leastRpm), std::abs(conditions.mostRpm));
-    const double observed = subject.leastObservedRpm();
+    const double observed = subject.leastObservedRpm(conditions.user.maxSpeedRpm);
     if (highest > 0.0 && lowest < observed)
         return "stay above " + std::to_string(std::lround(observed))
             + " rpm: this motor has no sensor, and at " + std::to_string(std::lround(lowest))
@@ -54,6 +54,9 @@ milliseconds lengthOf(const Experiment &experiment)
 
 std::string objectionTo(const Experiment &experiment)
 {
+    if (experiment.subject.polled && !std::holds_alternative<StepPlan>(experiment.plan))
+        return "this board records nothing by itself, and only steps of the speed are told from "
+               "values that are read one after the other";
     const std::string own = std::visit(
         [&](const auto &plan) { return objectionTo(plan, experiment.subject); }, experiment.plan);
     if (!own.empty())

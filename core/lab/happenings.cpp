@@ -42,14 +42,29 @@ Happenings carriedOut(const Happenings &all)
     return carried;
 }
 
-const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name)
+namespace {
+
+const capture::Channel *channelOf(
+    const capture::Capture &capture, const std::string &name, capture::ChannelInfo::Kind kind)
 {
     if (name.empty())
         return nullptr;
     for (const capture::ChannelInfo &info : capture.channels())
-        if (info.name == name && info.kind == capture::ChannelInfo::Kind::Fast)
+        if (info.name == name && info.kind == kind)
             return capture.channel(info.id);
     return nullptr;
+}
+
+} // namespace
+
+const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name)
+{
+    return channelOf(capture, name, capture::ChannelInfo::Kind::Fast);
+}
+
+const capture::Channel *polledChannel(const capture::Capture &capture, const std::string &name)
+{
+    return channelOf(capture, name, capture::ChannelInfo::Kind::Polled);
 }
 
 std::optional<DrivenSpan> drivenSpan(

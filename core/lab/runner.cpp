@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lab {
 
@@ -59,7 +60,8 @@ Watched watchedOf(const Experiment &experiment)
 {
     const Registers &registers = experiment.subject.registers;
     return {experiment.subject.motor, registers.speed, registers.current, registers.currentD,
-        registers.bus, registers.temperature, registers.angle, experiment.subject.limits.polePairs};
+        registers.bus, registers.temperature, registers.angle, experiment.subject.limits.polePairs,
+        experiment.subject.polled};
 }
 
 } // namespace
@@ -405,6 +407,10 @@ void Runner::onRead(TimePoint now)
         if (m_ran && flows(shown(id).value_or(0.0), m_experiment.subject.limits))
             return refuse(m_experiment.subject.nameOf(id)
                 + " is not 0, and would be afterwards: bring it to 0 first");
+    if (m_experiment.subject.polled) {
+        enter(Phase::Watching, kAnswerWithin, now);
+        return ask(watch(), now);
+    }
     enter(Phase::Streaming, kAnswerWithin, now);
     ask(stream(), now);
 }
@@ -437,6 +443,10 @@ drive::Watch Runner::watch() const
         {m_experiment.subject.registers.bus, m_experiment.subject.registers.temperature})
         if (id != 0)
             watch.registers.push_back(id);
+    if (m_experiment.subject.polled)
+        std::ranges::copy_if(m_conditions.recorded, std::back_inserter(watch.drawn),
+            [](drive::RegisterId id) { return id != 0; });
+    watch.registers.insert(watch.registers.end(), watch.drawn.begin(), watch.drawn.end());
     return watch;
 }
 
@@ -482,7 +492,7 @@ Caps Runner::startCaps() const
 Caps Runner::courseCaps() const
 {
     Caps narrow = caps();
-    const double observed = m_experiment.subject.leastObservedRpm();
+    const double observed = m_experiment.subject.leastObservedRpm(m_conditions.user.maxSpeedRpm);
     if (observed > 0.0 && m_conditions.leastRpm > 0.0)
         narrow.leastRpm = std::max(observed, m_conditions.leastRpm - m_conditions.margin_rpm);
     if (observed > 0.0 && m_conditions.mostRpm < 0.0)

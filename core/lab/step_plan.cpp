@@ -49,8 +49,11 @@ private:
 
 } // namespace
 
-std::string objectionTo(const StepPlan &plan, const Subject &)
+std::string objectionTo(const StepPlan &plan, const Subject &subject)
 {
+    if (subject.polled && plan.caps.maxCurrentAmps > 0.0 && subject.registers.current == 0)
+        return "nothing tells its current in A, so that none could be held against your limit: say "
+               "what the full scale of its currents is";
     if (plan.fromRpm == plan.toRpm)
         return "both speeds are the same: there is no step";
     if (plan.repeat < 1 || plan.repeat > kMostRepeats)

@@ -49,6 +49,39 @@ std::string lackOf(const drive::StreamLimits &streaming, const Registers &regist
     return {};
 }
 
+/// Why what this needs is not there, in a sentence; empty: it is.
+std::string reasonAgainst(
+    const drive::Identified &board, int motor, std::initializer_list<drive::Feature> needs)
+{
+    if (!board.catalog || motor < 1 || motor > board.identity.motors)
+        return "There is no such motor.";
+    for (const drive::Capability &can : board.capabilities)
+        if (!can.available && std::ranges::find(needs, can.feature) != needs.end())
+            return can.reason;
+    return {};
+}
+
+/// Without what is recorded.
+Subject unrecorded(const drive::Identified &board, int motor)
+{
+    const auto at = static_cast<std::size_t>(motor - 1);
+    const catalog::Catalog &catalog = *board.catalog;
+    Subject found;
+    found.motor = motor;
+    found.catalog = board.catalog;
+    found.limits = at < board.limits.size() ? board.limits[at] : drive::MotorLimits{};
+    found.setPoint = drive::startRegisters(catalog, motor);
+    // An experiment begins in speed control.
+    std::erase_if(found.setPoint, [&catalog](catalog::RegisterId id) {
+        return catalog.find(id)->name == catalog.start().torqueRamp;
+    });
+    found.registers.bus = idOf(catalog, "BUS_VOLTAGE", motor);
+    found.registers.temperature = idOf(catalog, "HEATS_TEMP", motor);
+    found.registers.startUp = idOf(catalog, "REVUP_DATA", motor);
+    found.registers.speedReference = idOf(catalog, "SPEED_REF", motor);
+    return found;
+}
+
 /// The angle that belongs to a speed: boards name both after the sensor.
 std::string angleNameOf(const std::string &speed)
 {
@@ -72,61 +105,77 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
                       : 1U;
 }
 
-/// Boards name a speed after its sensor.
+/// Boards name a speed after its sensor; those that record nothing have one name for all, and stages of a start-up
+/// where they have no sensor.
 bool Subject::seesRotor() const
 {
+    if (polled)
+        return registers.startUp == 0;
     const std::string speed = nameOf(registers.speed);
     return byEncoder(speed) || byHall(speed);
 }
 
-double Subject::leastObservedRpm() const
+double Subject::leastObservedRpm(double own_rpm) const
 {
     constexpr double kSafely = 2.0;
-    return seesRotor() ? 0.0 : kSafely * motor::minimumStartSpeed_rpm(limits.maxSpeedRpm);
+    const bool told = limits.maxSpeedRpm > 0.0 || !polled;
+    const double most_rpm = told ? limits.maxSpeedRpm : own_rpm;
+    return seesRotor() ? 0.0 : kSafely * motor::minimumStartSpeed_rpm(most_rpm);
 }
 
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor)
 {
-    if (!board.catalog || motor < 1 || motor > board.identity.motors)
-        return fail(std::string("There is no such motor."));
-    for (const drive::Capability &can : board.capabilities)
-        if (!can.available
-            && (can.feature == drive::Feature::SpeedRamp || can.feature == drive::Feature::Stream
-                || can.feature == drive::Feature::Start))
-            return fail(can.reason);
+    using drive::Feature;
+    if (auto why =
+            reasonAgainst(board, motor, {Feature::SpeedRamp, Feature::Stream, Feature::Start});
+        !why.empty())
+        return fail(std::move(why));
     const auto at = static_cast<std::size_t>(motor - 1);
     const catalog::Catalog &catalog = *board.catalog;
     const std::string speed =
         at < board.identity.speedSignals.size() ? board.identity.speedSignals[at] : std::string();
-    Subject found;
-    found.motor = motor;
-    found.catalog = board.catalog;
-    found.limits = at < board.limits.size() ? board.limits[at] : drive::MotorLimits{};
-    found.setPoint = drive::startRegisters(catalog, motor);
-    // An experiment begins in speed control.
-    std::erase_if(found.setPoint, [&catalog](catalog::RegisterId id) {
-        return catalog.find(id)->name == catalog.start().torqueRamp;
-    });
+    Subject found = unrecorded(board, motor);
     found.tickHz = board.streaming.tickHz;
     found.linkBytesPerSecond = board.streaming.linkBytesPerSecond;
-    found.registers = {.reference = streamed(catalog, "I_Q_REF", motor),
-        .referenceD = streamed(catalog, "I_D_REF", motor),
-        .current = streamed(catalog, "I_Q_MEAS", motor),
-        .currentD = streamed(catalog, "I_D_MEAS", motor),
-        .voltage = streamed(catalog, "V_Q", motor),
-        .voltageD = streamed(catalog, "V_D", motor),
-        .speed = streamed(catalog, speed, motor),
-        .angle = streamed(catalog, angleNameOf(speed), motor),
-        .bus = idOf(catalog, "BUS_VOLTAGE", motor),
-        .temperature = idOf(catalog, "HEATS_TEMP", motor),
-        .gain = idOf(catalog, "SPEED_KP", motor),
-        .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor),
-        .integral = idOf(catalog, "SPEED_KI", motor),
-        .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor),
-        .startUp = idOf(catalog, "REVUP_DATA", motor),
-        .speedReference = idOf(catalog, "SPEED_REF", motor)};
-    if (std::string why = lackOf(board.streaming, found.registers); !why.empty())
+    Registers &registers = found.registers;
+    registers.reference = streamed(catalog, "I_Q_REF", motor);
+    registers.referenceD = streamed(catalog, "I_D_REF", motor);
+    registers.current = streamed(catalog, "I_Q_MEAS", motor);
+    registers.currentD = streamed(catalog, "I_D_MEAS", motor);
+    registers.voltage = streamed(catalog, "V_Q", motor);
+    registers.voltageD = streamed(catalog, "V_D", motor);
+    registers.speed = streamed(catalog, speed, motor);
+    registers.angle = streamed(catalog, angleNameOf(speed), motor);
+    registers.gain = idOf(catalog, "SPEED_KP", motor);
+    registers.gainExponent = idOf(catalog, "SPEED_KP_DIV", motor);
+    registers.integral = idOf(catalog, "SPEED_KI", motor);
+    registers.integralExponent = idOf(catalog, "SPEED_KI_DIV", motor);
+    if (std::string why = lackOf(board.streaming, registers); !why.empty())
         return fail(std::move(why));
+    return found;
+}
+
+Result<Subject, std::string> stepSubjectOf(const drive::Identified &board, int motor)
+{
+    using drive::Feature;
+    if (!(board.streaming.readsPerSecond > 0.0)) // else what is drawn is read as often as it goes
+        return subjectOf(board, motor);
+    if (auto why = reasonAgainst(board, motor, {Feature::SpeedRamp, Feature::Start}); !why.empty())
+        return fail(std::move(why));
+    Subject found = unrecorded(board, motor);
+    found.polled = true;
+    Registers &registers = found.registers;
+    registers.speed = idOf(*board.catalog, "SPEED_MEAS", motor);
+    if (registers.speed == 0)
+        return fail(std::string("This board does not tell the speed of its motor."));
+    // In digits it would bound nothing and say nothing, and each read makes the others rarer.
+    const drive::RegisterId current = idOf(*board.catalog, "I_Q_MEAS", motor);
+    if (board.catalog->readScale(current).unit == "A")
+        registers.current = current;
+    // Beside the one that a start goes to, to say what it goes on showing.
+    if (std::ranges::find(found.setPoint, registers.speedReference) == found.setPoint.end()
+        && registers.speedReference != 0)
+        found.setPoint.push_back(registers.speedReference);
     return found;
 }
 

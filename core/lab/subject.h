@@ -32,6 +32,8 @@ inline bool byEncoder(std::string_view angle) { return angle.starts_with("ENCODE
 
 struct Subject {
     int motor = 1;
+    /// The board records nothing by itself: speed and Iq are read one after the other, and there are no other signals.
+    bool polled = false;
     Registers registers;
     std::shared_ptr<const catalog::Catalog> catalog;
     drive::MotorLimits limits; ///< of the motor
@@ -44,10 +46,14 @@ struct Subject {
     bool seesRotor() const; ///< by a sensor, also at rest
     /// Below it a motor without a sensor is not measured: twice the least speed at which its observer is believed. 0:
     /// it has a sensor, or nothing is known of its speeds.
-    double leastObservedRpm() const;
+    /// @param own_rpm  the user's limit: where values are polled it stands for one that the board does not tell
+    double leastObservedRpm(double own_rpm = 0.0) const;
 };
 
 /// The motor of this number; or why nothing can be measured with this board, in a sentence.
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor);
+/// The same for steps of the speed: of a board that records nothing, and whose registers are read one after the other
+/// as often as the line gives, they are told from these.
+Result<Subject, std::string> stepSubjectOf(const drive::Identified &board, int motor);
 
 } // namespace lab

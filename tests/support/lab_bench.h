@@ -55,7 +55,7 @@ struct LabBench {
         : pair(true, options, seed)
         , restorer(capture)
     {
-        const auto subject = pair.ready ? lab::subjectOf(*pair.identified, 1)
+        const auto subject = pair.ready ? lab::stepSubjectOf(*pair.identified, 1)
                                         : Result<lab::Subject, std::string>(fail(std::string()));
         if (subject)
             experiment.subject = *subject;
@@ -74,6 +74,8 @@ struct LabBench {
 
     double number(drive::RegisterId id)
     {
+        if (id == 0)
+            return 0.0;
         const drive::WishId read = pair.submit(drive::Read{{id}});
         return pair.runUntilEnded(read) ? drive::asNumber(pair.values[id].value).value_or(0.0)
                                         : 0.0;

@@ -293,8 +293,58 @@ std::optional<StepRun> cutShort(
     return run;
 }
 
+namespace {
+
+/// A rise of fewer distances than these is a guess: each of its ends is known to one.
+constexpr double kDistancesPerRise = 3.0;
+
+StepRun evaluatePolled(const StepChannels &channels, const StepAsked &asked)
+{
+    const capture::Channel &speed = *channels.speed;
+    StepRun run;
+    run.up = asked.to > asked.from;
+    run.at = asked.asked + (asked.answered - asked.asked) / 2;
+    run.until = asked.until;
+    run.found = asked.answered > asked.asked;
+    const capture::Index first = speed.atOrAfter(asked.asked);
+    if (first == speed.begin()) {
+        run.unusable = scope::WhyNot::NoSamples;
+        return run;
+    }
+    // From the last value that is certainly of before, so that the first one behind it has a neighbour.
+    StepRun seen = run;
+    seen.at = speed.timeOf(first - 1);
+    measureStep(seen, speed, seen.at - kBefore, asked.until);
+    const Nanos over =
+        seen.settling_s ? seen.at + capture::toNanos(*seen.settling_s) + kMilli : asked.until;
+    const capture::Index end = speed.atOrAfter(over);
+    Nanos distance = 0;
+    for (capture::Index at = first; at < end; ++at)
+        distance = std::max(distance, speed.timeOf(at) - speed.timeOf(at - 1));
+    run.pollDistance_s = capture::toSeconds(distance);
+    if (run.found)
+        run.instantError_s =
+            capture::toSeconds((asked.answered - asked.asked) / 2) + run.pollDistance_s;
+    run.unusable = seen.unusable;
+    run.tooFast =
+        !run.unusable && (!seen.rise_s || *seen.rise_s < kDistancesPerRise * run.pollDistance_s);
+    if (run.tooFast)
+        return run;
+    run.rise_s = seen.rise_s;
+    run.overshoot_pct = seen.overshoot_pct;
+    if (seen.settling_s)
+        run.settling_s = *seen.settling_s - capture::toSeconds(run.at - seen.at);
+    if (channels.current != nullptr)
+        run.peakIq_a = peakOf(*channels.current, asked.asked, asked.until);
+    return run;
+}
+
+} // namespace
+
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts)
 {
+    if (channels.reference == nullptr)
+        return evaluatePolled(channels, asked);
     StepRun run;
     run.up = asked.to > asked.from;
     const auto instant = stepInstant(*channels.reference, asked, facts.jumpPerRpm);

@@ -7,6 +7,9 @@
 // to 5 ms, the shorter the faster the step, by Hall sensors over an electrical turn: the speed signals of boards count
 // in steps of 6 rpm and are averaged already. Definitions of rise and settling: scope/step_response.h; of overshoot,
 // too, but of a speed by the angle without its noise.
+//
+// Where a board records nothing there are values that were read one after the other: the step came between being asked
+// for and being answered, and a time is known as well as two values are apart.
 #pragma once
 
 #include "capture/capture.h"
@@ -18,7 +21,8 @@ namespace lab {
 
 using capture::Nanos;
 
-/// Channels of one motor; they outlive the call and do not change meanwhile. `speed` and `reference` are there.
+/// Channels of one motor; they outlive the call and do not change meanwhile. `speed` is there, and `reference` unless
+/// both `speed` and `current` were polled.
 struct StepChannels {
     const capture::Channel *reference = nullptr; ///< of Iq
     const capture::Channel *current = nullptr; ///< Iq as measured
@@ -51,6 +55,10 @@ struct StepRun {
         settling_s; ///< empty: it does not have it, e.g. not settled
     std::optional<double> peakIq_a; ///< magnitude
     double speedWindow_s = 0.0; ///< of speedOf(), by which it was measured; 0: the speed signal
+    /// Of values that were polled: the largest time between two of them, from the last one before the step until the
+    /// speed has settled. 0: they were recorded.
+    double pollDistance_s = 0.0;
+    bool tooFast = false; ///< for them: nothing else of it is told
     double atLimit = 0.0; ///< share of the time in which the current's reference stood at its end
 };
 

@@ -164,6 +164,29 @@ void noteResolution(StepSeries &series, const Recorded<StepPlan> &plan)
             + " rpm or more say more");
 }
 
+/// Of values that were read one after the other, to all of their distance, however many steps say the same: host and
+/// board may be in step.
+void addUncertainty(std::optional<Estimate> &mean, double by)
+{
+    if (!mean || !mean->low || !mean->high)
+        return;
+    *mean->low -= by;
+    *mean->high += by;
+}
+
+void notePolls(StepSeries &series, double distance_s)
+{
+    if (!(distance_s > 0.0))
+        return;
+    const std::string distance = decimalText(distance_s * 1e3, 2) + " ms";
+    series.notes.push_back("the board records nothing: its speed was read once in up to " + distance
+        + ", so that rise times are uncertain by as much, and peaks may be higher than is told");
+    const auto tooFast = std::ranges::count_if(series.runs, &StepRun::tooFast);
+    if (tooFast > 0)
+        series.notes.push_back(std::to_string(tooFast) + " of " + std::to_string(series.runs.size())
+            + " steps rise in less than three times as long: nothing is told of them");
+}
+
 } // namespace
 
 void addMeans(MeasuredSteps &series, double digit_a, double resolution_s)
@@ -179,7 +202,7 @@ void noteRuns(MeasuredSteps &series, const std::string &signal)
 {
     constexpr std::ptrdiff_t kNamed = 3; // more of them are told by their number
     const auto settlesNot = [](const StepRun &run) {
-        return !run.unusable && run.found && !run.settling_s;
+        return !run.unusable && !run.tooFast && run.found && !run.settling_s;
     };
     const auto unsettled = std::count_if(series.runs.begin(), series.runs.end(), settlesNot);
     if (unsettled > kNamed)
@@ -218,10 +241,11 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     StepFinder finder(*plan);
     for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
         finder.accept(at->first, at->second);
-    const StepChannels channels{fastChannel(capture, plan->reference),
-        fastChannel(capture, plan->current), fastChannel(capture, plan->speed),
-        fastChannel(capture, plan->angle)};
-    if (channels.reference == nullptr || channels.speed == nullptr)
+    const bool polled = plan->reference.empty();
+    const auto signal = polled ? polledChannel : fastChannel;
+    const StepChannels channels{signal(capture, plan->reference), signal(capture, plan->current),
+        signal(capture, plan->speed), signal(capture, plan->angle)};
+    if ((channels.reference == nullptr && !polled) || channels.speed == nullptr)
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     StepSeries series;
     series.plan = plan->plan;
@@ -238,7 +262,17 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     noteResolution(series, *plan);
     noteRuns(series, "speed");
     constexpr double kMilli = 1e-3;
-    addMeans(series, channels.reference->info().digit(), kMilli);
+    double distance_s = 0.0, error_s = 0.0;
+    for (const StepRun &run : series.runs) {
+        distance_s = std::max(distance_s, run.pollDistance_s);
+        error_s = std::max(error_s, run.instantError_s.value_or(0.0));
+    }
+    addMeans(series, polled ? 0.0 : channels.reference->info().digit(), kMilli + distance_s);
+    if (polled) {
+        addUncertainty(series.rise_s, distance_s);
+        addUncertainty(series.settling_s, error_s);
+        notePolls(series, distance_s);
+    }
     return series;
 }
 
