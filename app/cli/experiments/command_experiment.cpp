@@ -57,11 +57,11 @@ Outcome<int> runExperiment(Desk &desk)
     if (!numbers)
         return tl::make_unexpected(numbers.error());
     ExperimentRun run(desk);
-    const auto subject = run.subject();
+    const QString kind = file->value(kKind).toString();
+    const auto subject = run.subject(kind == QLatin1String("step"));
     if (!subject)
         return tl::make_unexpected(subject.error());
-    const auto plan = lab::planOf(
-        file->value(kKind).toString().toStdString(), *numbers, *subject, desk.arguments.limits);
+    const auto plan = lab::planOf(kind.toStdString(), *numbers, *subject, desk.arguments.limits);
     if (!plan)
         return failure(
             kFileError, QStringLiteral("%1: %2.").arg(path, QString::fromStdString(plan.error())));

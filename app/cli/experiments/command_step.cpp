@@ -33,7 +33,7 @@ lab::Plan planFor(const StepArguments &asked, const lab::Subject &subject, const
 Outcome<int> runStep(Desk &desk)
 {
     ExperimentRun run(desk);
-    const auto subject = run.subject();
+    const auto subject = run.subject(desk.arguments.step.kind == Kind::Speed);
     if (!subject)
         return tl::make_unexpected(subject.error());
     return run.run(*subject, {planFor(desk.arguments.step, *subject, desk)});

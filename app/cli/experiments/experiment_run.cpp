@@ -27,9 +27,10 @@ ExperimentRun::ExperimentRun(Desk &desk, const QString &file)
 {
 }
 
-Outcome<lab::Subject> ExperimentRun::subject() const
+Outcome<lab::Subject> ExperimentRun::subject(bool speedSteps) const
 {
-    auto found = lab::subjectOf(m_desk.board, m_desk.arguments.motor);
+    const auto find = speedSteps ? lab::stepSubjectOf : lab::subjectOf;
+    auto found = find(m_desk.board, m_desk.arguments.motor);
     if (!found)
         return failure(
             kRefused, QStringLiteral("Nothing can be measured. %1").arg(text(found.error())));

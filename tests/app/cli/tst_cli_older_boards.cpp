@@ -19,6 +19,7 @@ private Q_SLOTS:
     void theWrongDialectIsNotWrittenTo();
     void withoutExpertModeNothingStarts();
     void captureReadsAsFastAsTheLineGives();
+    void stepsOfTheSpeedAreEvaluatedFromWhatWasRead();
     void currentsAreInAmpereByAScaleOfOnesOwn();
     void anUnknownProtocolIsWrongUsage();
     void anUnknownSimulatedBoardIsNoPort();
@@ -120,6 +121,22 @@ void TestCliOlderBoards::captureReadsAsFastAsTheLineGives()
         + m_folder.filePath(QStringLiteral("polled.pcapng")));
     QVERIFY2(recorded.status == 0, qPrintable(recorded.err));
     QVERIFY2(recorded.out.contains(QLatin1String("each signal read")), qPrintable(recorded.out));
+}
+
+/// Whether they are conclusive depends on how often this computer has time to read.
+void TestCliOlderBoards::stepsOfTheSpeedAreEvaluatedFromWhatWasRead()
+{
+    const QString file = m_folder.filePath(QStringLiteral("steps.pcapng"));
+    const CliRun run =
+        typed(QStringLiteral("--port sim:legacy --protocol legacy --json step speed --from 1500 "
+                             "--to 1650 --repeat 1 --expert --max-rpm 3000 -o ")
+            + file);
+    QVERIFY2(run.status == 0 || run.status == 1, qPrintable(run.err));
+    QVERIFY2(run.object()[QLatin1String("runs")].toArray().size() == 2, qPrintable(run.out));
+    QVERIFY2(run.err.contains(QLatin1String("The board records nothing")), qPrintable(run.err));
+    const CliRun later = typed(QStringLiteral("--json evaluate ") + file);
+    QCOMPARE(later.status, run.status);
+    QCOMPARE(later.out, run.out);
 }
 
 void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
