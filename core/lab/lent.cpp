@@ -11,9 +11,12 @@ namespace lab {
 
 std::string typedText(const catalog::Value &value)
 {
-    const auto *bytes = std::get_if<Bytes>(&value);
-    return bytes != nullptr ? "\"" + hexOf(*bytes, " ") + "\""
-                            : shortNumber(drive::asNumber(value).value_or(0.0));
+    constexpr int kFloatDigits = 9; // tell each number of 32 bits from the next one
+    if (const auto *bytes = std::get_if<Bytes>(&value))
+        return "\"" + hexOf(*bytes, " ") + "\"";
+    if (const auto *whole = std::get_if<std::int64_t>(&value))
+        return std::to_string(*whole);
+    return decimalText(drive::asNumber(value).value_or(0.0), kFloatDigits);
 }
 
 std::optional<catalog::Value> typedValue(const std::string &text, catalog::ValueType type)

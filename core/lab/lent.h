@@ -16,7 +16,7 @@ struct Lent {
 };
 
 /// As `rotorscope-cli set` takes it: a structure in hexadecimal digits, with blanks where its line may be broken; a
-/// number as it is, because gains have no scale.
+/// number as it is, because gains have no scale, and exact, because it is written back.
 std::string typedText(const catalog::Value &value);
 
 /// The value of such a text, as a register of that type holds it; empty if it has none.

@@ -1,5 +1,6 @@
 // What an experiment has borrowed when its program is killed is said when its board is met again, until it was written.
 #include "core/session/link/lab_world.h"
+#include "drive/values.h"
 #include "lab/runner.h"
 #include "session/recording/lent_note.h"
 
@@ -280,6 +281,15 @@ private Q_SLOTS:
         QCOMPARE(world.left.size(), 2);
         QVERIFY(world.text().isEmpty());
         QCOMPARE(world.notes(), 1);
+    }
+
+    /// What is given back is what was there, to its last digit.
+    void aValueComesBackExactly()
+    {
+        using catalog::ValueType;
+        const catalog::Value large(std::int64_t{12345678}), fine(double{0.012345679F});
+        QVERIFY(lab::typedValue(lab::typedText(large), ValueType::S32) == large);
+        QVERIFY(drive::sameValue(fine, *lab::typedValue(lab::typedText(fine), ValueType::F32)));
     }
 
     void whatMakesNoValueIsNotOffered()
