@@ -25,6 +25,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "a bus voltage of %1 V is below the %2 V that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a temperature of %1 °C is above the %2 °C that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "no samples came for %1 s"),
+    QT_TRANSLATE_NOOP("Lab", "the speed was not read for %1 s"),
+    QT_TRANSLATE_NOOP("Lab", "the current was not read for %1 s"),
     QT_TRANSLATE_NOOP("Lab", "the bus voltage was not read for %1 s"),
     QT_TRANSLATE_NOOP("Lab", "the temperature was not read for %1 s"),
     QT_TRANSLATE_NOOP("Lab", "the link to the board was lost"),
@@ -132,6 +134,13 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the speed has to go to and fro by 1 rpm or more"),
     QT_TRANSLATE_NOOP("Lab", "the speed may go to and fro by less than half of it"),
     QT_TRANSLATE_NOOP("Lab", "There is no such motor."),
+    QT_TRANSLATE_NOOP("Lab", "This board does not tell the speed of its motor."),
+    QT_TRANSLATE_NOOP("Lab",
+        "this board records nothing by itself, and only steps of the speed are told from values "
+        "that are read one after the other"),
+    QT_TRANSLATE_NOOP("Lab",
+        "nothing tells its current in A, so that none could be held against your limit: say what "
+        "the full scale of its currents is"),
     QT_TRANSLATE_NOOP("Lab",
         "This board sends its samples once an exchange: experiments need them at the rate of its "
         "control loop."),
@@ -249,6 +258,11 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the mean %1 and %2 are those of %3 of %4 steps"),
     QT_TRANSLATE_NOOP("Lab", "rise time"), QT_TRANSLATE_NOOP("Lab", "overshoot"),
     QT_TRANSLATE_NOOP("Lab", "settling time"), QT_TRANSLATE_NOOP("Lab", "peak current"),
+    QT_TRANSLATE_NOOP("Lab",
+        "the board records nothing: its speed was read once in up to %1 ms, so that rise times are "
+        "uncertain by as much, and peaks may be higher than is told"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "%1 of %2 steps rise in less than three times as long: nothing is told of them"),
     QT_TRANSLATE_NOOP(
         "Lab", "the step is only %1 digits of the set-point; %2 rpm or more say more"),
     QT_TRANSLATE_NOOP("Lab", "%1 of %2 steps do not settle while their speed is held"),
