@@ -23,13 +23,6 @@ struct TimeUnit {
 // The longer ones first: "ms" ends in "s".
 constexpr TimeUnit kTimeUnits[] = {
     {"min", 60.0}, {"ms", 1e-3}, {"\u00b5s", 1e-6}, {"us", 1e-6}, {"s", 1.0}};
-
-QLocale plainLocale(const QWidget &widget)
-{
-    QLocale locale = widget.locale();
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale;
-}
 } // namespace
 
 ValueEdit::ValueEdit(QWidget *parent)
@@ -68,11 +61,15 @@ void ValueEdit::setValue(double value)
         show();
 }
 
+QString ValueEdit::textOf(double value) const
+{
+    const QLocale plain = plainLocale(locale());
+    return m_time ? exactTime(value, plain) : readingText(value, m_step, m_unit, plain);
+}
+
 void ValueEdit::show()
 {
-    const QLocale locale = plainLocale(*this);
-    QString text =
-        m_time ? exactTime(m_value, locale) : readingText(m_value, m_step, m_unit, locale);
+    const QString text = textOf(m_value);
     setModified(false);
     if (focusIsIn(*this))
         return followText(*this, text);
@@ -114,22 +111,15 @@ std::optional<double> ValueEdit::understood() const
     return std::clamp(value, m_least, m_most);
 }
 
-QString ValueEdit::boundsText() const
-{
-    const QLocale locale = plainLocale(*this);
-    const auto text = [&](double value) {
-        return m_time ? exactTime(value, locale) : readingText(value, m_step, m_unit, locale);
-    };
-    return tr("Not understood: a number from %1 to %2").arg(text(m_least), text(m_most));
-}
-
 void ValueEdit::commit()
 {
     if (!isModified())
         return;
     const auto value = understood();
     if (!value) {
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), boundsText(), this);
+        QToolTip::showText(mapToGlobal(QPoint(0, height())),
+            tr("Not understood: a number from %1 to %2").arg(textOf(m_least), textOf(m_most)),
+            this);
         show(); // what was there stays
         return;
     }

@@ -33,7 +33,7 @@ protected:
 private:
     void commit();
     void show();
-    QString boundsText() const;
+    QString textOf(double value) const;
 
     QString m_unit;
     double m_step = 1.0;

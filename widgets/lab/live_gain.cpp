@@ -17,14 +17,14 @@ constexpr double kNotch = 1.05;
 } // namespace
 
 LiveGain::LiveGain(RegisterModel &model, RegisterEdits &edits, const char *name, QWidget *parent)
-    : SteppedEdit(parent)
+    : EntryEdit([this] { return id() ? m_model.rulesOf(*id()) : std::nullopt; }, As::Raw, parent)
     , m_model(model)
     , m_edits(edits)
     , m_name(name)
 {
     setObjectName(QStringLiteral("live_") + QLatin1String(name));
     setMaxLength(12);
-    connect(this, &QLineEdit::textEdited, this, [this] { showProblem(); });
+    setEmptyAllowed(true);
     connect(&model, &RegisterModel::catalogSet, this, [this] {
         m_wanted.reset();
         m_sent.reset();
@@ -59,7 +59,7 @@ std::optional<std::int64_t> LiveGain::exponent() const
     return knownWhole(m_model, m_name + "_DIV");
 }
 
-std::optional<double> LiveGain::value() const
+std::optional<double> LiveGain::gain() const
 {
     const auto held = m_wanted ? m_wanted : digits();
     if (!held)
@@ -69,30 +69,10 @@ std::optional<double> LiveGain::value() const
     return static_cast<double>(*held) / std::exp2(static_cast<double>(power));
 }
 
-std::optional<std::int64_t> LiveGain::typed() const
-{
-    const auto gain = id();
-    if (!gain)
-        return std::nullopt;
-    const auto read = m_model.readEntry(*gain, RegisterModel::RawColumn, text());
-    const auto *whole = read ? std::get_if<std::int64_t>(&*read) : nullptr;
-    return whole ? std::optional(*whole) : std::nullopt;
-}
-
-QString LiveGain::problem() const
-{
-    const auto gain = id();
-    if (!gain || text().isEmpty())
-        return {};
-    const auto read = m_model.readEntry(*gain, RegisterModel::RawColumn, text());
-    const auto rules = m_model.rulesOf(*gain);
-    return read || !rules ? QString() : entryErrorText(read.error(), *rules);
-}
-
 /// 5 % a notch, and at least one digit.
 void LiveGain::stepBy(int steps)
 {
-    const auto rules = id() ? m_model.rulesOf(*id()) : std::nullopt;
+    const auto rules = this->rules();
     const auto from = m_wanted ? m_wanted : digits();
     if (!rules || !from || isReadOnly())
         return;
@@ -166,17 +146,18 @@ void LiveGain::keyPressEvent(QKeyEvent *event)
 {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!enter || event->modifiers() & Qt::ControlModifier)
-        return SteppedEdit::keyPressEvent(event);
+        return EntryEdit::keyPressEvent(event);
     event->accept();
-    if (const auto whole = typed();
-        whole && isModified() && !isReadOnly() && !event->isAutoRepeat())
+    const auto typed = value();
+    const auto *whole = typed ? std::get_if<std::int64_t>(&*typed) : nullptr;
+    if (whole && isModified() && !isReadOnly() && !event->isAutoRepeat())
         want(*whole);
 }
 
 /// What was typed and not entered is dropped: nothing is written by walking past a field.
 void LiveGain::focusOutEvent(QFocusEvent *event)
 {
-    SteppedEdit::focusOutEvent(event);
+    EntryEdit::focusOutEvent(event);
     setModified(false);
     show();
 }

@@ -4,14 +4,14 @@
 // next one.
 #pragma once
 
-#include "widgets/base/stepped_edit.h"
+#include "widgets/registers/entry_edit.h"
 #include "widgets/registers/register_edits.h"
 
 #include <optional>
 
 namespace widgets {
 
-class LiveGain : public SteppedEdit {
+class LiveGain : public EntryEdit {
     Q_OBJECT
 public:
     /// @param name  of the register in the catalogue; its divisor's ends in "_DIV"
@@ -20,14 +20,13 @@ public:
     std::optional<catalog::RegisterId> id() const; ///< of the motor that is shown
     std::optional<catalog::RegisterId> divisor() const;
     /// What it is to be, or is: digits over the divisor; empty: not known.
-    std::optional<double> value() const;
+    std::optional<double> gain() const;
     std::optional<std::int64_t> digits() const; ///< that the board holds
     std::optional<std::int64_t> exponent() const;
     bool settled() const { return !m_wanted; } ///< the board has what was asked for, or said no
-    QString problem() const override;
 
 Q_SIGNALS:
-    void changed(); ///< value() or settled()
+    void changed(); ///< gain() or settled()
 
 protected:
     void stepBy(int steps) override;
@@ -35,7 +34,6 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    std::optional<std::int64_t> typed() const; ///< empty: no whole number that can be written
     void want(std::int64_t digits);
     void send();
     void follow();

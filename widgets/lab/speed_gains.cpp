@@ -87,7 +87,7 @@ bool SpeedGains::known() const
 
 bool SpeedGains::settled() const { return m_kp->settled() && m_ki->settled(); }
 
-SpeedGains::Values SpeedGains::values() const { return {m_kp->value(), m_ki->value()}; }
+SpeedGains::Values SpeedGains::values() const { return {m_kp->gain(), m_ki->gain()}; }
 
 QString SpeedGains::kpText(std::optional<double> value) const
 {
@@ -119,8 +119,8 @@ double SpeedGains::jumpPerRpm(const lab::Subject &subject) const
 void SpeedGains::updateTexts()
 {
     setVisible(there() || !m_model.catalog());
-    m_kpText->setText(kpText(m_kp->value()));
-    m_kiText->setText(kiText(m_ki->value()));
+    m_kpText->setText(kpText(m_kp->gain()));
+    m_kiText->setText(kiText(m_ki->gain()));
     Q_EMIT changed();
 }
 

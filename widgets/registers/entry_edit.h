@@ -28,6 +28,7 @@ public:
     void keepWhatIsBad(); ///< Enter leaves an editor in a table open while its text is not good
 
 protected:
+    std::optional<EntryRules> rules() const { return m_rules(); } ///< empty: nothing can be typed
     void stepBy(int steps) override;
     void keyPressEvent(QKeyEvent *event) override;
 
