@@ -3,8 +3,8 @@
 #pragma once
 
 #include "support/edit_bench.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/forms/gain_lab.h"
-#include "widgets/forms/gain_number.h"
 #include "widgets/forms/gains_form.h"
 
 #include <QAction>
@@ -49,9 +49,9 @@ struct GainBench : EditBench {
     {
         return form.findChild<widgets::GainLab *>(QStringLiteral("gainLab"));
     }
-    widgets::GainNumber *field(const char *name)
+    widgets::NumberEdit *field(const char *name)
     {
-        return form.findChild<widgets::GainNumber *>(QLatin1String(name));
+        return form.findChild<widgets::NumberEdit *>(QLatin1String(name));
     }
     QPushButton *button(const char *name)
     {

@@ -59,6 +59,11 @@ QString plainNumberText(double value, int significant)
     return text;
 }
 
+QString significantText(double value, int digits)
+{
+    return std::isfinite(value) ? plainNumberText(value, digits) : QString();
+}
+
 QString siText(double value, const QString &unit, double place)
 {
     if (!std::isfinite(value))

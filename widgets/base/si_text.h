@@ -15,5 +15,7 @@ QString siText(double value, const QString &unit, double place = 0.0);
 
 /// The number alone, short and in the locale's manner, as an entry field may hold it: no exponent, no group marks.
 QString plainNumberText(double value, int significant = 5);
+/// The same with fewer digits, and empty instead of a dash: "0.35", "1732", "0,0012" in German.
+QString significantText(double value, int digits = 4);
 
 } // namespace widgets

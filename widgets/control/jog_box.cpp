@@ -1,9 +1,9 @@
 #include "widgets/control/jog_box.h"
 
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/control/command_box.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -162,7 +162,7 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_jog(device, motion)
-    , m_speed(named(new SetpointEdit(this), "jogSpeed", tr("Jog speed in rpm")))
+    , m_speed(named(new NumberEdit(this), "jogSpeed", tr("Jog speed in rpm")))
     , m_back(makeButton(QStringLiteral("\u25c0 ") + tr("hold"), "jogBack", -1))
     , m_forth(makeButton(tr("hold") + QStringLiteral(" \u25b6"), "jogForth", 1))
 {
@@ -179,7 +179,7 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
     grid->setColumnStretch(2, 1);
     grid->setColumnStretch(3, 1);
     connect(&m_jog, &Jog::changed, this, &JogBox::follow);
-    connect(m_speed, &SetpointEdit::echoChanged, this, &JogBox::follow);
+    connect(m_speed, &NumberEdit::echoChanged, this, &JogBox::follow);
     connect(&device, &Device::boundsChanged, this, &JogBox::updateLimit);
     connect(&device, &Device::motorChanged, this, &JogBox::updateLimit);
     connect(&device, &Device::identityChanged, this, [this] {

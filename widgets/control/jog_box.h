@@ -13,7 +13,7 @@ class QLabel;
 
 namespace widgets {
 
-class SetpointEdit;
+class NumberEdit;
 
 /// Tells how it is held: began once, then ended (let go) or lost (focus, window, visibility), never both.
 class JogButton : public MotorButton {
@@ -67,7 +67,7 @@ private:
 
     Device &m_device;
     Jog m_jog;
-    SetpointEdit *m_speed;
+    NumberEdit *m_speed;
     JogButton *m_back;
     JogButton *m_forth;
     bool m_speedGiven = false; ///< the field holds a speed for this board

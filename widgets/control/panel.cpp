@@ -1,5 +1,6 @@
 #include "widgets/control/panel.h"
 
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
@@ -9,7 +10,6 @@
 #include "widgets/control/jog_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/readout_box.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/setpoint_box.h"
 #include "widgets/control/state_box.h"
 #include "widgets/control/stop_words.h"
@@ -245,7 +245,7 @@ std::vector<catalog::RegisterId> ControlPanel::watchedRegisters() const
     return ids;
 }
 
-SetpointEdit *ControlPanel::speed() const { return m_setpoints->speed(); }
+NumberEdit *ControlPanel::speed() const { return m_setpoints->speed(); }
 QString ControlPanel::startHint() const { return m_commands->startHint(); }
 QString ControlPanel::acknowledgeHint() const { return m_commands->acknowledgeHint(); }
 

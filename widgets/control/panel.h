@@ -15,9 +15,9 @@ namespace widgets {
 class CommandBox;
 class JogBox;
 class MotionGate;
+class NumberEdit;
 class ReadoutBox;
 class SetpointBox;
-class SetpointEdit;
 class StateBox;
 class SteadyLabel;
 class StopWords;
@@ -32,7 +32,7 @@ public:
     std::vector<catalog::RegisterId> watchedRegisters() const;
     void refresh(Milliseconds now); ///< ages
 
-    SetpointEdit *speed() const;
+    NumberEdit *speed() const;
     QString startHint() const; ///< what Start does, or why it cannot be pressed
     QString acknowledgeHint() const;
 

@@ -4,7 +4,6 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/si_text.h"
 #include "widgets/forms/gain_label.h"
-#include "widgets/forms/gain_number.h"
 
 #include <QPainter>
 #include <QPainterPath>

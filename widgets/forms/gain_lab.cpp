@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/section_head.h"
 #include "widgets/base/look/spacing.h"
@@ -9,7 +10,6 @@
 #include "widgets/forms/gain_forecast.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_motor.h"
-#include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
 
 #include <QCheckBox>
@@ -100,7 +100,7 @@ QWidget *GainLab::makeWishes()
     const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
     const auto field = [&](const char *name, const QString &text, const QString &unit, double least,
                            double greatest) {
-        auto *made = new GainNumber(name, text, unit, least, greatest, this);
+        auto *made = new NumberEdit(name, text, unit, least, greatest, this);
         made->setFixedWidth(digit * 8);
         return made;
     };
@@ -171,12 +171,12 @@ void GainLab::connectWishes()
         m_told->say({});
         recompute();
     });
-    connect(m_bandwidth, &GainNumber::valueEdited, this, [this] {
+    connect(m_bandwidth, &NumberEdit::valueEdited, this, [this] {
         if (const auto value = m_bandwidth->value())
             fillBandwidth(*value, m_bandwidth);
         wished();
     });
-    connect(m_hertz, &GainNumber::valueEdited, this, [this] {
+    connect(m_hertz, &NumberEdit::valueEdited, this, [this] {
         const auto value = m_hertz->value();
         if (value)
             fillBandwidth(*value * 2.0 * std::numbers::pi, m_hertz);
@@ -184,7 +184,7 @@ void GainLab::connectWishes()
             m_bandwidth->setValue(std::nullopt);
         wished();
     });
-    connect(m_damping, &GainNumber::valueEdited, this, [this] {
+    connect(m_damping, &NumberEdit::valueEdited, this, [this] {
         if (const auto value = m_damping->value())
             fillDamping(*value, m_damping);
         wished();
@@ -199,7 +199,7 @@ void GainLab::connectWishes()
         fillDamping(std::round(exact * 100.0) / 100.0, m_dampingSlider);
         wished();
     });
-    connect(m_delay, &GainNumber::valueEdited, this, [this] {
+    connect(m_delay, &NumberEdit::valueEdited, this, [this] {
         m_delayTyped = true;
         wished();
     });
@@ -351,7 +351,7 @@ QString GainLab::obstacle() const
             if (const auto id = m_model.idOf(name.toStdString());
                 !id || !m_model.editable(*id, RegisterModel::RawColumn))
                 return tr("This board's firmware does not let %1 be written.").arg(name);
-    for (const GainNumber *field : {m_bandwidth, m_hertz})
+    for (const NumberEdit *field : {m_bandwidth, m_hertz})
         if (!field->value())
             return tr("Type a bandwidth.");
     if (m_speed->isChecked() && !m_delay->problem().isEmpty())

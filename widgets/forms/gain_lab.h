@@ -20,7 +20,7 @@ namespace widgets {
 class GainForecast;
 class GainLabel;
 class GainMotor;
-class GainNumber;
+class NumberEdit;
 struct MeasuredMotor;
 
 class GainLab : public QWidget {
@@ -73,7 +73,7 @@ private:
     GainMotor *m_motor;
     GainPlanTable *m_table = nullptr;
     GainForecast *m_forecast;
-    GainNumber *m_bandwidth = nullptr, *m_hertz = nullptr, *m_damping = nullptr, *m_delay = nullptr;
+    NumberEdit *m_bandwidth = nullptr, *m_hertz = nullptr, *m_damping = nullptr, *m_delay = nullptr;
     QSlider *m_bandwidthSlider = nullptr, *m_dampingSlider = nullptr;
     QCheckBox *m_speed = nullptr;
     GainLabel *m_findings = nullptr, *m_told = nullptr;

@@ -1,9 +1,9 @@
 #include "widgets/forms/gain_motor.h"
 
 #include "drive/motor_view.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/si_text.h"
-#include "widgets/forms/gain_number.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -40,20 +40,20 @@ GainMotor::GainMotor(QWidget *parent)
                              "for motors of this name. 1 kg\u00b7m\u00b2 = 10,000,000 g\u00b7"
                              "cm\u00b2."));
     grid->setRowStretch(7, 1);
-    for (GainNumber *field : {m_rs, m_lq, m_ld, m_inertia})
-        connect(field, &GainNumber::valueEdited, this, [this, field] { typed(field); });
-    for (GainNumber *field : {m_flux, m_ke})
-        connect(field, &GainNumber::valueEdited, this, [this, field] { fluxTyped(field); });
-    connect(m_polePairs, &GainNumber::valueEdited, this, [this] {
+    for (NumberEdit *field : {m_rs, m_lq, m_ld, m_inertia})
+        connect(field, &NumberEdit::valueEdited, this, [this, field] { typed(field); });
+    for (NumberEdit *field : {m_flux, m_ke})
+        connect(field, &NumberEdit::valueEdited, this, [this, field] { fluxTyped(field); });
+    connect(m_polePairs, &NumberEdit::valueEdited, this, [this] {
         keepTyped(m_polePairs);
         fluxTyped(isTyped(m_ke) ? m_ke : m_flux);
     });
 }
 
-GainNumber *GainMotor::addInput(QGridLayout *grid, int row, int column, const char *name,
+NumberEdit *GainMotor::addInput(QGridLayout *grid, int row, int column, const char *name,
     const QString &label, const QString &unit, double least, double greatest)
 {
-    auto *field = new GainNumber(name, label, unit, least, greatest, this);
+    auto *field = new NumberEdit(name, label, unit, least, greatest, this);
     field->setFixedWidth(fontMetrics().horizontalAdvance(QLatin1Char('0')) * 9);
     auto *text = new QLabel(label, this);
     text->setBuddy(field);
@@ -63,18 +63,18 @@ GainNumber *GainMotor::addInput(QGridLayout *grid, int row, int column, const ch
     return field;
 }
 
-bool GainMotor::isTyped(const GainNumber *field) const
+bool GainMotor::isTyped(const NumberEdit *field) const
 {
     return std::find(m_typed.begin(), m_typed.end(), field) != m_typed.end();
 }
 
-void GainMotor::keepTyped(GainNumber *field)
+void GainMotor::keepTyped(NumberEdit *field)
 {
     if (!isTyped(field))
         m_typed.push_back(field);
 }
 
-void GainMotor::typed(GainNumber *field)
+void GainMotor::typed(NumberEdit *field)
 {
     keepTyped(field);
     if (field == m_inertia)
@@ -84,10 +84,10 @@ void GainMotor::typed(GainNumber *field)
 }
 
 /// Flux and Ke are the same magnets: the other one follows.
-void GainMotor::fluxTyped(GainNumber *field)
+void GainMotor::fluxTyped(NumberEdit *field)
 {
     const auto value = field->value(), poles = m_polePairs->value();
-    GainNumber *other = field == m_flux ? m_ke : m_flux;
+    NumberEdit *other = field == m_flux ? m_ke : m_flux;
     std::erase(m_typed, other);
     if (value && poles)
         other->setValue(field == m_flux ? motor::keOfFlux_vrmsPerKrpm(*value / kMilli, *poles)
@@ -127,7 +127,7 @@ std::optional<lab::Estimate> GainMotor::measuredInertia() const
 
 void GainMotor::fill()
 {
-    const auto put = [this](GainNumber *field, double value, double factor) {
+    const auto put = [this](NumberEdit *field, double value, double factor) {
         if (!isTyped(field))
             field->setValue(value > 0.0 ? std::optional(value * factor) : std::nullopt);
     };
@@ -190,7 +190,7 @@ QString GainMotor::measuredText() const
 motor::GainPlant GainMotor::plant() const
 {
     motor::GainPlant plant = drive::gainPlant(m_facts);
-    const auto in = [](const GainNumber *field, double factor) {
+    const auto in = [](const NumberEdit *field, double factor) {
         return field->value().value_or(0.0) / factor;
     };
     plant.motor.rs_ohm = in(m_rs, 1.0);
@@ -204,7 +204,7 @@ motor::GainPlant GainMotor::plant() const
 
 QString GainMotor::problem() const
 {
-    for (const GainNumber *field : {m_rs, m_lq, m_ld, m_polePairs, m_flux, m_ke, m_inertia})
+    for (const NumberEdit *field : {m_rs, m_lq, m_ld, m_polePairs, m_flux, m_ke, m_inertia})
         if (const QString sentence = field->problem(); !sentence.isEmpty())
             return tr("%1: %2", "field, what is wrong with it")
                 .arg(field->accessibleName(), sentence);

@@ -14,7 +14,7 @@ class QGridLayout;
 
 namespace widgets {
 
-class GainNumber;
+class NumberEdit;
 
 /// What experiments have found of a motor.
 struct MeasuredMotor {
@@ -47,12 +47,12 @@ Q_SIGNALS:
     void inertiaTyped(double inertia_kgm2);
 
 private:
-    GainNumber *addInput(QGridLayout *grid, int row, int column, const char *name,
+    NumberEdit *addInput(QGridLayout *grid, int row, int column, const char *name,
         const QString &label, const QString &unit, double least, double greatest);
-    bool isTyped(const GainNumber *field) const;
-    void keepTyped(GainNumber *field);
-    void typed(GainNumber *field);
-    void fluxTyped(GainNumber *field);
+    bool isTyped(const NumberEdit *field) const;
+    void keepTyped(NumberEdit *field);
+    void typed(NumberEdit *field);
+    void fluxTyped(NumberEdit *field);
     void fill();
     /// What is shown of an inertia that was measured.
     std::optional<lab::Estimate> measuredInertia() const;
@@ -60,8 +60,8 @@ private:
     drive::MotorFacts m_facts;
     MeasuredMotor m_measured;
     std::optional<double> m_remembered_kgm2;
-    std::vector<GainNumber *> m_typed; ///< fields that the user has changed
-    GainNumber *m_rs, *m_lq, *m_ld, *m_flux, *m_ke, *m_polePairs, *m_inertia;
+    std::vector<NumberEdit *> m_typed; ///< fields that the user has changed
+    NumberEdit *m_rs, *m_lq, *m_ld, *m_flux, *m_ke, *m_polePairs, *m_inertia;
 };
 
 } // namespace widgets

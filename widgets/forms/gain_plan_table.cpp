@@ -1,8 +1,8 @@
 #include "widgets/forms/gain_plan_table.h"
 
 #include "widgets/base/look/section_head.h"
+#include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
 
 #include <QHeaderView>

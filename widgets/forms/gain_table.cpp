@@ -6,8 +6,8 @@
 #include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #include "widgets/forms/gain_texts.h"
 
 #include "catalog/gain_rows.h"
-#include "widgets/forms/gain_number.h"
+#include "widgets/base/si_text.h"
 #include "widgets/registers/register_model.h"
 
 #include <QCoreApplication>

@@ -1,11 +1,11 @@
 #include "widgets/forms/motor_converter.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/stepped_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/si_text.h"
-#include "widgets/base/stepped_edit.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -3,6 +3,7 @@
 #include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
@@ -10,7 +11,6 @@
 #include "widgets/control/command_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/shaft_move.h"
 #include "widgets/forms/ramp_preview.h"
 #include "widgets/registers/register_model.h"
@@ -96,7 +96,7 @@ QWidget *RampForm::makeLines()
         {RampKind::Speed, RampKind::Torque, RampKind::Current, RampKind::Position}) {
         auto *one = new RampLine(kind, m_device, m_registers, *grid, row, box);
         row += 2;
-        for (SetpointEdit *edit : {one->first(), one->second()})
+        for (NumberEdit *edit : {one->first(), one->second()})
             edit->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00000.000")));
         connect(one, &RampLine::wanted, this, [this, one] { send(*one); });
         connect(one, &RampLine::touched, this, [this, one] { look(*one); });
@@ -159,7 +159,7 @@ QWidget *RampForm::makeProgress()
 
 void RampForm::focusFirst()
 {
-    SetpointEdit *edit = m_looked->first();
+    NumberEdit *edit = m_looked->first();
     edit->setFocus(Qt::ShortcutFocusReason);
     edit->selectAll();
 }

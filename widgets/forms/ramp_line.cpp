@@ -3,11 +3,11 @@
 #include "drive/set_point_check.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/motor_button.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/shaft_move.h"
 #include "widgets/registers/register_model.h"
 
@@ -53,8 +53,8 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     , m_kind(kind)
     , m_device(device)
     , m_registers(registers)
-    , m_first(new SetpointEdit(parent))
-    , m_second(new SetpointEdit(parent))
+    , m_first(new NumberEdit(parent))
+    , m_second(new NumberEdit(parent))
     , m_note(new QLabel(parent))
     , m_send(new MotorButton(tr("Send", "a ramp to the board"), parent))
 {
@@ -79,10 +79,9 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
         current ? tr("Current reference Id, in A") : tr("Duration of the ramp in ms"));
     m_send->setAccessibleName(tr("Send: %1", "kind of ramp").arg(title()));
     if (!current) {
-        m_second->setLimits(
-            static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
+        m_second->setRange(
+            0.0, static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
         m_second->setNotch(kNotchMs);
-        m_second->setNegativeAllowed(false);
         m_second->setValue(kFirstMs);
     }
 
@@ -100,10 +99,10 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     if (kind == RampKind::Position)
         makeAngleField(*m_first);
 
-    for (SetpointEdit *edit : {m_first, m_second}) {
+    for (NumberEdit *edit : {m_first, m_second}) {
         edit->installEventFilter(this);
         connect(edit, &QLineEdit::textChanged, this, &RampLine::changed);
-        connect(edit, &SetpointEdit::committed, this, &RampLine::wanted);
+        connect(edit, &NumberEdit::committed, this, &RampLine::wanted);
     }
     connect(m_send, &QPushButton::clicked, this, &RampLine::wanted);
     updateLimits();
@@ -295,7 +294,7 @@ QString RampLine::positionNote() const
 
 QString RampLine::note() const
 {
-    for (const SetpointEdit *edit : {m_first, m_second})
+    for (const NumberEdit *edit : {m_first, m_second})
         if (!edit->sentValue())
             return edit->echo();
     return m_kind == RampKind::Speed   ? speedNote()

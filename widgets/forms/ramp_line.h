@@ -18,8 +18,8 @@ class QLabel;
 namespace widgets {
 
 class MotorButton;
+class NumberEdit;
 class RegisterModel;
-class SetpointEdit;
 
 /// The board counts speeds in steps of 0.1 Hz.
 bool speedsInStairs(const Device &device);
@@ -33,8 +33,8 @@ public:
 
     RampKind kind() const { return m_kind; }
     QString title() const; ///< for messages: "Speed ramp"
-    SetpointEdit *first() const { return m_first; }
-    SetpointEdit *second() const { return m_second; }
+    NumberEdit *first() const { return m_first; }
+    NumberEdit *second() const { return m_second; }
     MotorButton *button() const { return m_send; }
 
     /// What would be sent to the device's motor; empty if a field is not understood or out of its limits.
@@ -68,7 +68,7 @@ private:
     RampKind m_kind;
     const Device &m_device;
     const RegisterModel &m_registers;
-    SetpointEdit *m_first, *m_second;
+    NumberEdit *m_first, *m_second;
     QLabel *m_note;
     MotorButton *m_send;
     std::vector<QWidget *> m_widgets;

@@ -3,7 +3,7 @@
 #include "drive/motor_view.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
-#include "widgets/forms/gain_number.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/gain_texts.h"
 #include "widgets/lab/live_gain.h"
 

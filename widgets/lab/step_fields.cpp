@@ -1,10 +1,10 @@
 #include "widgets/lab/step_fields.h"
 
+#include "widgets/base/fields/number_edit.h"
+#include "widgets/base/fields/whole_spin.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/base/whole_spin.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -54,9 +54,9 @@ StepFields::StepFields(QWidget *parent)
     setLimits(0.0, 0.0);
 }
 
-SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
+NumberEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
 {
-    auto *edit = named(new SetpointEdit(this), name);
+    auto *edit = named(new NumberEdit(this), name);
     edit->setFixedWidth(edit->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
     edit->setWheelAllowed(true); // moves nothing by itself
     edit->setNotch(kNotch_rpm);
@@ -69,7 +69,7 @@ SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *
     both->addWidget(unit);
     m_grid->addWidget(label, 0, column);
     m_grid->addLayout(both, 0, column + 1);
-    connect(edit, &SetpointEdit::echoChanged, this, [this] {
+    connect(edit, &NumberEdit::echoChanged, this, [this] {
         m_offered = m_offered && m_offering;
         Q_EMIT changed();
     });
@@ -93,7 +93,7 @@ void StepFields::setLimits(double greatestRpm, double leastRpm)
 {
     m_offering = true;
     const double limit = greatestRpm > 0.0 ? greatestRpm : kAnyRpm;
-    for (SetpointEdit *edit : {m_from, m_to})
+    for (NumberEdit *edit : {m_from, m_to})
         edit->setLimits(limit, 1.0, tr("rpm")); // the board rounds to its own steps
     if (m_offered) {
         const double greatest = greatestRpm > 0.0 ? greatestRpm : kUsualRpm;
@@ -130,7 +130,7 @@ std::optional<lab::StepPlan> StepFields::plan() const
 
 QString StepFields::problem() const
 {
-    for (const SetpointEdit *edit : {m_from, m_to})
+    for (const NumberEdit *edit : {m_from, m_to})
         if (!edit->value())
             return edit->echo();
     return {};

@@ -13,7 +13,7 @@ class QSpinBox;
 
 namespace widgets {
 
-class SetpointEdit;
+class NumberEdit;
 
 class StepFields : public QWidget {
     Q_OBJECT
@@ -32,11 +32,11 @@ Q_SIGNALS:
     void changed();
 
 private:
-    SetpointEdit *addSpeed(int column, const QString &text, const char *name);
+    NumberEdit *addSpeed(int column, const QString &text, const char *name);
     QSpinBox *addSpin(int row, int column, const QString &text, const char *name);
 
     QGridLayout *m_grid;
-    SetpointEdit *m_from, *m_to;
+    NumberEdit *m_from, *m_to;
     QSpinBox *m_hold, *m_approach, *m_repeat;
     bool m_offered = true; ///< the speeds are not the user's
     bool m_offering = false;

@@ -1,12 +1,12 @@
 #include "widgets/lab/tour_page.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/whole_spin.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/base/whole_spin.h"
 #include "widgets/lab/text.h"
 
 #include <QComboBox>

@@ -1,12 +1,12 @@
 #include "widgets/measuring/spectrum_panel.h"
 
+#include "widgets/base/fields/whole_spin.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/base/whole_spin.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"

@@ -2,7 +2,7 @@
 // reaches a board. A text that is not good is red and says why; it stays in the field.
 #pragma once
 
-#include "widgets/base/stepped_edit.h"
+#include "widgets/base/fields/stepped_edit.h"
 #include "widgets/registers/register_entry.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // The edits of a RegisterModel: what the user wants to be written, and how each write ended.
 #include "widgets/base/device_text.h"
-#include "widgets/base/stepped_edit.h"
+#include "widgets/base/fields/stepped_edit.h"
 #include "widgets/base/value_text.h"
 #include "widgets/registers/register_model.h"
 

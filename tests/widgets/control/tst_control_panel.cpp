@@ -1,4 +1,5 @@
 #include "support/window_facts.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/control/fault_help.h"
 #include "widgets/control/fault_texts.h"
@@ -7,7 +8,6 @@
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/state_strip.h"
 #include "widgets/control/stop_words.h"
 #include "widgets/scope/events/fault_records.h"
@@ -754,9 +754,9 @@ private:
         QVERIFY(m_device->armed());
         QVERIFY(box->isChecked());
     }
-    widgets::SetpointEdit *edit(const char *name) const
+    widgets::NumberEdit *edit(const char *name) const
     {
-        return m_panel->findChild<widgets::SetpointEdit *>(QLatin1String(name));
+        return m_panel->findChild<widgets::NumberEdit *>(QLatin1String(name));
     }
     QPushButton *button(const char *name) const
     {

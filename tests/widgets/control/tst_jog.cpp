@@ -1,9 +1,9 @@
 // Jogging on a simulated board in virtual time: the motor turns while something is held, and nothing that takes the
 // hand or the eye away leaves it turning.
 #include "support/edit_bench.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/jog_box.h"
 #include "widgets/control/motion_gate.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -395,7 +395,7 @@ private Q_SLOTS:
     {
         JogBench bench;
         bench.agree();
-        auto *speed = bench.window.findChild<widgets::SetpointEdit *>(QStringLiteral("jogSpeed"));
+        auto *speed = bench.window.findChild<widgets::NumberEdit *>(QStringLiteral("jogSpeed"));
         speed->setText(QStringLiteral("0"));
         QVERIFY(!bench.button()->isEnabled());
         QVERIFY(!bench.button()->toolTip().isEmpty());
@@ -465,7 +465,7 @@ private Q_SLOTS:
     void itIsSlowAndBeginsAtAnIdleMotorOnly()
     {
         JogBench bench;
-        auto *speed = bench.window.findChild<widgets::SetpointEdit *>(QStringLiteral("jogSpeed"));
+        auto *speed = bench.window.findChild<widgets::NumberEdit *>(QStringLiteral("jogSpeed"));
         QCOMPARE(speed->limit(), 800.0); // a fifth of 4000 rpm
         QVERIFY(speed->sentValue().value_or(0.0) > 0.0);
         speed->setText(QStringLiteral("801"));

@@ -3,10 +3,10 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 #include "widgets/base/confirmation.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_question.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QCheckBox>
 #include <QKeyEvent>

@@ -2,10 +2,10 @@
 // number inside both limits, and it is the one that was echoed.
 #include "support/link_pair.h"
 #include "support/window_facts.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/setpoint_box.h"
 
 #include <QApplication>
@@ -51,9 +51,9 @@ struct Rig {
             &widgets::Device::armedChanged); // the session's part
         panel.show();
     }
-    widgets::SetpointEdit *edit(const char *name) const
+    widgets::NumberEdit *edit(const char *name) const
     {
-        return panel.findChild<widgets::SetpointEdit *>(QLatin1String(name));
+        return panel.findChild<widgets::NumberEdit *>(QLatin1String(name));
     }
     QString echo() const { return panel.findChild<QLabel *>(QStringLiteral("speedEcho"))->text(); }
 };
@@ -112,7 +112,7 @@ private Q_SLOTS:
     void aClickIntoAFieldSelectsAndARefusedNumberIsRed()
     {
         QWidget window;
-        widgets::SetpointEdit first(&window), edit(&window);
+        widgets::NumberEdit first(&window), edit(&window);
         edit.move(0, 60);
         edit.setLimits(4000.0, 6.0, QStringLiteral("rpm"));
         edit.setValue(1500.0);
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(&window));
         first.setFocus();
         std::vector<double> committed;
-        connect(&edit, &widgets::SetpointEdit::committed, this,
+        connect(&edit, &widgets::NumberEdit::committed, this,
             [&](double value) { committed.push_back(value); });
         QTest::mouseClick(&edit, Qt::LeftButton);
         QTest::keyClicks(&edit, QStringLiteral("2600"));
@@ -191,7 +191,7 @@ private Q_SLOTS:
     void cursorAndSelectionStayWhereTheyWerePut()
     {
         QWidget window;
-        widgets::SetpointEdit edit(&window);
+        widgets::NumberEdit edit(&window);
         edit.setLimits(4000.0, 1.0, QStringLiteral("rpm"));
         edit.setValue(1500.0);
         edit.setFocus();
@@ -210,6 +210,42 @@ private Q_SLOTS:
         QTest::keyClick(&edit, Qt::Key_Up); // a step takes no selection away either
         QTest::keyClicks(&edit, QStringLiteral("900"));
         QCOMPARE(edit.text(), QStringLiteral("900"));
+    }
+
+    void aStepDecidesWhatANumberIs()
+    {
+        QWidget window;
+        widgets::NumberEdit stepped(&window);
+        stepped.setLimits(4000.0, 6.0, QStringLiteral("rpm"));
+        stepped.setValue(1233.4);
+        QCOMPARE(stepped.text(), QStringLiteral("1233"));
+        QCOMPARE(stepped.value(), std::optional(1233.0)); // what is seen, not what was given
+        QCOMPARE(stepped.sentValue(), std::optional(1236.0));
+        widgets::NumberEdit any(
+            "any", QStringLiteral("Any"), QStringLiteral("mH"), 0.1, 1000.0, &window);
+        QVERIFY(any.text().isEmpty() && any.problem().isEmpty() && !any.value());
+        any.setValue(1.0 / 3.0);
+        QCOMPARE(any.text(), QStringLiteral("0.3333"));
+        QCOMPARE(any.value(), std::optional(1.0 / 3.0)); // more than is seen
+        QCOMPARE(any.sentValue(), any.value());
+        bool left = false;
+        connect(&any, &widgets::NumberEdit::committed, this, [&left] { left = true; });
+        QTest::keyClick(&any, Qt::Key_Return);
+        QVERIFY(!left);
+        QTest::keyClick(&any, Qt::Key_Up); // a fiftieth of it
+        QCOMPARE(any.text(), QStringLiteral("0.34"));
+        QTest::keyClick(&stepped, Qt::Key_Up); // from what would be sent
+        QCOMPARE(stepped.text(), QStringLiteral("1242"));
+        any.setText(QStringLiteral("2000"));
+        QCOMPARE(any.problem(), QStringLiteral("From 0.1 to 1000 mH."));
+        stepped.setText(QStringLiteral("-5000"));
+        QCOMPARE(stepped.problem(), QStringLiteral("The limit is 4000 rpm."));
+        stepped.setRange(0.0, 4000.0, 6.0, QStringLiteral("rpm"));
+        QCOMPARE(stepped.problem(), QStringLiteral("It cannot be negative."));
+        any.setValue(std::nullopt); // not known
+        stepped.setValue(std::nullopt);
+        QVERIFY(any.text().isEmpty() && any.problem().isEmpty());
+        QCOMPARE(stepped.text(), QStringLiteral("-5000"));
     }
 
     void whateverIsTypedWhatLeavesIsInsideAndEchoed()
@@ -293,7 +329,7 @@ private:
             && (!(own > 0.0) || std::abs(value) <= own);
     }
     static bool judge(
-        const Rig &rig, const widgets::SetpointEdit *edit, const drive::Wish &wish, double expected)
+        const Rig &rig, const widgets::NumberEdit *edit, const drive::Wish &wish, double expected)
     {
         const drive::MotorLimits told = rig.device.limits(1);
         const drive::UserLimits own = rig.device.userLimits();

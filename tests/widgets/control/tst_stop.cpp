@@ -1,7 +1,7 @@
 #include "support/window_rig.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/control/stop_words.h"
 #include "widgets/window/about_dialog.h"

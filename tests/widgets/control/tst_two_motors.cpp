@@ -1,8 +1,8 @@
 // A board with two motors: the panel shows and moves the one that is chosen, and no other.
 #include "support/edit_bench.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(bench.field("labFlux")->text(), QStringLiteral("6.5"));
         QCOMPARE(bench.field("labBandwidth")->text(), QStringLiteral("1500")); // what it has
         QCOMPARE(bench.field("labDelay")->text(), QStringLiteral("2"));
-        QVERIFY(bench.field("labInertia")->isEmpty());
+        QVERIFY(bench.field("labInertia")->text().isEmpty());
         QVERIFY(textOf(bench, "labFindings").contains(QStringLiteral("inertia")));
         QVERIFY(textOf(bench, "gainBoard").contains(QStringLiteral("544.5")));
         // What is typed stays until the board's numbers are asked for again.
@@ -406,7 +406,7 @@ private Q_SLOTS:
                 const char *names[] = {"labRs", "labLq", "labLd", "labFlux", "labKe",
                     "labPolePairs", "labInertia", "labDelay", "labBandwidth", "labBandwidthHz",
                     "labDamping"};
-                widgets::GainNumber *field = bench.field(names[random.below(std::size(names))]);
+                widgets::NumberEdit *field = bench.field(names[random.below(std::size(names))]);
                 QString text;
                 for (std::uint64_t n = random.below(6); n > 0; --n)
                     text += letters[qsizetype(random.below(std::uint64_t(letters.size())))];
@@ -425,7 +425,7 @@ private Q_SLOTS:
     void whatTheBoardTellsTakesNoSelectionAway()
     {
         QWidget window;
-        widgets::GainNumber field("any", QStringLiteral("Any"), {}, 0.1, 1000.0, &window);
+        widgets::NumberEdit field("any", QStringLiteral("Any"), {}, 0.1, 1000.0, &window);
         field.setValue(5.0);
         field.setFocus();
         field.selectAll();
@@ -491,7 +491,7 @@ private Q_SLOTS:
         GainBench again({}, {{name, remembered}});
         QCOMPARE(again.field("labInertia")->text(), QStringLiteral("500"));
         GainBench other({}, {{QStringLiteral("Another motor"), remembered}});
-        QVERIFY(other.field("labInertia")->isEmpty());
+        QVERIFY(other.field("labInertia")->text().isEmpty());
         other.form.setInertias({{name, 2.0 * remembered}}); // typed in another form
         QCOMPARE(other.field("labInertia")->text(), QStringLiteral("1000"));
     }

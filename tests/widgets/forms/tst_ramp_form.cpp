@@ -1,8 +1,8 @@
 // The form of ramps on a simulated board in virtual time, its parts alone, and its keys in the real window.
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/motor_button.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/ramp_preview.h"
 
@@ -326,7 +326,7 @@ private Q_SLOTS:
         RampBench bench(positions());
         QVERIFY(!bench.find<QLineEdit>("rampPosition")->isHidden());
         // No 0 by accident.
-        QVERIFY(!bench.find<widgets::SetpointEdit>("rampPosition")->sentValue());
+        QVERIFY(!bench.find<widgets::NumberEdit>("rampPosition")->sentValue());
         QVERIFY(bench.start());
         bench.type("rampPosition", QStringLiteral("90"));
         bench.type("rampPositionTime", QStringLiteral("1500"));
@@ -362,7 +362,7 @@ private Q_SLOTS:
         bench.type("rampCurrentId", QStringLiteral("1"));
         facts::feed(bench.device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
         for (const char *name : {"rampSpeed", "rampTorque", "rampCurrent", "rampCurrentId"})
-            QCOMPARE(bench.find<widgets::SetpointEdit>(name)->sentValue(), std::optional(0.0));
+            QCOMPARE(bench.find<widgets::NumberEdit>(name)->sentValue(), std::optional(0.0));
     }
 
     void whatABoardDoesNotHaveSaysWhy()
@@ -416,10 +416,9 @@ private Q_SLOTS:
         bench.type("rampSpeed", QStringLiteral("0"));
         combo->setCurrentIndex(0);
         Q_EMIT combo->activated(0);
+        QCOMPARE(bench.find<widgets::NumberEdit>("rampSpeed")->sentValue(), std::optional(1200.0));
         QCOMPARE(
-            bench.find<widgets::SetpointEdit>("rampSpeed")->sentValue(), std::optional(1200.0));
-        QCOMPARE(
-            bench.find<widgets::SetpointEdit>("rampSpeedTime")->sentValue(), std::optional(750.0));
+            bench.find<widgets::NumberEdit>("rampSpeedTime")->sentValue(), std::optional(750.0));
         QCOMPARE(bench.picture().plan.back().value, 1200.0);
         bench.find<QPushButton>("rampPresetDelete")->click();
         QCOMPARE(bench.form->presets().size(), 1);

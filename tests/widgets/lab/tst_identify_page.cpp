@@ -189,9 +189,9 @@ private Q_SLOTS:
 
         // Gains are computed from what was measured.
         bench.open(Qt::Key_1, Qt::ControlModifier);
-        QTRY_VERIFY(bench.find<widgets::GainNumber>("labRs"));
+        QTRY_VERIFY(bench.find<widgets::NumberEdit>("labRs"));
         const auto shown = [&](const char *name) {
-            return bench.find<widgets::GainNumber>(name)->value();
+            return bench.find<widgets::NumberEdit>(name)->value();
         };
         QCOMPARE(shown("labRs"), measured.rs_ohm);
         QCOMPARE(shown("labLd"), std::optional(*measured.ld_h * 1e3));

@@ -3,8 +3,8 @@
 // change a gain, undo it, turn the shaft to an angle where the board can, ramp, stop, write a CSV file. The steps name
 // no kind of board: a new one is a row.
 #include "support/window_rig.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
@@ -250,7 +250,7 @@ void TestBoardsSession::findTheGainInItsForm(const char *name)
         QVERIFY(!m_rig->find<QPushButton>("labPreview")->isEnabled());
         QVERIFY(
             m_rig->find<QPushButton>("labPreview")->toolTip().contains(QStringLiteral("units")));
-        auto *ramp = m_rig->find<widgets::SetpointEdit>("rampSpeed"); // a number with fractions
+        auto *ramp = m_rig->find<widgets::NumberEdit>("rampSpeed"); // a number with fractions
         ramp->setText(QStringLiteral("2000"));
         QCOMPARE(ramp->sentValue(), std::optional(2000.0));
         QVERIFY(!m_rig->find<QLabel>("rampSpeedNote")->text().contains(QStringLiteral("6 rpm")));
@@ -279,8 +279,8 @@ void TestBoardsSession::turnTheShaft()
     };
     QTRY_VERIFY(degrees());
     const double target = std::round(*degrees()) + 90.0;
-    auto *field = m_rig->find<widgets::SetpointEdit>("position");
-    auto *time = m_rig->find<widgets::SetpointEdit>("rampTime");
+    auto *field = m_rig->find<widgets::NumberEdit>("position");
+    auto *time = m_rig->find<widgets::NumberEdit>("rampTime");
     const QString before = time->text();
     field->setValue(target);
     time->setValue(800.0);

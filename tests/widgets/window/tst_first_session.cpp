@@ -1,9 +1,9 @@
 // The first session of a user, through the real window, the real session thread and the simulated board: connect,
 // arm, start, drag two signals, see samples move, change the speed, stop, export, compare the file with the capture.
 #include "support/window_rig.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/panel.h"
 #include "widgets/control/readout_box.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/stop_words.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/signals/signal_selection.h"

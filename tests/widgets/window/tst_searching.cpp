@@ -1,7 +1,7 @@
 // From place to place in what was recorded, by the trigger's own condition.
 #include "support/scope_window.h"
 #include "widgets/base/banner.h"
-#include "widgets/base/value_edit.h"
+#include "widgets/base/fields/value_edit.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/control.h"
 #include "widgets/window/searching.h"

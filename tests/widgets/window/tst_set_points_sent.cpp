@@ -1,8 +1,8 @@
 // The trace of set-points as they were sent, in the real window, beside what the simulated board's firmware followed:
 // on the way to a first speed, on the next, where its ramp is stopped, and behind a Stop.
 #include "support/window_rig.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/scope/view.h"
 
 #include <QAction>
@@ -104,7 +104,7 @@ void TestSetPointsSent::theTraceIsWhatTheBoardFollows()
     QTest::mouseClick(m_rig->find<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(device().status(1).state, MotorState::Running, 15000);
     m_rig->find<QAction>("setPointsAsSent")->trigger();
-    m_rig->find<widgets::SetpointEdit>("rampTime")->setValue(1000.0);
+    m_rig->find<widgets::NumberEdit>("rampTime")->setValue(1000.0);
 
     // What boards hold is whole tenths of a Hz.
     send("2580"); // where it starts was not sent

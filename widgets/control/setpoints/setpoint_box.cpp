@@ -2,6 +2,7 @@
 
 #include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
@@ -9,7 +10,6 @@
 #include "widgets/control/command_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
-#include "widgets/control/setpoint_edit.h"
 #include "widgets/control/setpoints/shaft_move.h"
 
 #include <QCheckBox>
@@ -66,9 +66,8 @@ SetpointBox::SetpointBox(
     m_control->setEnabled(false);
     m_control->setRoomFor({controlText(catalog::kSpeedModeNumber),
         controlText(catalog::kTorqueModeNumber), controlText(catalog::kPositionModeNumber)});
-    m_rampTime->setLimits(
-        static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
-    m_rampTime->setNegativeAllowed(false);
+    m_rampTime->setRange(
+        0.0, static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
     m_rampTime->setNotch(kRampTimeNotchMs);
     m_rampTime->setValue(kRampTimeMs);
     m_timeLabel->setText(tr("Ramp time [ms]"));
@@ -93,11 +92,11 @@ SetpointBox::SetpointBox(
     showMode();
 }
 
-SetpointEdit *SetpointBox::makeEdit(const char *name, const QString &accessible)
+NumberEdit *SetpointBox::makeEdit(const char *name, const QString &accessible)
 {
-    auto *edit = named(new SetpointEdit(this), name, accessible);
-    connect(edit, &SetpointEdit::echoChanged, this, &SetpointBox::follow);
-    connect(edit, &SetpointEdit::committed, this, &SetpointBox::go);
+    auto *edit = named(new NumberEdit(this), name, accessible);
+    connect(edit, &NumberEdit::echoChanged, this, &SetpointBox::follow);
+    connect(edit, &NumberEdit::committed, this, &SetpointBox::go);
     return edit;
 }
 
@@ -108,7 +107,7 @@ void SetpointBox::makeLayout()
     grid->addWidget(m_mode, 0, 0);
     grid->addWidget(m_control, 0, 1, Qt::AlignRight);
     grid->addWidget(m_firstLabel, 1, 0);
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_position})
+    for (NumberEdit *edit : {m_speed, m_torque, m_iq, m_position})
         grid->addWidget(edit, 1, 1);
     grid->addWidget(m_secondLabel, 2, 0);
     grid->addWidget(m_id, 2, 1);
@@ -148,7 +147,7 @@ void SetpointBox::showMode()
     follow();
 }
 
-QList<SetpointEdit *> SetpointBox::shownEdits() const
+QList<NumberEdit *> SetpointBox::shownEdits() const
 {
     switch (mode()) {
     case Mode::Torque:
@@ -197,7 +196,7 @@ void SetpointBox::updateLimits()
     const drive::MotorLimits told = m_device.limits(m_device.motor());
     m_speed->setLimits(std::min(bounds.rpm > 0.0 ? bounds.rpm : drive::kHighestRpm, told.wireRpm),
         told.speedStepRpm, tr("rpm"));
-    for (SetpointEdit *edit : {m_torque, m_iq, m_id})
+    for (NumberEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));
     greyModes();
@@ -205,7 +204,7 @@ void SetpointBox::updateLimits()
 }
 
 /// Of another field than the first, which is the one above, with its name.
-QString SetpointBox::saidOf(const SetpointEdit *edit) const
+QString SetpointBox::saidOf(const NumberEdit *edit) const
 {
     if (edit == shownEdits().first())
         return edit->echo();
@@ -218,7 +217,7 @@ QString SetpointBox::echo() const
 {
     // What is wrong, else whatever does not become what was typed.
     QStringList rounded;
-    for (const SetpointEdit *edit : shownEdits()) {
+    for (const NumberEdit *edit : shownEdits()) {
         if (!edit->sentValue())
             return saidOf(edit);
         if (edit->sentValue() != edit->value())
@@ -236,7 +235,7 @@ QString SetpointBox::echo() const
 bool SetpointBox::readable() const
 {
     const auto edits = shownEdits();
-    return std::all_of(edits.begin(), edits.end(), [](const SetpointEdit *edit) {
+    return std::all_of(edits.begin(), edits.end(), [](const NumberEdit *edit) {
         return edit->sentValue().has_value();
     }) && (mode() != Mode::Position || move()->refusal().isEmpty());
 }
@@ -271,7 +270,7 @@ QString SetpointBox::controlText(std::int64_t mode)
 void SetpointBox::follow()
 {
     MotionAllowed can = motionAllowed(m_device, feature());
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_position, m_rampTime})
+    for (NumberEdit *edit : {m_speed, m_torque, m_iq, m_id, m_position, m_rampTime})
         edit->setWheelAllowed(can.yes);
     // What is wrong is no hint: it has a mark, and is not grey.
     const bool wrong = !readable();
@@ -353,7 +352,7 @@ void SetpointBox::stopRamp()
 void SetpointBox::forget()
 {
     m_takeReference = false;
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id})
+    for (NumberEdit *edit : {m_speed, m_torque, m_iq, m_id})
         edit->beginAnew();
     m_position->clear(); // zero would be a place to go to
 }

@@ -17,7 +17,7 @@ namespace widgets {
 
 class MotionGate;
 class MotorButton;
-class SetpointEdit;
+class NumberEdit;
 class ShaftMove;
 class SteadyLabel;
 
@@ -29,7 +29,7 @@ public:
     SetpointBox(
         Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent = nullptr);
 
-    SetpointEdit *speed() const { return m_speed; }
+    NumberEdit *speed() const { return m_speed; }
     Mode mode() const;
     void setMode(Mode mode);
 
@@ -43,7 +43,7 @@ public Q_SLOTS:
     void expectReference(); ///< a board was met: takeReference() counts again
 
 private:
-    SetpointEdit *makeEdit(const char *name, const QString &accessible);
+    NumberEdit *makeEdit(const char *name, const QString &accessible);
     void makeLayout();
     void showMode();
     void followCyclic();
@@ -53,9 +53,9 @@ private:
     static drive::Feature featureOf(Mode mode);
     drive::Feature feature() const { return featureOf(mode()); }
     std::optional<ShaftMove> move() const; ///< of Position; empty while a field is not understood
-    QList<SetpointEdit *> shownEdits() const;
+    QList<NumberEdit *> shownEdits() const;
     QString echo() const;
-    QString saidOf(const SetpointEdit *edit) const;
+    QString saidOf(const NumberEdit *edit) const;
     bool readable() const; ///< all shown fields hold a number that may be sent
     QString controlText() const;
     static QString controlText(std::int64_t mode);
@@ -69,14 +69,14 @@ private:
     QLabel *m_secondLabel;
     QLabel *m_shaftLabel;
     QLabel *m_timeLabel;
-    SetpointEdit *m_speed;
-    SetpointEdit *m_torque;
-    SetpointEdit *m_iq;
-    SetpointEdit *m_id;
-    SetpointEdit *m_position;
+    NumberEdit *m_speed;
+    NumberEdit *m_torque;
+    NumberEdit *m_iq;
+    NumberEdit *m_id;
+    NumberEdit *m_position;
     SteadyLabel *m_shaft; ///< where it is now
     SteadyLabel *m_echo;
-    SetpointEdit *m_rampTime;
+    NumberEdit *m_rampTime;
     MotorButton *m_go;
     MotorButton *m_stopRamp;
     QCheckBox *m_cyclic;

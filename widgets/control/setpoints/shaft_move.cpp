@@ -2,8 +2,8 @@
 
 #include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/value_text.h"
-#include "widgets/control/setpoint_edit.h"
 
 #include <QCoreApplication>
 
@@ -24,7 +24,7 @@ constexpr int kDegreeDecimals = 1;
 
 } // namespace
 
-void makeAngleField(SetpointEdit &edit)
+void makeAngleField(NumberEdit &edit)
 {
     edit.setLimits(kFarthestDegrees, kDegreeStep, QStringLiteral("\u00b0"));
     edit.setNotch(kDegreeNotch);

@@ -10,10 +10,10 @@
 
 namespace widgets {
 
-class SetpointEdit;
+class NumberEdit;
 
 /// What a field for the angle takes; empty at first, for zero would be a place to go to.
-void makeAngleField(SetpointEdit &edit);
+void makeAngleField(NumberEdit &edit);
 
 class ShaftMove {
 public:

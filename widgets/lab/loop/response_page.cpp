@@ -2,13 +2,13 @@
 
 #include "motor/fixed_point.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/whole_spin.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/base/whole_spin.h"
 #include "widgets/lab/text.h"
 
 #include <QComboBox>

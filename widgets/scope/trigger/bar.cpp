@@ -2,12 +2,12 @@
 
 #include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/fields/value_edit.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/steady_label.h"
-#include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/trigger/control.h"
 #include "widgets/scope/trigger/snug_combo_box.h"

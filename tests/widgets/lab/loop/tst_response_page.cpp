@@ -1,6 +1,6 @@
 // The frequency response through the real window: what is measured, what other gains would do, what is proposed,
 // written, proved and taken back. The judge of the wire watches all of it.
-#include "widgets/base/stepped_edit.h"
+#include "widgets/base/fields/stepped_edit.h"
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/loop/bode_plot.h"
 #include "widgets/lab/loop/rows.h"

@@ -1,7 +1,7 @@
 // The trigger in the real window: modes and keys, what is set and what is shown, marks that are dragged, records of the
 // past, references. Where a trigger is found is core's own business and tested there.
 #include "support/trigger_test.h"
-#include "widgets/base/value_edit.h"
+#include "widgets/base/fields/value_edit.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/ghosts.h"

@@ -1,4 +1,4 @@
-#include "widgets/base/stepped_edit.h"
+#include "widgets/base/fields/stepped_edit.h"
 
 #include <QKeyEvent>
 #include <QToolTip>

@@ -1,7 +1,7 @@
-#include "widgets/base/whole_spin.h"
+#include "widgets/base/fields/whole_spin.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/stepped_edit.h"
+#include "widgets/base/fields/stepped_edit.h"
 
 #include <QLineEdit>
 

@@ -1,9 +1,9 @@
-#include "widgets/base/value_edit.h"
+#include "widgets/base/fields/value_edit.h"
 
 #include "widgets/base/axis_ticks.h"
+#include "widgets/base/fields/stepped_edit.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/setpoint_text.h"
-#include "widgets/base/stepped_edit.h"
 #include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
