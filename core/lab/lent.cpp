@@ -30,8 +30,10 @@ std::optional<catalog::Value> typedValue(const std::string &text, catalog::Value
     const auto number = numberIn<double>(text);
     if (!number || !catalog::typeLimits(type).holds(*number))
         return std::nullopt;
-    return catalog::isInteger(type) ? catalog::Value(std::int64_t{std::llround(*number)})
-                                    : catalog::Value(*number);
+    std::optional<catalog::Value> value(*number);
+    if (catalog::isInteger(type))
+        value.emplace(std::int64_t{std::llround(*number)});
+    return value;
 }
 
 std::vector<std::string> leftTexts(const std::vector<Lent> &lent)

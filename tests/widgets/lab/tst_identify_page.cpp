@@ -2,9 +2,9 @@
 // file, and that figures come into the motor description only when they are wanted, and out again.
 #include "simulation/plant/presets.h"
 #include "widgets/base/banner.h"
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/steady_label.h"
-#include "widgets/forms/gain_number.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/identify_page.h"
