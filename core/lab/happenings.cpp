@@ -68,12 +68,13 @@ const capture::Channel *polledChannel(const capture::Capture &capture, const std
 }
 
 std::optional<DrivenSpan> drivenSpan(
-    int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last)
+    int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last, bool held)
 {
     std::optional<DrivenSpan> span;
     for (; at != end; ++at) {
         const auto &[time, what] = *at;
-        const bool drives = what.name == "torque ramp" || what.name == "current reference";
+        const bool drives = held ? what.name == "speed ramp" && numberOf(what, "ms") == 0.0
+                                 : what.name == "torque ramp" || what.name == "current reference";
         if (drives && numberOf(what, "motor") == motor) {
             if (!span)
                 span = DrivenSpan{time, last, false, {}};

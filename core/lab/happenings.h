@@ -42,9 +42,10 @@ struct DrivenSpan {
 
 /// @param at  behind the plan's entry
 /// @param last  when nothing says that it ended
+/// @param held  at its speed instead, by set-points without a ramp
 /// @return  empty if it was never driven so
-std::optional<DrivenSpan> drivenSpan(
-    int motor, Happenings::const_iterator at, Happenings::const_iterator end, Nanos last);
+std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
+    Happenings::const_iterator end, Nanos last, bool held = false);
 
 /// Says of what was measured that the experiment ended early, or the recording before it.
 /// @param over, reason  as of a DrivenSpan

@@ -99,17 +99,12 @@ void print(const lab::Mechanics &found, Output &out)
                      QString::number(found.share * kPercent, 'g', 2)));
 }
 
-void print(const lab::Electrics &found, Output &out)
+template <lab::HasFigures Found>
+void print(const Found &found, Output &out)
 {
-    struct Line {
-        const char *name, *unit;
-        const std::optional<lab::Estimate> &estimate;
-    };
-    for (const Line &one : {Line{"Resistance", "\u03a9", found.rs_ohm},
-             Line{"Inductance Ld", "H", found.ld_h}, Line{"Inductance Lq", "H", found.lq_h},
-             Line{"Flux", "Wb", found.flux_wb}, Line{"Dead time", "V", found.deadTime_v}})
-        if (one.estimate)
-            out.line(line(one.name, *one.estimate, one.unit));
+    for (const lab::Figure &one : figuresOf(found))
+        if (one.value)
+            out.line(line(one.name, *one.value, one.unit));
 }
 
 void print(const lab::FrequencyResponse &found, const QString &unit, Output &out)

@@ -24,28 +24,16 @@ constexpr double kScaleAtRest = 0.02;
 constexpr double kAlong = 0.02, kAlongByHall = 0.035, kJump = 0.04, kJumpByHall = 0.1;
 constexpr std::size_t kCurrentQ = 0, kCurrentD = 1, kVoltageQ = 2, kVoltageD = 3, kReference = 4;
 
-Estimate withScale(const Estimate &own, double scale)
-{
-    const double half = std::hypot((*own.high - *own.low) / 2.0, scale * own.value);
-    return {own.value, own.value - half, own.value + half};
-}
-
 /// The segments of a motor's currents and voltages, and of whichever reference was recorded.
 std::vector<Segment> segmentsFor(
     const RecordedMotor &motor, const capture::Capture &capture, Nanos from, Nanos to, bool rests)
 {
-    const capture::Channel *angle = fastChannel(capture, motor.angle);
-    std::vector<const capture::Channel *> others;
-    for (const std::string *name : {&motor.current, &motor.currentD, &motor.voltage})
-        others.push_back(fastChannel(capture, *name));
+    std::vector<std::string> others{motor.current, motor.currentD, motor.voltage};
     if (rests) {
-        others.push_back(fastChannel(capture, motor.voltageD));
-        const capture::Channel *along = fastChannel(capture, motor.referenceD);
-        others.push_back(along != nullptr ? along : fastChannel(capture, motor.reference));
+        const bool along = fastChannel(capture, motor.referenceD) != nullptr;
+        others.insert(others.end(), {motor.voltageD, along ? motor.referenceD : motor.reference});
     }
-    if (angle == nullptr || std::find(others.begin(), others.end(), nullptr) != others.end())
-        return {};
-    return segmentsOf(*angle, others, from, to);
+    return segmentsOf(capture, motor.angle, others, from, to);
 }
 
 double mean(const std::vector<double> &values, std::size_t from, std::size_t to)
@@ -360,6 +348,14 @@ void takeSwingOut(Parts &parts)
 }
 
 } // namespace
+
+Figures figuresOf(const Electrics &found)
+{
+    return {{"rs_ohm", "Resistance", "\u03a9", found.rs_ohm},
+        {"ld_h", "Inductance Ld", "H", found.ld_h}, {"lq_h", "Inductance Lq", "H", found.lq_h},
+        {"flux_wb", "Flux", "Wb", found.flux_wb},
+        {"dead_time_v", "Dead time", "V", found.deadTime_v}};
+}
 
 Result<Electrics, std::string> evaluateElectrics(
     const capture::Capture &capture, const Happenings &all)

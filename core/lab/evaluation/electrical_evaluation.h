@@ -6,6 +6,7 @@
 // Turning: inductances and flux follow from the voltage along q (lab/evaluation/turning_fit.h).
 #pragma once
 
+#include "lab/evaluation/figures.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
 #include "lab/maths/statistics.h"
@@ -16,11 +17,13 @@
 namespace lab {
 
 struct Electrics {
+    static constexpr const char *kKind = "electrical";
     std::optional<Estimate> rs_ohm; ///< of a phase, with the switches that carry its current
     std::optional<Estimate> deadTime_v;
     std::optional<Estimate> ld_h, lq_h, flux_wb;
     std::vector<std::string> notes; ///< sentences without a full stop
 };
+Figures figuresOf(const Electrics &found);
 
 /// The first experiments of both kinds in a recording; or why there is none, or nothing follows from it, without a full
 /// stop.

@@ -1,6 +1,7 @@
 #include "lab/evaluation/segments.h"
 
 #include "base/text.h"
+#include "lab/happenings.h"
 #include "scope/sample_range.h"
 
 #include <algorithm>
@@ -119,6 +120,18 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     });
     finish();
     return segments;
+}
+
+std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::string &angle,
+    const std::vector<std::string> &others, capture::Nanos from, capture::Nanos to)
+{
+    const capture::Channel *turns = fastChannel(capture, angle);
+    std::vector<const capture::Channel *> channels;
+    for (const std::string &name : others)
+        channels.push_back(fastChannel(capture, name));
+    if (turns == nullptr || std::find(channels.begin(), channels.end(), nullptr) != channels.end())
+        return {};
+    return segmentsOf(*turns, channels, from, to);
 }
 
 double missingIn(const std::vector<Segment> &segments)

@@ -1,7 +1,7 @@
 // Signals of one stream side by side, without a gap inside: what evaluations integrate over.
 #pragma once
 
-#include "capture/channel.h"
+#include "capture/capture.h"
 
 #include <span>
 #include <string>
@@ -25,6 +25,10 @@ struct Segment {
 /// @param angle  electrical, in degrees, wrapped anyhow
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to);
+
+/// The same of signals by their names; none if one was not recorded.
+std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::string &angle,
+    const std::vector<std::string> &others, capture::Nanos from, capture::Nanos to);
 
 /// Between the segments of segmentsOf(), s: samples that are not in any of them.
 double missingIn(const std::vector<Segment> &segments);

@@ -76,6 +76,12 @@ std::optional<Estimate> meanOfBoth(std::span<const double> one, std::span<const 
     return Estimate{mean, mean - half, mean + half};
 }
 
+Estimate withScale(const Estimate &own, double scale)
+{
+    const double half = std::hypot((*own.high - *own.low) / 2.0, scale * own.value);
+    return {own.value, own.value - half, own.value + half};
+}
+
 double medianOf(std::vector<double> values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

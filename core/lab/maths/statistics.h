@@ -30,6 +30,9 @@ std::optional<Estimate> meanOf(std::span<const double> values);
 /// chance: its interval tells of the spread inside each kind alone. As meanOf() where one kind is empty.
 std::optional<Estimate> meanOfBoth(std::span<const double> one, std::span<const double> other);
 
+/// With an interval. @param scale  the share by which what it is counted in is unsure besides
+Estimate withScale(const Estimate &own, double scale);
+
 double medianOf(std::vector<double> values); ///< of at least one
 
 /// Places of the values further from the median than 3.5 of its deviations, as a normal spread would have them (1.4826

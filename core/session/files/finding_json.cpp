@@ -55,14 +55,12 @@ void fill(JsonText &json, const lab::Mechanics &found)
     json.member("model", modelOf(found));
 }
 
-void fill(JsonText &json, const lab::Electrics &found)
+template <lab::HasFigures Found>
+void fill(JsonText &json, const Found &found)
 {
-    json.member("kind", "electrical");
-    put(json, "rs_ohm", found.rs_ohm);
-    put(json, "ld_h", found.ld_h);
-    put(json, "lq_h", found.lq_h);
-    put(json, "flux_wb", found.flux_wb);
-    put(json, "dead_time_v", found.deadTime_v);
+    json.member("kind", Found::kKind);
+    for (const lab::Figure &figure : figuresOf(found))
+        put(json, figure.key, figure.value);
 }
 
 void fill(JsonText &json, const lab::FrequencyResponse &found)

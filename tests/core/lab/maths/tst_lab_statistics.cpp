@@ -25,6 +25,12 @@ private Q_SLOTS:
         QVERIFY(std::abs(*mean.high - 5.0 - half) < 1e-9);
         QVERIFY(std::abs(5.0 - *mean.low - half) < 1e-9);
     }
+    void aScaleThatIsUnsureWidensIt()
+    {
+        const Estimate wide = withScale({10.0, 9.7, 10.3}, 0.04); // 0.3 and 0.4 to either side
+        QVERIFY(std::abs(*wide.low - 9.5) < 1e-12 && std::abs(*wide.high - 10.5) < 1e-12);
+        QCOMPARE(wide.value, 10.0);
+    }
     /// 95 of 100 intervals hold the true value: 4,000 series of each length, so the share is known to 0.4 points.
     void intervalsHoldTheTruthAsOftenAsTheySay_data()
     {
