@@ -5,6 +5,7 @@
 #include "base/time.h"
 #include "lab/course.h"
 #include "lab/current_step_plan.h"
+#include "lab/power_plan.h"
 #include "lab/response_plan.h"
 #include "lab/rest_plan.h"
 #include "lab/spin_plan.h"
@@ -18,7 +19,7 @@
 
 namespace lab {
 
-using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan>;
+using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan, PowerPlan>;
 
 struct Experiment {
     Plan plan;

@@ -37,8 +37,9 @@ public:
     }
     void operator()(const char *name, double &value)
     {
-        // 0 would bound nothing: a plan without a bound leaves the key out.
-        const bool bound = std::string_view(name).starts_with("max ");
+        // 0 would bound nothing: a plan without a bound leaves the key out; so does one that does not know its motor.
+        const std::string_view word = name;
+        const bool bound = word.starts_with("max ") || word == "rs ohm" || word == "dead time V";
         if (const double *number = take(name, -kMost, kMost, false);
             number && bound && *number <= 0.0)
             m_wrong = m_keys.back();
@@ -171,8 +172,10 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
             return responseWith(responsePlanFor(subject, lower), numbers, subject);
         if (kind == "rest")
             return withNumbers(restPlanFor(subject, lower), numbers);
+        if (kind == "power")
+            return withNumbers(powerPlanFor(subject, lower), numbers);
         return fail("there is no experiment \"" + kind
-            + "\", there are step, current_step, spin, rest, response and current_response");
+            + "\", there are step, current_step, spin, rest, response, current_response and power");
     }();
     if (plan)
         std::visit([&](auto &of) { of.caps = lower; }, *plan);

@@ -2,6 +2,7 @@
 
 #include "lab/evaluation/finding.h"
 #include "widgets/lab/text.h"
+#include "widgets/lab/told_figures.h"
 
 namespace widgets {
 namespace {
@@ -75,6 +76,20 @@ Result<ExperimentBar::Run, QString> Identification::mechanicalRun()
         return fail(subject.error());
     return ExperimentBar::Run{{{lab::spinPlanFor(*subject, m_device.userLimits()), *subject}},
         evaluation<lab::Mechanics>(subject->motor, &lab::evaluateMechanics)};
+}
+
+Result<ExperimentBar::Run, QString> Identification::powerRun()
+{
+    const auto subject = m_experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    lab::PowerPlan plan = lab::powerPlanFor(*subject, m_device.userLimits());
+    const drive::MotorStatus status = m_device.status(subject->motor);
+    if (status.state == drive::MotorState::Running)
+        plan.fromRpm = plan.toRpm = qRound(status.speedRpm.value_or(plan.fromRpm));
+    plan.rsOhm = m_findings.measured(MotorFindings::Resistance);
+    plan.deadVolts = m_findings.measured(MotorFindings::DeadTime);
+    return ExperimentBar::Run{{{plan, *subject}}, tellsFigures()};
 }
 
 } // namespace widgets

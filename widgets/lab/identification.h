@@ -16,6 +16,7 @@ public:
 
     Result<ExperimentBar::Run, QString> electricalRun(); ///< windings and magnets
     Result<ExperimentBar::Run, QString> mechanicalRun(); ///< inertia and friction
+    Result<ExperimentBar::Run, QString> powerRun(); ///< at the speed that the motor has, if it runs
     MotorFindings &findings() { return m_findings; }
 
 private:

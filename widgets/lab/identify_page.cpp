@@ -44,6 +44,9 @@ void IdentifyPage::makeBar()
         tr("Measures inertia and friction while the motor is driven and coasts; then it is as it "
            "was."),
         [this] { return m_parts.identification.mechanicalRun(); }});
+    m_bar->add({tr("Po&wer"), "powerRun",
+        tr("Measures what goes into the motor and what its shaft gives, at the speed that it has."),
+        [this] { return m_parts.identification.powerRun(); }});
     m_use = named(new QPushButton(tr("&Use in motor file"), m_bar), "identifyUse");
     m_use->setToolTip(tr("Puts the measured figures into the description beside the board's, in "
                          "Motor and drive; nothing is written to the board."));

@@ -36,6 +36,7 @@ public:
     void fail(bool mechanical, const QString &why);
     void clear();
     void setKnown(const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file);
+    double measured(Row row) const { return m_rows[row].value.value_or(lab::Estimate{}).value; }
     motor::MotorSheet measured() const; ///< only that
     const std::optional<lab::Estimate> &estimate(Row row) const { return m_rows[row].value; }
     bool any() const; ///< something was measured that a motor file holds

@@ -90,7 +90,12 @@ QString workWords(const lab::Experiment &experiment)
             [](const lab::SpinPlan &plan) { return spinWords(plan); },
             [](const lab::ResponsePlan &plan) { return responseWords(plan); },
             [&](const lab::RestPlan &plan) { return restWords(plan, experiment.subject); },
-            [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); }},
+            [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); },
+            [](const lab::PowerPlan &plan) {
+                const QString length = secondsText(2 * plan.hold);
+                return PlanQuestion::tr("For %1 it is held at %2.")
+                    .arg(length, rpmText(plan.fromRpm));
+            }},
         experiment.plan);
 }
 
@@ -293,7 +298,8 @@ QString experimentName(const lab::Experiment &experiment)
                                          : PlanQuestion::tr("Response of the speed");
             },
             [](const lab::RestPlan &) { return PlanQuestion::tr("Resistance"); },
-            [](const lab::CurrentStepPlan &) { return PlanQuestion::tr("Steps of the current"); }},
+            [](const lab::CurrentStepPlan &) { return PlanQuestion::tr("Steps of the current"); },
+            [](const lab::PowerPlan &) { return PlanQuestion::tr("Power"); }},
         experiment.plan);
 }
 

@@ -157,6 +157,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a series of current steps"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a mechanical identification"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of an electrical identification"),
+    QT_TRANSLATE_NOOP("Lab", "it is no recording of a motor's power"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a speed's frequency response"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of a current loop's frequency response"),
     QT_TRANSLATE_NOOP("Lab", "it holds no samples of the signals that it needs"),
@@ -226,6 +227,10 @@ constexpr const char *kLabTexts[] = {
         "what the dead time takes cannot be told from the resistance: currents swung through zero "
         "within a PWM period"),
     QT_TRANSLATE_NOOP("Lab", "nothing follows from it"),
+    QT_TRANSLATE_NOOP("Lab", "resistance or dead time is not known: what it takes is not told"),
+    QT_TRANSLATE_NOOP("Lab", "Speed"), QT_TRANSLATE_NOOP("Lab", "Electrical power"),
+    QT_TRANSLATE_NOOP("Lab", "Copper losses"), QT_TRANSLATE_NOOP("Lab", "Shaft power"),
+    QT_TRANSLATE_NOOP("Lab", "Efficiency"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: no step of this series could be measured"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: not all of it could be measured"),
     QT_TRANSLATE_NOOP("Lab",

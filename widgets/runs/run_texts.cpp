@@ -81,6 +81,9 @@ QString numbersText(const QJsonObject &result)
             .arg(siText(at("rs_ohm"), QStringLiteral("\u03a9")),
                 siText(at("ld_h"), QStringLiteral("H")), siText(at("lq_h"), QStringLiteral("H")),
                 siText(at("flux_wb"), QStringLiteral("Wb")));
+    if (kind == QLatin1String("power"))
+        return RunText::tr("electrical %1 W, shaft %2 W, efficiency %3")
+            .arg(shown(at("electrical_w"), 1), shown(at("shaft_w"), 1), shown(at("efficiency"), 3));
     if (kind == QLatin1String("response")
         && anyIn(result, {"crossover_hz", "phase_margin_deg", "ms"}))
         return RunText::tr("crossover %1 Hz, phase margin %2\u00b0, Ms %3")
@@ -107,6 +110,8 @@ QString experimentText(const session::Run &run)
     if (run.experiment == QLatin1String("spin plan"))
         return field(run, "flux A") == QLatin1String("0") ? RunText::tr("Mechanics")
                                                           : RunText::tr("Electrics, turning");
+    if (run.experiment == QLatin1String("power plan"))
+        return RunText::tr("Power at %1 rpm").arg(field(run, "rpm"));
     if (run.experiment == QLatin1String("rest plan"))
         return RunText::tr("Electrics");
     if (run.experiment == QLatin1String("response plan"))

@@ -46,6 +46,8 @@ PlanKind kindOf(const recorded::Happening &what)
         return response->plan.current != 0
             ? PlanKind{"response current", evaluated<evaluateCurrentResponse>, response->motor}
             : PlanKind{"response speed", evaluated<evaluateResponse>, response->motor};
+    if (const auto power = recordedPlan<PowerPlan>(what))
+        return {"power", evaluated<evaluatePower>, power->motor};
     const auto rest = recordedPlan<RestPlan>(what);
     const auto spin = recordedPlan<SpinPlan>(what);
     if (spin && !(spin->plan.fluxAmps > 0.0))

@@ -3,6 +3,7 @@
 
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/power_evaluation.h"
 #include "lab/evaluation/response_evaluation.h"
 #include "lab/evaluation/step_series.h"
 
@@ -11,7 +12,8 @@
 namespace lab {
 
 /// A response that is not of the speed is of a current.
-using Finding = std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse>;
+using Finding =
+    std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse, Power>;
 
 /// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment,
 /// or the two of an electrical identification, at rest and turning, which say one thing together.

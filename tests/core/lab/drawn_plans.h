@@ -15,9 +15,16 @@ inline lab::Plan drawnPlan(Random &random, const lab::Subject &subject)
         // Without a sensor: with room above what its observer needs.
         const auto least = static_cast<int>(std::max(1000.0, subject.leastObservedRpm() + 300.0));
         const int from = least + static_cast<int>(random.below(500));
-        drawn = lab::StepPlan{.fromRpm = from,
+        const lab::StepPlan steps{.fromRpm = from,
             .toRpm = from + static_cast<int>(200 + random.below(600)),
             .repeat = static_cast<int>(1 + random.below(3))};
+        drawn = steps;
+        if (steps.repeat == 3) {
+            lab::PowerPlan power = lab::powerPlanFor(subject, {});
+            power.fromRpm = power.toRpm = from;
+            power.hold = 800ms;
+            drawn = power;
+        }
         break;
     }
     case 1: {

@@ -38,6 +38,20 @@ private Q_SLOTS:
         const auto response = planOf("response", {{"amplitude_rpm", 90}}, subject, {});
         QVERIFY(response);
         QCOMPARE(std::get<ResponsePlan>(*response).amplitudeRpm, 90);
+        const auto power = planOf("power",
+            {{"rpm", -900}, {"length_ms", 3000}, {"rs_ohm", 0.3}, {"dead_time_v", 0.4}}, subject,
+            {});
+        QVERIFY(power);
+        PowerPlan held = powerPlanFor(subject, {});
+        held.fromRpm = held.toRpm = -900;
+        held.hold = std::chrono::milliseconds(1500);
+        held.rsOhm = 0.3;
+        held.deadVolts = 0.4;
+        QCOMPARE(std::get<PowerPlan>(*power), held);
+        for (const char *key : {"rs_ohm", "dead_time_v"}) { // who does not know it leaves it out
+            const auto below = planOf("power", {{key, -0.1}}, subject, {});
+            QVERIFY(!below && below.error().find(key) != std::string::npos);
+        }
     }
 
     /// As `step torque` has it: a motor that has no speed in the file turns the way that its torques push.
@@ -177,7 +191,7 @@ private Q_SLOTS:
                 "hold_ms, approach_ms, max_rpm, max_a"));
         const std::string kinds = planOf("autotune", {}, subject, {}).error();
         for (const char *kind :
-            {"step", "current_step", "spin", "rest", "response", "current_response"}) {
+            {"step", "current_step", "spin", "rest", "response", "current_response", "power"}) {
             QVERIFY2(kinds.find(kind) != std::string::npos, kinds.c_str());
             const auto known = planOf(kind, {{"x", 1}}, subject, {}).error();
             QVERIFY2(known.starts_with("the key \"x\""), known.c_str());

@@ -198,6 +198,35 @@ private Q_SLOTS:
         QCOMPARE(shown("labLq"), std::optional(*measured.lq_h * 1e3));
     }
 
+    /// At half of what is allowed where it rests, with the resistance that was measured before.
+    void aPowerIsAskedAboutMeasuredAndTold()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("powerRun"));
+        lab::Electrics windings;
+        windings.rs_ohm = {0.19, 0.18, 0.20};
+        windings.deadTime_v = {0.4, 0.39, 0.41};
+        findingsOf(bench).accept(windings);
+        bench.press("powerRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QStringLiteral("For 5\u202fs it is held at ")), qPrintable(words));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.agree();
+        QTRY_VERIFY(bench.running());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), LabWindow::kRunMs);
+        QTRY_VERIFY(bench.said("identifySentence").contains(QLatin1String("Efficiency")));
+        const QString said = bench.said("identifySentence");
+        for (const char *figure : {"Speed: ", "Electrical power: ", "Copper losses: ",
+                 "Shaft power: ", "Efficiency: ", "the motor is as it was"})
+            QVERIFY2(said.contains(QLatin1String(figure)), qPrintable(said));
+        QVERIFY2(!said.contains(QLatin1String("not known")), qPrintable(said));
+        QTRY_COMPARE(bench.state(), MotorState::Idle);
+        QCOMPARE(bench.questions, 1);
+    }
+
     /// Refused, or ended early: what was measured before is as true as it was.
     void aRunThatTellsNothingLeavesTheRows()
     {

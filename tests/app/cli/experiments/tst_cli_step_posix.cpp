@@ -208,6 +208,25 @@ private Q_SLOTS:
         QVERIFY(program.run().out.startsWith(QStringLiteral("{\"kind\":\"step\"")));
     }
 
+    void aPowerAndItsFileSayTheSame()
+    {
+        ExperimentProgram program(kServo, "experiment --json");
+        QVERIFY(program.board().ready());
+        QFile plan(program.board().file("plan.json"));
+        QVERIFY(plan.open(QIODevice::WriteOnly));
+        plan.write(R"({"experiment":"power","rpm":1500,"length_ms":2000,"rs_ohm":0.19})");
+        plan.close();
+        program.begin({plan.fileName(), QStringLiteral("-o"), program.file()});
+        COMPARE_END(program, 0);
+        const QJsonObject said = jsonOf(program.run());
+        QCOMPARE(said.value(QStringLiteral("kind")).toString(), QStringLiteral("power"));
+        for (const char *key : {"speed_rpm", "electrical_w", "copper_w", "shaft_w", "efficiency"})
+            QCOMPARE(said.value(QLatin1String(key)).toObject().keys(),
+                (QStringList{
+                    QStringLiteral("high"), QStringLiteral("low"), QStringLiteral("value")}));
+        theFileSaysTheSame(program);
+    }
+
     void aStandingMotorStandsAndARunningOneRunsAfterwards()
     {
         ExperimentProgram program(kServo, "step speed --from 900 --to 1300 --repeat 1 --hold 100");
