@@ -1509,6 +1509,62 @@
         <source>its samples are %1 ms apart, too far for the response of a current: %2 ms are the most</source>
         <translation>ihre Abtastwerte liegen %1 ms auseinander, zu weit für den Frequenzgang eines Stroms: höchstens %2 ms</translation>
     </message>
+    <message>
+        <source>the speed was not read for %1 s</source>
+        <translation>die Drehzahl wurde %1 s lang nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the current was not read for %1 s</source>
+        <translation>der Strom wurde %1 s lang nicht gelesen</translation>
+    </message>
+    <message>
+        <source>This board does not tell the speed of its motor.</source>
+        <translation>Dieses Board meldet die Drehzahl seines Motors nicht.</translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself, and only steps of the speed are told from values that are read one after the other</source>
+        <translation>dieses Board zeichnet selbst nichts auf, und aus Werten, die nacheinander gelesen werden, lassen sich nur Drehzahlsprünge auswerten</translation>
+    </message>
+    <message>
+        <source>nothing tells its current in A, so that none could be held against your limit: say what the full scale of its currents is</source>
+        <translation>nichts sagt seinen Strom in A, sodass keiner an Ihrer Grenze gemessen werden könnte: die volle Skala seiner Ströme angeben</translation>
+    </message>
+    <message>
+        <source>it is no recording of a motor&apos;s power</source>
+        <translation>es ist keine Aufzeichnung der Leistung eines Motors</translation>
+    </message>
+    <message>
+        <source>resistance or dead time is not known: what it takes is not told</source>
+        <translation>Widerstand oder Totzeit ist nicht bekannt: was sie nehmen, wird nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Electrical power</source>
+        <translation>Elektrische Leistung</translation>
+    </message>
+    <message>
+        <source>Copper losses</source>
+        <translation>Kupferverluste</translation>
+    </message>
+    <message>
+        <source>Shaft power</source>
+        <translation>Wellenleistung</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>the board records nothing: its speed was read once in up to %1 ms, so that rise times are uncertain by as much, and peaks may be higher than is told</source>
+        <translation>das Board zeichnet nichts auf: seine Drehzahl wurde nur alle bis zu %1 ms gelesen, sodass Anstiegszeiten um so viel unsicher sind und Spitzen höher sein können als angegeben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps rise in less than three times as long: nothing is told of them</source>
+        <translation>%1 von %2 Sprüngen steigen in weniger als dem Dreifachen davon: von ihnen wird nichts angegeben</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2222,6 +2278,34 @@
         <source>Rotorscope reconnects; arm again to move.</source>
         <translation>Rotorscope verbindet sich neu; zum Bewegen erneut freigeben.</translation>
     </message>
+    <message>
+        <source>in torque control this board does not tell to which current a start goes; take your own limit of current away first</source>
+        <translation>bei Drehmomentregelung meldet dieses Board nicht, auf welchen Strom ein Start geht; zuerst die eigene Stromgrenze wegnehmen</translation>
+    </message>
+    <message>
+        <source>beyond the %1 rpm that this protocol can hold</source>
+        <translation>jenseits der %1 rpm, die dieses Protokoll fasst</translation>
+    </message>
+    <message>
+        <source>beyond what 16 bits hold</source>
+        <translation>jenseits dessen, was 16 Bit fassen</translation>
+    </message>
+    <message>
+        <source>the scale of motor %1 is not known</source>
+        <translation>die Skalierung von Motor %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the board does not tell where the shaft is</source>
+        <translation>das Board meldet nicht, wo die Welle steht</translation>
+    </message>
+    <message>
+        <source>the limits have changed</source>
+        <translation>die Grenzen haben sich geändert</translation>
+    </message>
+    <message>
+        <source>too many wishes wait already</source>
+        <translation>es warten schon zu viele Aufträge</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2632,10 +2716,6 @@
         </translation>
     </message>
     <message>
-        <source>%1 samples are missing, because the disk was too slow.</source>
-        <translation>%1 Werte fehlen, weil die Platte zu langsam war.</translation>
-    </message>
-    <message>
         <source>%1 of its events, snapshots and notes are left out: they take more than %2 MiB.</source>
         <translation>%1 der Ereignisse, Schnappschüsse und Notizen darin fehlen: Sie brauchen mehr als %2 MiB.</translation>
     </message>
@@ -2654,6 +2734,22 @@
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
         <translation>Sie ist größer als die %1 GB Platz dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1 bytes of the line</source>
+        <translation>%1 Bytes der Leitung</translation>
+    </message>
+    <message>
+        <source>%1 other entries</source>
+        <translation>%1 andere Einträge</translation>
+    </message>
+    <message>
+        <source>It lacks %1, because the disk was too slow.</source>
+        <translation>Es fehlen %1, weil die Platte zu langsam war.</translation>
     </message>
 </context>
 <context>
@@ -2821,6 +2917,14 @@
     <message>
         <source>The like within these caps and this time is not asked about again until disarmed. Esc stops every motor at any time.</source>
         <translation>Nach Gleichem innerhalb dieser Schranken und dieser Zeit wird bis zum Entzug der Freigabe nicht mehr gefragt. Esc stoppt jederzeit jeden Motor.</translation>
+    </message>
+    <message>
+        <source>For %1 it is held at %2.</source>
+        <translation>%1 lang wird er auf %2 gehalten.</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
     </message>
 </context>
 <context>
@@ -3029,6 +3133,14 @@
         <source>Electrics</source>
         <translation>Elektrik</translation>
     </message>
+    <message>
+        <source>electrical %1 W, shaft %2 W, efficiency %3</source>
+        <translation>elektrisch %1 W, Welle %2 W, Wirkungsgrad %3</translation>
+    </message>
+    <message>
+        <source>Power at %1 rpm</source>
+        <translation>Leistung bei %1 rpm</translation>
+    </message>
 </context>
 <context>
     <name>Setpoint</name>
@@ -3186,6 +3298,18 @@
         <source>%1 %2/div</source>
         <comment>number, unit: what is between two lines of the grid</comment>
         <translation>%1 %2/div</translation>
+    </message>
+</context>
+<context>
+    <name>ToldFigures</name>
+    <message>
+        <source>%1: %2 (%3 to %4).</source>
+        <comment>a number and its interval</comment>
+        <translation>%1: %2 (%3 bis %4).</translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
+        <translation>Nicht schlüssig: %1</translation>
     </message>
 </context>
 <context>
@@ -4680,10 +4804,6 @@
         <translation>Vom Boa&amp;rd</translation>
     </message>
     <message>
-        <source>Forgets what was typed here and takes the board&apos;s numbers again.</source>
-        <translation>Vergisst, was hier eingegeben wurde, und nimmt wieder die Zahlen des Boards.</translation>
-    </message>
-    <message>
         <source>&amp;Preview</source>
         <translation>&amp;Vorschau</translation>
     </message>
@@ -4715,6 +4835,10 @@
     <message>
         <source>This drive&apos;s gains are numbers in units, and its current loop is not the one whose rule is used here: set them among the regulators.</source>
         <translation>Die Verstärkungen dieses Antriebs sind Zahlen mit Einheit, und sein Stromregler ist nicht der, dessen Regel hier gilt: Stellen Sie sie unter „Regler“ ein.</translation>
+    </message>
+    <message>
+        <source>Forgets what was typed here and what was measured, and takes the board&apos;s numbers again.</source>
+        <translation>Vergisst, was hier getippt und was gemessen wurde, und nimmt wieder die Zahlen des Boards.</translation>
     </message>
 </context>
 <context>
@@ -4768,13 +4892,14 @@
         <comment>field, what is wrong with it</comment>
         <translation>%1: %2</translation>
     </message>
-</context>
-<context>
-    <name>widgets::GainNumber</name>
     <message>
-        <source>From %1 to %2 %3.</source>
-        <comment>number number unit</comment>
-        <translation>Von %1 bis %2 %3.</translation>
+        <source>%1 from %2 to %3</source>
+        <comment>quantity, least and greatest value</comment>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Measured, with 95 %: %1.</source>
+        <translation>Gemessen, mit 95 %: %1.</translation>
     </message>
 </context>
 <context>
@@ -4976,6 +5101,30 @@
     </message>
 </context>
 <context>
+    <name>widgets::GiveBack</name>
+    <message>
+        <source>Give back</source>
+        <translation>Zurückgeben</translation>
+    </message>
+    <message>
+        <source>As before the experiment</source>
+        <comment>name of a step of the list of edits</comment>
+        <translation>Wie vor dem Versuch</translation>
+    </message>
+    <message>
+        <source>An experiment is running.</source>
+        <translation>Ein Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>The motor has to rest: stop it first.</source>
+        <translation>Der Motor muss ruhen: erst stoppen.</translation>
+    </message>
+    <message>
+        <source>Writes what the registers held before the experiment, and reads it back</source>
+        <translation>Schreibt, was vor dem Versuch in den Registern stand, und liest es zurück</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Identification</name>
     <message>
         <source>Not conclusive: %1</source>
@@ -5019,6 +5168,14 @@
     <message>
         <source>Mecha&amp;nical</source>
         <translation>Mecha&amp;nisch</translation>
+    </message>
+    <message>
+        <source>Po&amp;wer</source>
+        <translation>Leis&amp;tung</translation>
+    </message>
+    <message>
+        <source>Measures what goes into the motor and what its shaft gives, at the speed that it has.</source>
+        <translation>Misst, was in den Motor hineingeht und was seine Welle abgibt, bei der Drehzahl, die er hat.</translation>
     </message>
 </context>
 <context>
@@ -6428,6 +6585,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::NumberEdit</name>
+    <message>
+        <source>From %1 to %2 %3.</source>
+        <comment>number number unit</comment>
+        <translation>Von %1 bis %2 %3.</translation>
+    </message>
+    <message>
+        <source>It cannot be negative.</source>
+        <translation>Es kann nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The limit is %1 %2.</source>
+        <comment>number unit</comment>
+        <translation>Die Grenze ist %1 %2.</translation>
+    </message>
+    <message>
+        <source>= %1 %2</source>
+        <comment>number unit</comment>
+        <translation>= %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 becomes %2 %3 (steps of %4)</source>
+        <comment>typed number, sent number, unit, step</comment>
+        <translation>Aus %1 wird %2 %3 (Schritte von %4)</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Opening</name>
     <message numerus="yes">
         <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
@@ -7117,10 +7301,6 @@
         <translation>Aufgezeichnet in %1: %2 MB.</translation>
     </message>
     <message>
-        <source>Recorded to %1: %2 MB, without %3 samples, because the disk was too slow.</source>
-        <translation>Aufgezeichnet in %1: %2 MB, ohne %3 Werte, weil die Platte zu langsam war.</translation>
-    </message>
-    <message>
         <source>ended, disk full</source>
         <translation>beendet, Platte voll</translation>
     </message>
@@ -7153,6 +7333,10 @@
         <source>End</source>
         <comment>the recording</comment>
         <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB, without %3, because the disk was too slow.</source>
+        <translation>Aufgezeichnet nach %1: %2 MB, es fehlen %3, weil die Platte zu langsam war.</translation>
     </message>
 </context>
 <context>
@@ -8802,28 +8986,6 @@ mN·m</translation>
     </message>
 </context>
 <context>
-    <name>widgets::SetpointEdit</name>
-    <message>
-        <source>The limit is %1 %2.</source>
-        <comment>number unit</comment>
-        <translation>Die Grenze ist %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1 becomes %2 %3 (steps of %4)</source>
-        <comment>typed number, sent number, unit, step</comment>
-        <translation>Aus %1 wird %2 %3 (Schritte von %4)</translation>
-    </message>
-    <message>
-        <source>It cannot be negative.</source>
-        <translation>Es kann nicht negativ sein.</translation>
-    </message>
-    <message>
-        <source>= %1 %2</source>
-        <comment>number unit</comment>
-        <translation>= %1 %2</translation>
-    </message>
-</context>
-<context>
     <name>widgets::SignalPlan</name>
     <message>
         <source>Recording signals</source>
@@ -9564,6 +9726,10 @@ mN·m</translation>
         <source>This drive stops its motor by itself when it has not been fed for that time. It needs a sign of life from a window that responds and is armed: disarming stops what turns. It is not a safety function.</source>
         <translation>Dieser Antrieb hält seinen Motor von selbst an, wenn er so lange kein Lebenszeichen bekommt. Das sendet nur ein Fenster, das reagiert und freigegeben ist: Ohne Freigabe hält er an. Das ist keine Sicherheitsfunktion.</translation>
     </message>
+    <message>
+        <source>baud</source>
+        <translation>Baud</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepFields</name>
@@ -10053,6 +10219,18 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>There are no gains to prove.</source>
         <translation>Es gibt keine Verstärkungen zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Go on with the tou&amp;r</source>
+        <translation>&amp;Rundgang fortsetzen</translation>
+    </message>
+    <message>
+        <source>Measures the response with gentler gains, which it asks about, and proposes gains from it; the old ones come back.</source>
+        <translation>Misst den Frequenzgang mit sanfteren Verstärkungen, nach denen gefragt wird, und schlägt daraus welche vor; die alten kommen zurück.</translation>
+    </message>
+    <message>
+        <source>Go on with the tour: it begins there.</source>
+        <translation>Rundgang fortsetzen: Er beginnt dort.</translation>
     </message>
 </context>
 <context>

@@ -1509,6 +1509,62 @@
         <source>its samples are %1 ms apart, too far for the response of a current: %2 ms are the most</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the speed was not read for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current was not read for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not tell the speed of its motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself, and only steps of the speed are told from values that are read one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells its current in A, so that none could be held against your limit: say what the full scale of its currents is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a motor&apos;s power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resistance or dead time is not known: what it takes is not told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copper losses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board records nothing: its speed was read once in up to %1 ms, so that rise times are uncertain by as much, and peaks may be higher than is told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps rise in less than three times as long: nothing is told of them</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2222,6 +2278,34 @@
         <source>Rotorscope reconnects; arm again to move.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>in torque control this board does not tell to which current a start goes; take your own limit of current away first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond the %1 rpm that this protocol can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond what 16 bits hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scale of motor %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not tell where the shaft is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the limits have changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many wishes wait already</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2632,10 +2716,6 @@
         </translation>
     </message>
     <message>
-        <source>%1 samples are missing, because the disk was too slow.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 of its events, snapshots and notes are left out: they take more than %2 MiB.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2653,6 +2733,22 @@
     </message>
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes of the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 other entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It lacks %1, because the disk was too slow.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2820,6 +2916,14 @@
     </message>
     <message>
         <source>The like within these caps and this time is not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 it is held at %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3029,6 +3133,14 @@
         <source>Electrics</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>electrical %1 W, shaft %2 W, efficiency %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power at %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Setpoint</name>
@@ -3185,6 +3297,18 @@
     <message>
         <source>%1 %2/div</source>
         <comment>number, unit: what is between two lines of the grid</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ToldFigures</name>
+    <message>
+        <source>%1: %2 (%3 to %4).</source>
+        <comment>a number and its interval</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not conclusive: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4679,10 +4803,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Forgets what was typed here and takes the board&apos;s numbers again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Preview</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4713,6 +4833,10 @@
     </message>
     <message>
         <source>This drive&apos;s gains are numbers in units, and its current loop is not the one whose rule is used here: set them among the regulators.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets what was typed here and what was measured, and takes the board&apos;s numbers again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4767,12 +4891,13 @@
         <comment>field, what is wrong with it</comment>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>widgets::GainNumber</name>
     <message>
-        <source>From %1 to %2 %3.</source>
-        <comment>number number unit</comment>
+        <source>%1 from %2 to %3</source>
+        <comment>quantity, least and greatest value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured, with 95 %: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4975,6 +5100,30 @@
     </message>
 </context>
 <context>
+    <name>widgets::GiveBack</name>
+    <message>
+        <source>Give back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As before the experiment</source>
+        <comment>name of a step of the list of edits</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An experiment is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has to rest: stop it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes what the registers held before the experiment, and reads it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Identification</name>
     <message>
         <source>Not conclusive: %1</source>
@@ -5017,6 +5166,14 @@
     </message>
     <message>
         <source>Mecha&amp;nical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Po&amp;wer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures what goes into the motor and what its shaft gives, at the speed that it has.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6427,6 +6584,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::NumberEdit</name>
+    <message>
+        <source>From %1 to %2 %3.</source>
+        <comment>number number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limit is %1 %2.</source>
+        <comment>number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= %1 %2</source>
+        <comment>number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 becomes %2 %3 (steps of %4)</source>
+        <comment>typed number, sent number, unit, step</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Opening</name>
     <message numerus="yes">
         <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
@@ -7116,10 +7300,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recorded to %1: %2 MB, without %3 samples, because the disk was too slow.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>ended, disk full</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7151,6 +7331,10 @@
     <message>
         <source>End</source>
         <comment>the recording</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB, without %3, because the disk was too slow.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8795,28 +8979,6 @@ mN·m</source>
     </message>
 </context>
 <context>
-    <name>widgets::SetpointEdit</name>
-    <message>
-        <source>The limit is %1 %2.</source>
-        <comment>number unit</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 becomes %2 %3 (steps of %4)</source>
-        <comment>typed number, sent number, unit, step</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It cannot be negative.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>= %1 %2</source>
-        <comment>number unit</comment>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>widgets::SignalPlan</name>
     <message>
         <source>Recording signals</source>
@@ -9557,6 +9719,10 @@ mN·m</source>
         <source>This drive stops its motor by itself when it has not been fed for that time. It needs a sign of life from a window that responds and is armed: disarming stops what turns. It is not a safety function.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>baud</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepFields</name>
@@ -10044,6 +10210,18 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>There are no gains to prove.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the tou&amp;r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures the response with gentler gains, which it asks about, and proposes gains from it; the old ones come back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the tour: it begins there.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
