@@ -33,10 +33,8 @@ public:
     bool empty() const { return !m_origin && !m_firstSeconds; }
     bool polls() const { return m_catalog != nullptr; }
     std::vector<capture::ChannelId> channels() const;
-    capture::Tick lostTicks() const
-    {
-        return m_lost;
-    } ///< control periods missing within the length
+    /// Control periods missing within the length.
+    capture::Tick lostTicks() const { return m_lost; }
     double tickHz() const { return m_layout.tickHz; }
     /// What is missing in the words of the drive: "3 control periods", or a time where it counts no periods.
     QString lostText() const;

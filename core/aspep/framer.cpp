@@ -175,8 +175,8 @@ void Framer::scan(ByteView bytes)
             m_scanSize = 0;
             if (data && data->length > 0)
                 m_scanSkip = data->length + (m_limits.dataCrc ? kCrcSize : 0);
-        } else if (at
-            >= kHeaderSize - 1) { // all but the first of them are here: go on with the second
+        } else if (at >= kHeaderSize - 1) {
+            // All but the first of them are here: go on with the second.
             m_scanSize = 0;
             at -= kHeaderSize - 1;
         } else {

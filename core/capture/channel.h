@@ -46,8 +46,8 @@ struct TimeSpan {
 struct Sample {
     double time = 0.0;
     double value = 0.0;
-    double holdUntil = 0.0; ///< the value is not known to be true after this: the next sample, or
-        ///< where the gap starts
+    /// The value is not known to be true after this: the next sample, or where the gap starts.
+    double holdUntil = 0.0;
     bool first = false; ///< nothing is known right before it
 };
 

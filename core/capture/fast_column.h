@@ -189,10 +189,8 @@ public:
     // first is placed first. Copies made before go on reading where they did.
     /// Of a chunk.
     static constexpr std::size_t kArchivedBytes = kSliceBytes + kSliceRanges * sizeof(CodeRange);
-    Index toArchive() const
-    {
-        return m_archived.handed() * kChunkSamples;
-    } ///< first sample of the next one
+    /// First sample of the next one.
+    Index toArchive() const { return m_archived.handed() * kChunkSamples; }
     std::uint64_t archivableBytes() const
     {
         return (m_end / kChunkSamples - m_archived.handed()) * kArchivedBytes;

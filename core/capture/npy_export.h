@@ -20,10 +20,8 @@ public:
     explicit NpyWriter(const Snapshot &channels, const std::optional<TimeSpan> &range = {},
         std::size_t mostBytes = kMostBytes);
 
-    bool tooLong() const
-    {
-        return m_tooLong;
-    } ///< more numbers than that; there is nothing to write
+    /// More numbers than `mostBytes` holds; there is nothing to write.
+    bool tooLong() const { return m_tooLong; }
     /// Shows the next piece, about 1 MiB, good until the following call. False when all is written, or if it is too
     /// long.
     bool next(std::string_view &bytes);

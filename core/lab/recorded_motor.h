@@ -11,8 +11,8 @@ namespace lab {
 
 struct RecordedMotor {
     int motor = 0;
-    std::string reference, referenceD, current, currentD, voltage, voltageD, speed,
-        angle; ///< names of signals; empty: none
+    /// Names of signals; empty: none.
+    std::string reference, referenceD, current, currentD, voltage, voltageD, speed, angle;
     double polePairs = 0.0;
     double nominalAmps = 0.0; ///< peak
     double torquePerAmp = 0.0; ///< Nm

@@ -254,8 +254,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length,
         .steady = plan.fluxAmps > 0.0};
-    if (plan.fluxAmps
-        > 0.0) { // at the full rate of the control loop, which leaves room for no more
+    if (plan.fluxAmps > 0.0) {
+        // At the full rate of the control loop, which leaves room for no more.
         conditions.recorded = {
             registers.current, registers.currentD, registers.voltage, registers.angle};
         conditions.zeroBefore = {registers.referenceD};

@@ -148,8 +148,8 @@ std::optional<std::uint16_t> chooseBufferSize(const DatalogConfig &config, const
     const auto fresh = static_cast<std::size_t>(kFreshSeconds * link.tickHz / widest.step());
     std::size_t wanted = std::min(widest.fullBlocks(), std::max(fresh, group));
     wanted -= wanted % group;
-    std::size_t low = widest.smallestBuffer(),
-                high = room; // the largest size that gives no more than `wanted`
+    // Looked for is the largest size that gives no more than `wanted`.
+    std::size_t low = widest.smallestBuffer(), high = room;
     while (low < high) {
         const std::size_t middle = low + (high - low + 1) / 2;
         if (layoutFor(middle).fullBlocks() <= wanted)

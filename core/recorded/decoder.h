@@ -31,8 +31,9 @@ struct Damage {
         Unreadable, ///< bytes that are no sound block
         CutShort, ///< such bytes at the end of the file: its writer was stopped there
         Missing, ///< sound bytes, but the numbers of the blocks jump
-        Undescribed, ///< samples whose layout is among what is missing, or values whose register is;
-        ///< such values are told once, up to the next description
+        /// Samples whose layout is among what is missing, or values whose register is; such values are told once, up
+        /// to the next description.
+        Undescribed,
     } kind = Kind::Unreadable;
     std::uint64_t offset = 0; ///< where it begins
     std::uint64_t bytes = 0;

@@ -81,8 +81,8 @@ std::optional<std::size_t> Expression::fault()
         if (m_parser->GetNumResults() == 1)
             return std::nullopt;
     } catch (const mu::ParserError &error) {
-        return static_cast<std::size_t>(
-            std::max(error.GetPos(), 0)); // below 0: it does not know where
+        // Below 0: it does not know where.
+        return static_cast<std::size_t>(std::max(error.GetPos(), 0));
     }
     return 0;
 }

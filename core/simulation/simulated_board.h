@@ -57,8 +57,7 @@ struct MotorTruth {
     MotorState state = MotorState::Idle; ///< of the firmware
     std::uint32_t faults = 0; ///< present now in the high half, occurred and kept in the low half
     double rpm = 0.0; ///< of the rotor, mechanical, signed
-    double measuredRpm = 0.0,
-           referenceRpm = 0.0; ///< what the firmware takes the speed for, and wants
+    double measuredRpm = 0.0, referenceRpm = 0.0; ///< what the firmware believes, and wants
     double iqAmps = 0.0; ///< through the windings, across the magnets, peak, signed
     double maxRpm = 0.0; ///< that the design allows; 0: not known
     double ampsPerDigit = 0.0; ///< of current registers of 16 bits; 0: not known

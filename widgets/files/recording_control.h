@@ -30,10 +30,8 @@ public:
     };
     RecordingControl(Parts parts, const QString &folder, QWidget *window);
 
-    QAction *toggle() const
-    {
-        return m_toggle;
-    } ///< Ctrl+R: asks for a file and records; again: ends it
+    /// Ctrl+R: asks for a file and records; again: ends it.
+    QAction *toggle() const { return m_toggle; }
     QAction *withLink() const { return m_withLink; }
     static QStringList signs(); ///< what the action shows where there is little room
     Lamp *line() const { return m_line; } ///< hidden until something is recorded

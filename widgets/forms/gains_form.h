@@ -29,8 +29,8 @@ public:
     void refresh(Milliseconds now) override;
     QWidget *footer() const override { return m_footer; }
     void focusFirst() override;
-    QSize sizeHint()
-        const override; ///< as high as the page that is seen needs, not as the higher of the two
+    /// As high as the page that is seen needs, not as the higher of the two.
+    QSize sizeHint() const override;
     /// What is known of motors by now; what is typed here stays.
     void setInertias(const Inertias &inertias);
     /// Of the motor that is shown, by now; told again, it changes nothing. What is typed here stays.

@@ -33,10 +33,8 @@ public:
     RevUpStart(Device &device, const capture::Capture &capture, QObject *parent = nullptr);
 
     Result result() const { return m_result; }
-    double duration_s() const
-    {
-        return m_duration;
-    } ///< from the beginning of the rev-up to its end
+    /// From the beginning of the rev-up to its end.
+    double duration_s() const { return m_duration; }
     const QString &fault() const { return m_fault; } ///< names, of Failed
     const MeasuredStart &measured() const { return m_measured; }
     bool hasSpeed() const { return m_measured.speed_rpm.size() > 1; }

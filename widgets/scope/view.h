@@ -57,8 +57,8 @@ public:
     /// False: the picture stands still, recording goes on.
     bool running() const { return m_running; }
     bool gridVisible() const;
-    QRect plotRect(int plot)
-        const; ///< where its traces are drawn, in this widget's pixels; empty if there is none
+    /// Where its traces are drawn, in this widget's pixels; empty if there is none.
+    QRect plotRect(int plot) const;
     ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
     /// Of the axes that were set by hand, by the name of a signal on each.
     QMap<QString, ValueRange> heldRanges() const;

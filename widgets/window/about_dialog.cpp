@@ -72,8 +72,8 @@ QWidget *keyTable(const std::vector<Section> &sections, std::size_t columns, QWi
 {
     auto *table = new QWidget(parent);
     auto *row = bare(new QHBoxLayout(table), 3 * kGrid);
-    std::size_t all = 1, above = 0,
-                column = 0; // one more than there are, so that the last column is one of them
+    // One more than there are, so that the last column is one of them.
+    std::size_t all = 1, above = 0, column = 0;
     for (const Section &section : sections)
         all += section.keys.size() + 1;
     QGridLayout *grid = nullptr;

@@ -160,7 +160,8 @@ void Leaving::beforeDisconnecting(const std::function<void()> &disconnect)
         .answers = {{Kind::Go, tr("Stop motors, then disconnect"),
                         [this] { before(std::exchange(m_act, {})); }},
             {Kind::Force, tr("Leave running"),
-                [this] { // a tour goes on by itself, and may have begun its next station meanwhile
+                [this] {
+                    // A tour goes on by itself, and may have begun its next station meanwhile.
                     experimentRuns() ? before(std::exchange(m_act, {})) : go();
                 }},
             {Kind::Stay, tr("Stay connected")}},

@@ -65,10 +65,8 @@ public:
     session::SetPointTap &setPoints() { return *m_setPoints; }
     session::LentNote &lentNote() { return *m_lentNote; }
     WatchList &watchList() { return m_watchList; }
-    Milliseconds now() const
-    {
-        return Milliseconds(m_clock.elapsed());
-    } ///< since the workbench was made
+    /// Since the workbench was made.
+    Milliseconds now() const { return Milliseconds(m_clock.elapsed()); }
     TimePoint sessionTime() const { return m_sessionClock(); } ///< as it stamps what boards tell
     void setSessionClock(session::Clock clock) { m_sessionClock = std::move(clock); } ///< for tests
 

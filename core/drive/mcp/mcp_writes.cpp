@@ -100,8 +100,8 @@ McpSet McpWriteTask::nextSet()
         set.writes.push_back({{static_cast<std::uint16_t>(item.write.id)}, m_encoded[i]});
         size += sizeof(std::uint16_t) + wireWidth(item.write.id);
         item.state = State::Open;
-        if (alone(item)
-            || wireWidth(item.write.id) == 1) // behind a byte the next id would be unaligned
+        // Behind a byte the next id would be unaligned.
+        if (alone(item) || wireWidth(item.write.id) == 1)
             break;
     }
     return set;

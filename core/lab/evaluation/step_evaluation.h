@@ -51,8 +51,8 @@ struct StepRun {
     std::optional<double> instantError_s; ///< to either side; empty: nothing is known of it
     bool cut = false; ///< it was not held to its end, or not recorded: nothing of it can be told
     std::optional<scope::WhyNot> unusable; ///< nothing of the speed can be told
-    std::optional<double> rise_s, overshoot_pct,
-        settling_s; ///< empty: it does not have it, e.g. not settled
+    /// Empty: it does not have it, e.g. not settled.
+    std::optional<double> rise_s, overshoot_pct, settling_s;
     std::optional<double> peakIq_a; ///< magnitude
     double speedWindow_s = 0.0; ///< of speedOf(), by which it was measured; 0: the speed signal
     /// Of values that were polled: the largest time between two of them, from the last one before the step until the

@@ -38,15 +38,11 @@ public:
     /// From now on entries go to this recording; what holds already is told first, with the next thing that happens.
     void switchOn(unsigned recording, Content content);
     void switchOff() { m_recording = 0; }
-    void release(std::size_t bytes)
-    {
-        m_waiting -= bytes;
-    } ///< so much has been written or thrown away
+    /// So much has been written or thrown away.
+    void release(std::size_t bytes) { m_waiting -= bytes; }
     std::size_t waiting() const { return m_waiting; } ///< bytes
-    void setClock(Clock clock)
-    {
-        m_clock = std::move(clock);
-    } ///< the session's; before anything else
+    /// The session's, before anything else.
+    void setClock(Clock clock) { m_clock = std::move(clock); }
     /// In a thread that may read the session's clock: UTC of the session's 0 s, whole seconds. Asked for when something
     /// begins to be kept, because that clock stands still while the computer sleeps, and UTC may be set.
     std::int64_t startSeconds() const;

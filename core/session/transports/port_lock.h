@@ -17,10 +17,8 @@ public:
     /// @param path  canonical path of the device
     PortError acquire(const QString &path);
     void release(); ///< also for duplicates of the descriptor
-    int descriptor() const
-    {
-        return m_fd;
-    } ///< of the device, with the lock; -1: not held, or not on this system
+    /// Of the device, with the lock; -1: not held, or not on this system.
+    int descriptor() const { return m_fd; }
 
 private:
     int m_fd = -1;

@@ -43,8 +43,8 @@ Build buildFor(std::string_view profile, std::string_view preset)
 {
     const PlantParameters *plant = preset.empty() ? nullptr : findPreset(preset);
     Build build = buildFor(profile, plant != nullptr ? *plant : presets().front().parameters);
-    if (preset == "prop12"
-        && build.family == Family::Foc) { // the second sensorless motor compares the observers
+    // The second sensorless motor compares the observers.
+    if (preset == "prop12" && build.family == Family::Foc) {
         build.observerCordic = true;
         build.auxiliarySensor = SpeedSensor::ObserverCordic;
     }

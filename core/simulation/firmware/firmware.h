@@ -88,10 +88,8 @@ public:
     double hfHz() const { return m_hfHz; }
 
     const Signals &variables() const { return m_signals; }
-    Signals &variables()
-    {
-        return m_signals;
-    } ///< for what others measure: the load of the processor
+    /// For what others measure: the load of the processor.
+    Signals &variables() { return m_signals; }
     Tuning &tuning() { return m_tuning; }
     const Tuning &tuning() const { return m_tuning; }
     Commissioning &commissioning() { return m_commissioning; }

@@ -19,8 +19,8 @@ namespace simulation {
 constexpr int kMaxShift = 15; ///< of 16 bits
 
 struct ObserverConstants {
-    std::int16_t c1 = 0, c3 = 0,
-                 c5 = 0; ///< resistance, back-EMF, voltage: of the motor and the scales
+    /// Resistance, back-EMF, voltage: of the motor and the scales.
+    std::int16_t c1 = 0, c3 = 0, c5 = 0;
     std::int16_t gain1 = 0, gain2 = 0; ///< C2 (negative) and C4
     int f1Shift = 14, f2Shift = 13; ///< F1 and F2 as exponents of two, 0..15
 };
@@ -42,10 +42,8 @@ public:
     void clear();
 
     AlphaBeta current() const { return m_current; } ///< expected at the next step, s16A
-    AlphaBeta bemf() const
-    {
-        return m_bemf;
-    } ///< at this step; 32767: the largest that C3 was computed for
+    /// At this step; 32767: the largest that C3 was computed for.
+    AlphaBeta bemf() const { return m_bemf; }
     const ObserverConstants &constants() const { return m_constants; }
     void setGains(std::int16_t gain1, std::int16_t gain2);
 

@@ -66,8 +66,8 @@ private:
     aspep::Beacon m_own; ///< shrinks with every BEACON
     bool m_servicesReset = false;
     State m_state = State::Idle;
-    std::size_t m_requestMax = 0, m_responseMax = 0,
-                m_asyncMax = 0; ///< in use; computed on Idle -> Configured
+    /// In use; computed on Idle -> Configured.
+    std::size_t m_requestMax = 0, m_responseMax = 0, m_asyncMax = 0;
     std::uint32_t m_requests = 0; ///< accepted since power-on
 
     Receiving m_receiving = Receiving::Header;

@@ -135,8 +135,8 @@ QString NumberEdit::echo() const
 void NumberEdit::keyPressEvent(QKeyEvent *event)
 {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!enter || stepless()
-        || (event->modifiers() & Qt::ControlModifier)) // Ctrl+Enter starts the motor: not ours
+    // Ctrl+Enter starts the motor: not ours.
+    if (!enter || stepless() || (event->modifiers() & Qt::ControlModifier))
         return SteppedEdit::keyPressEvent(event);
     event->accept();
     const auto sent = sentValue();

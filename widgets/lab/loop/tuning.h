@@ -64,10 +64,8 @@ public:
     /// What the loop would be with other gains; nothing where it was not measured.
     std::optional<lab::SpeedResponse> predicted(const Gains &gains) const;
     std::optional<lab::LoopForecast> forecast(const Gains &gains) const;
-    int measurements() const
-    {
-        return m_measurements;
-    } ///< how often something was measured or forgotten
+    /// How often something was measured or forgotten.
+    int measurements() const { return m_measurements; }
 
     QString applyHint(const Gains &gains) const; ///< why they cannot be written; empty if they can
     void apply(const Gains &gains);

@@ -113,8 +113,8 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
                 std::min(kSlowestFast, std::bit_ceil(plan.stream.fastEvery + 1));
             plan.rateLowered = true;
         }
-        while (need() > budget
-            && !plan.stream.fast.empty()) { // a very slow link: the last ones are read one by one
+        // A very slow link: the last ones are read one by one.
+        while (need() > budget && !plan.stream.fast.empty()) {
             const catalog::RegisterId last = plan.stream.fast.back();
             plan.stream.fast.pop_back();
             plan.polled.push_back(last);

@@ -246,8 +246,8 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     tag->setAutoRaise(true);
     // The style's own arrow overlaps so short a text.
     tag->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-    if (planned.route
-        == Route::Polled) { // the chips behind it stay where they are when its rate is known
+    if (planned.route == Route::Polled) {
+        // The chips behind it stay where they are when its rate is known.
         tag->setText(tagText(polledText(kGreatestRate)));
         tag->setMinimumWidth(tag->sizeHint().width());
     }
