@@ -1,5 +1,5 @@
 // What an experiment found, as JSON in one line: the same bytes from its run, from every later evaluation of its
-// recording, and in its run book. docs/experiments.md has the keys.
+// recording, and in its run book. The manual rotorscope-cli(1) has the keys.
 #pragma once
 
 #include "lab/evaluation/finding.h"
