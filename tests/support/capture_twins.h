@@ -110,8 +110,9 @@ private:
                 next.fast.push_back(static_cast<std::int16_t>(
                     s == 0 ? static_cast<std::uint64_t>(tick + i) * 411 : random()));
         for (std::uint32_t i = 0; i < next.count; i += 16)
+            // Of the first hardly two are equal, of the second many.
             next.slow.push_back({tick + i,
-                {static_cast<std::int32_t>(random()), // hardly two are equal, and many are
+                {static_cast<std::int32_t>(random()),
                     std::bit_cast<std::int32_t>(static_cast<float>(random() % 777) / 7.0F)}});
         tick += next.count;
         return next;

@@ -127,8 +127,8 @@ private:
     }
     void ask(drive::WishId id, const drive::Write &write)
     {
-        if (write.reach
-            == drive::Reach::Parameters) // as of a restore: nothing else, whatever it holds
+        // As of a restore: nothing else, whatever it holds.
+        if (write.reach == drive::Reach::Parameters)
             return m_judge.act(of(Act::Kind::Restore, id, 0));
         for (const drive::RegisterWrite &one : write.writes) {
             Act act = of(Act::Kind::Write, id, 0);

@@ -226,10 +226,8 @@ private:
     void forgetActs();
     bool acts(Kind kind) const;
     bool mayRest(const Sent &sent) const;
-    bool wasUnderWay() const
-    {
-        return m_packetBegan < m_disarmed;
-    } ///< when arming or a Stop ended it
+    /// When arming or a Stop ended it.
+    bool wasUnderWay() const { return m_packetBegan < m_disarmed; }
     bool restedLately(int motor, double rpm, TimePoint at) const;
     void violate(const char *rule, const std::string &what);
 

@@ -153,8 +153,8 @@ void MsRules::nothingActsUnasked(const Sent &sent)
 /// Until every motor is at rest, or two seconds without success are over, only STOP, link control and states.
 void MsRules::onlyStopAndStatesDuringAStop(const Sent &sent)
 {
-    if (!m_stop
-        || m_now - m_stop->pressed > kBlind) // a gap counts: the product's clock went on, too
+    // A gap counts: the product's clock went on, too.
+    if (!m_stop || m_now - m_stop->pressed > kBlind)
         return;
     const bool open = std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
         [](const auto &of) { return !of.second.rested; });

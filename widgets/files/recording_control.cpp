@@ -76,8 +76,8 @@ RecordingControl::RecordingControl(Parts parts, const QString &folder, QWidget *
         &m_parts.events, &QAbstractItemModel::rowsInserted, this, &RecordingControl::recordMarks);
     connect(&m_parts.events, &QAbstractItemModel::rowsAboutToBeRemoved, this,
         [this](const QModelIndex &, int first, int last) { takeBackMarks(first, last); });
-    connect(&m_parts.events, &QAbstractItemModel::modelReset, this,
-        [this] { m_told.reset(); }); // what comes is of something else
+    // What comes is of something else.
+    connect(&m_parts.events, &QAbstractItemModel::modelReset, this, [this] { m_told.reset(); });
     connect(&m_parts.events, &QAbstractItemModel::dataChanged, this,
         [this](const QModelIndex &from, const QModelIndex &to) {
             if (from.column() == EventLog::TextColumn)

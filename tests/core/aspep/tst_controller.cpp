@@ -148,8 +148,8 @@ void TestController::asyncPacketsAreHandedOnOnceConnected()
     link.hear(
         packet(false, Bytes(2046, 7)) + packet(true, hex("06 00")) + packet(false, hex("01 02")));
     QCOMPARE(link.count<Controller::Response>(), 1);
-    QCOMPARE(link.count<Controller::Async>(),
-        1); // what follows the other one may still say that it lacks something
+    // What follows the other one may still say that it lacks something.
+    QCOMPARE(link.count<Controller::Async>(), 1);
     const TimePoint came = link.now;
     link.wait(2ms);
     QCOMPARE(link.count<Controller::Async>(), 2);

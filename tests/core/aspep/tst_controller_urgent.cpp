@@ -125,8 +125,8 @@ void TestControllerUrgent::withoutEchoesItGoesBlindInTime()
     QCOMPARE(blind.size(), std::size_t{14});
     while (ends(link) < 2)
         link.sleepUntilTimeout();
-    QCOMPARE(link.controller.state(),
-        Controller::State::Recovering); // and then the link is mended as usual
+    // And then the link is mended as usual.
+    QCOMPARE(link.controller.state(), Controller::State::Recovering);
 }
 
 void TestControllerUrgent::betweenBlindPacketsTheBoardCanBreathe()

@@ -125,10 +125,10 @@ void TestFramer::aNegotiatedPayloadCrcIsChecked()
     framer.setLimits({256, 2048, true});
     const Bytes payload = hex("19 00");
     QCOMPARE(feed(framer, crcPacket(payload, 0xB9EB)).packets.at(0).payload, payload);
-    QCOMPARE(feed(framer, crcPacket(payload, 0xFECA)).packets.at(0).payload,
-        payload); // what firmware sends: CA FE
-    QCOMPARE(feed(framer, packet(true, {})).packets.size(),
-        std::size_t{1}); // nothing follows an empty payload
+    // What firmware sends: CA FE.
+    QCOMPARE(feed(framer, crcPacket(payload, 0xFECA)).packets.at(0).payload, payload);
+    // Nothing follows an empty payload.
+    QCOMPARE(feed(framer, packet(true, {})).packets.size(), std::size_t{1});
     QCOMPARE(int(feed(framer, crcPacket(payload, 0xB9EA)).end), int(Step::BadPayloadCrc));
 }
 

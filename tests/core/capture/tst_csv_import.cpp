@@ -255,8 +255,8 @@ void TestCsvImport::rowsThatComeUnevenlyAreNoGaps()
     QVERIFY(import.feed(text) && import.finish());
     QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
     QVERIFY(import.feed(std::to_string(time + 20.0) + ",1\n") && import.finish());
-    QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(),
-        std::size_t(1)); // this is one
+    // This is one.
+    QCOMPARE(support::everyChannel(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(1));
 }
 
 void TestCsvImport::anotherRateIsNoGap()

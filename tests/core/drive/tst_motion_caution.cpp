@@ -101,8 +101,8 @@ void TestMotionCaution::aStepWithinWhatWasAgreedIsNotAskedAbout()
     scene.agreedRpm = 2500.0;
     QVERIFY(cautionsOf(speed(2500), scene).empty());
     QVERIFY(cautionsOf(speed(2501), scene) == Cautions{MotionCaution::Step});
-    QVERIFY(cautionsOf(speed(-1000), scene)
-        == Cautions{MotionCaution::Reversal}); // another question than the length of a step
+    // Another question than the length of a step.
+    QVERIFY(cautionsOf(speed(-1000), scene) == Cautions{MotionCaution::Reversal});
     scene.speedReferenceRpm = 2600.0; // from outside of it
     QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
     scene.speedReferenceRpm.reset();

@@ -336,8 +336,8 @@ void TestWhatMayBeWritten::whatIsMoreThanAParameterIsAskedAbout()
     for (const char *profile : {"mcsdk-6.4", "mcb"}) {
         const auto bench = benchOf(QString::fromLatin1(profile));
         for (const RegisterInfo &info : bench->catalog().registers())
-            if (info.writable() && info.effect != Effect::Kept
-                && !info.name.starts_with("ASYNC_")) // streaming's own
+            // Streaming's own.
+            if (info.writable() && info.effect != Effect::Kept && !info.name.starts_with("ASYNC_"))
                 QVERIFY2(info.dangerous, info.name.c_str());
     }
 }

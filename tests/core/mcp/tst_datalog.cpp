@@ -132,16 +132,16 @@ void TestDatalog::theBufferIsLargeButFreshAndShort()
         return DatalogLayout(c).fullBlocks();
     };
     const DatalogConfig four = config(0, {kIa, kIb, kIa, kIb});
-    QCOMPARE(int(*chooseBufferSize(four, {2048, 22000, 1843200})),
-        2048); // all of it: 12 ms, 11 ms on the line
+    // All of it: 12 ms, 11 ms on the line.
+    QCOMPARE(int(*chooseBufferSize(four, {2048, 22000, 1843200})), 2048);
     const auto one = chooseBufferSize(config(0, {kIa}), {2048, 16000, 1843200});
     QCOMPARE(blocks(config(0, {kIa}), *one), std::size_t{192}); // 12 ms at 16 kHz
     const auto slowLine = chooseBufferSize(two, {2048, 16000, 115200});
     QVERIFY(*slowLine <= 226 && *slowLine > 218); // 20 ms of 11520 bytes a second
     DatalogConfig rare = two;
     rare.fastRate = 255;
-    QCOMPARE(blocks(rare, *chooseBufferSize(rare, {2048, 16000, 1843200})),
-        std::size_t{1}); // 16 ms apart
+    // 16 ms apart.
+    QCOMPARE(blocks(rare, *chooseBufferSize(rare, {2048, 16000, 1843200})), std::size_t{1});
     QVERIFY(!chooseBufferSize(two, {0, 16000, 1843200}));
     QVERIFY(!chooseBufferSize(two, {9, 16000, 1843200}));
     QVERIFY(!chooseBufferSize(config(0, {}), {2048, 16000, 1843200}));

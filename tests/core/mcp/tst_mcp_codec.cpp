@@ -166,8 +166,8 @@ void TestMcpCodec::aGetAnswerThatDoesNotFitIsRefused()
 {
     const std::vector<RegisterId> ids{kSpeedRef1, kStatus1};
     QCOMPARE(decodeGetAnswer(ids, {}).error(), CodecError::Empty);
-    QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00 00 00")).error(),
-        CodecError::TooShort); // OK, but one is missing
+    // OK, but one is missing.
+    QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00 00 00")).error(), CodecError::TooShort);
     QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00 00 06 07 00")).error(), CodecError::Leftover);
     QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00")).error(), CodecError::TooShort);
 }
@@ -180,8 +180,8 @@ void TestMcpCodec::rawAndTextValuesAreBounded()
     QVERIFY(answer.has_value());
     QVERIFY((answer->values
         == std::vector<Value>{std::string("AB"), hex("00 02 03 06 01 02 0A 00 00 00")}));
-    QCOMPARE(decodeGetAnswer(ids, hex("41 42 43 00")).error(),
-        CodecError::NoTerminator); // the zero is the status
+    // The zero is the status.
+    QCOMPARE(decodeGetAnswer(ids, hex("41 42 43 00")).error(), CodecError::NoTerminator);
     QCOMPARE(decodeGetAnswer(ids, hex("41 00 FF FF 01 02 00")).error(), CodecError::TooShort);
 }
 

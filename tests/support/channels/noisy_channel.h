@@ -99,8 +99,8 @@ private:
         for (std::size_t i = 0; i < length; ++i) {
             const double phase = static_cast<double>(m_codes.size()) / period;
             double value = (static_cast<double>(m_random() % 2001) / 1000.0 - 1.0) * noise;
-            if (what
-                == 1) { // where the store's blocks begin, so that a step may lie between two of them
+            // Where the store's blocks begin, so that a step may lie between two of them.
+            if (what == 1) {
                 if (i == 0 || m_codes.size() % 128 == 0)
                     plateau = (static_cast<double>(m_random() % 7) - 3.0) * 3000.0;
                 value = plateau + value / 100.0;

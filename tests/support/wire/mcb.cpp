@@ -192,9 +192,9 @@ void WireMcb::accept(ByteView bytes)
         return;
     const auto frame = wordsOf(bytes);
     const auto asked = m_read.find(addressOf(frame));
+    // One that comes again may be the answer to something else.
     if (commandOf(frame) == 3 && (frame[0] & 1U) == 0 && asked != m_read.end()
-        && std::exchange(
-            asked->second, false)) // one that comes again may be the answer to something else
+        && std::exchange(asked->second, false))
         m_holds[addressOf(frame)] = valueOf(frame);
 }
 

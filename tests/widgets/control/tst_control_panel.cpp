@@ -157,8 +157,8 @@ private Q_SLOTS:
         QVERIFY2(speed->echo().contains(QStringLiteral("4000")), qPrintable(speed->echo()));
         QVERIFY(!speed->sentValue());
         speed->setText(QStringLiteral("4000"));
-        QCOMPARE(speed->sentValue(),
-            std::optional(3996.0)); // a step of 6 rpm below the limit, not beyond it
+        // A step of 6 rpm below the limit, not beyond it.
+        QCOMPARE(speed->sentValue(), std::optional(3996.0));
     }
 
     void nothingIsSentWhileAPersonTypes()

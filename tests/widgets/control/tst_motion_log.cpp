@@ -153,8 +153,8 @@ private Q_SLOTS:
         rig.workbench.device().portChanged(session::PortState::Closed, {});
         rig.workbench.device().open({});
         facts::feed(rig.workbench.device(), {ramp()});
-        QCOMPARE(rig.workbench.motionLog().rowCount(),
-            2); // what was recorded before is still there, too
+        // What was recorded before is still there, too.
+        QCOMPARE(rig.workbench.motionLog().rowCount(), 2);
     }
 
     void itCanBeCopiedAndSaved()

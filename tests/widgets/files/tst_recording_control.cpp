@@ -750,8 +750,8 @@ private:
     void openRecording(const QString &path)
     {
         m_rig->files.answer = path;
-        action("openRecording")
-            ->trigger(); // once a question was closed, nothing is active offscreen
+        // Once a question was closed, nothing is active offscreen.
+        action("openRecording")->trigger();
         if (auto *replace = m_rig->find<QPushButton>("replaceYes"))
             QTest::mouseClick(replace, Qt::LeftButton);
     }

@@ -73,8 +73,8 @@ double farthest(const QList<QPointF> &measured, const RevUpBench &rig, Quantity 
 }
 
 constexpr double kSlack_s = 0.03; // a round of polling and the answer's way
-constexpr double kSpeedBound_rpm = 30.0,
-                 kCurrentBound_a = 0.25; // 2.5 % and 10 % of what is asked for
+// 2.5 % and 10 % of what is asked for.
+constexpr double kSpeedBound_rpm = 30.0, kCurrentBound_a = 0.25;
 
 /// Long stages, so that the drive cannot take over early: the observer sees nothing below some 300 rpm.
 const RevUp kEdited{{0, 1361, 600}, {150, 1361, 500}, {1200, 1361, 1500}, {1200, 1361, 400}};

@@ -324,8 +324,8 @@ private Q_SLOTS:
         QVERIFY(support::isWhole(*bench.find("stopMotors")));
 
         sentence->setFocus(Qt::TabFocusReason);
-        QCOMPARE(sentence->window()->focusWidget(),
-            sentence); // of a floating tool, which need not be active
+        // Of a floating tool, which need not be active.
+        QCOMPARE(sentence->window()->focusWidget(), sentence);
         QTest::keyClick(sentence, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClick(sentence, Qt::Key_C, Qt::ControlModifier);
         QVERIFY2(QGuiApplication::clipboard()->text().contains(set),

@@ -467,8 +467,8 @@ private Q_SLOTS:
         bench.kp()->selectAll(); // typed, it is written with Enter alone
         QToolTip::showText({}, QStringLiteral("of something else"), &bench.rig.window);
         const QSignalSpy read(&bench.device(), &widgets::Device::readingsArrived);
-        QTRY_VERIFY(read.size()
-            > 5); // what is read meanwhile takes neither the selection nor a tool tip away
+        // What is read meanwhile takes neither the selection nor a tool tip away.
+        QTRY_VERIFY(read.size() > 5);
         QCOMPARE(QToolTip::text(), QStringLiteral("of something else"));
         QToolTip::hideText();
         QTest::keyClicks(bench.kp(), QStringLiteral("4000"));

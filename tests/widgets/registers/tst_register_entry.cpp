@@ -388,8 +388,8 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
         }
         if (random.chance(0.7))
             QTest::keyClick(editor, Qt::Key_Return);
-        bench.panel.findChild<QTreeView *>()
-            ->setFocus(); // what is good is taken over, what is not is told
+        // What is good is taken over, what is not is told.
+        bench.panel.findChild<QTreeView *>()->setFocus();
         QCoreApplication::processEvents();
         for (const drive::RegisterWrite &write : bench.model.pending())
             QVERIFY2(

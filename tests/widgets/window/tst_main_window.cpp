@@ -545,12 +545,12 @@ private Q_SLOTS:
         auto &watch = m_rig->workbench.watchList();
         QTRY_VERIFY(!watch.registers().empty());
         const auto &asked = watch.registers();
-        QVERIFY(std::find(asked.begin(), asked.end(), facts::kSpeed)
-            != asked.end()); // the control panel's
+        // The control panel's.
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kSpeed) != asked.end());
         // Cannot be read.
         QVERIFY(std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end());
-        QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags)
-            == asked.end()); // its group is closed
+        // Its group is closed.
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags) == asked.end());
     }
 
     void largeNumbersTakeThePlaceOfThePicture()

@@ -128,8 +128,8 @@ private Q_SLOTS:
         QCOMPARE(m_rig->find<widgets::Lamp>("portLamp")->text(), QStringLiteral("port not open"));
         QVERIFY(
             !m_rig->workbench.registers().shownValue(*device().catalog()->resolve("BUS_VOLTAGE")));
-        QCOMPARE(m_rig->find<QPushButton>("connect")->text(),
-            QStringLiteral("Disconnect")); // it is being looked for
+        // It is being looked for.
+        QCOMPARE(m_rig->find<QPushButton>("connect")->text(), QStringLiteral("Disconnect"));
 
         plugIn();
         QTRY_VERIFY_WITH_TIMEOUT(device().answering() && device().portOpen(), kPatience);

@@ -163,8 +163,8 @@ private Q_SLOTS:
     void itIsTakenUpAtTheNextStart()
     {
         WorkspaceBench bench(ofABench());
-        QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()),
-            QByteArray()); // no board yet
+        // No board yet.
+        QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()), QByteArray());
         bench.connectBoard();
         QTRY_COMPARE(bench.shown().size(), 3);
         QVERIFY(bench.shown().contains(QStringLiteral("BUS_VOLTAGE")));

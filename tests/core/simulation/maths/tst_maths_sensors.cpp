@@ -292,8 +292,8 @@ void TestMathsSensors::withoutEdgesTheHallSpeedIsZero()
     bench.speed_hz = 0.0;
     bench.run(0.14);
     QVERIFY(bench.sensor.speed_dHz() > 0); // still believed
-    QVERIFY(std::abs(degreesOff(bench.sensor.angle(), bench.turns))
-        < 61.0); // no further than its sector
+    // No further than its sector.
+    QVERIFY(std::abs(degreesOff(bench.sensor.angle(), bench.turns)) < 61.0);
     bench.run(0.02);
     QCOMPARE(bench.sensor.speed_dHz(), std::int16_t{0});
     bench.speed_hz = 100.0;

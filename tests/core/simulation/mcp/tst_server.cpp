@@ -76,8 +76,8 @@ void TestServer::aValueThatIsMissingIsReadFromOldBytes()
     BoardBench bench;
     QVERIFY(bench.connect());
     QCOMPARE(bench.ask(set().u16(0x0091).u16(0x1234).take()), Bytes{0});
-    QCOMPARE(bench.ask(set().u16(0x00D1).take()),
-        Bytes{0}); // the value is what lay behind the last request
+    // The value is what lay behind the last request.
+    QCOMPARE(bench.ask(set().u16(0x00D1).take()), Bytes{0});
     QCOMPARE(bench.ask(getWriter().u16(0x00D1).take()), (Bytes{0x34, 0x12, 0}));
     QCOMPARE(bench.ask(set().u16(0x01A9).u16(2).u16(600).take()), Bytes{0}); // a ramp of two bytes
 }
@@ -120,8 +120,8 @@ void TestServer::currentReferencesReadBackWhileRunning()
     QVERIFY(bench.connect());
     const Bytes write = set().u16(0x0369).u16(4).s16(400).s16(-30).take();
     QCOMPARE(bench.ask(write), Bytes{0});
-    QCOMPARE(bench.ask(getWriter().u16(0x0369).take()),
-        (Bytes{4, 0, 0, 0, 0, 0, 0})); // not running: no effect yet
+    // Not running: no effect yet.
+    QCOMPARE(bench.ask(getWriter().u16(0x0369).take()), (Bytes{4, 0, 0, 0, 0, 0, 0}));
     QCOMPARE(bench.command(3), Bytes{0});
     QVERIFY(bench.waitForState(6));
     QCOMPARE(bench.ask(write), Bytes{0});
