@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""layers.py FILE...: says where an include goes up, where Qt is where it must not be, where tests are beside no source, and
-where ARCHITECTURE.md is not true.
+"""layers.py FILE...: says where an include goes up, where Qt is where it must not be, where tests are beside no source,
+where ARCHITECTURE.md is not true, and which page of the documents is lost.
 
 Folders are layers: each may include those of lower rows, and its own. A folder that the list does not name is a finding.
 """
@@ -107,6 +107,18 @@ def untrue_names(text, source):
         yield f'ARCHITECTURE.md names {name}, which is not there'
 
 
+def lost_pages():
+    """Links of the documents to what is not there, and pages that the index does not open."""
+    pages = sorted(pathlib.Path('docs').glob('*.md'))
+    index = pathlib.Path('docs/README.md').read_text(encoding='utf-8')
+    yield from (f'docs/README.md does not open {page.name}' for page in pages
+                if page.name != 'README.md' and f']({page.name})' not in index)
+    for page in [*sorted(pathlib.Path().glob('*.md')), *pages]:
+        for link in re.findall(r'\]\((?!https?:)([^)#\s]+)', page.read_text(encoding='utf-8')):
+            if not (page.parent / link).exists():
+                yield f'{page} opens {link}, which is not there'
+
+
 def main():
     files = [path for path in map(pathlib.Path, sys.argv[1:]) if path.suffix in ('.cpp', '.h') and path.is_file()]
     source = [path for path in files if path.parts[0] != 'tests']
@@ -135,6 +147,7 @@ def main():
     row = next((line for line in text.splitlines() if line.startswith('| `widgets`')), '')
     found += [f'ARCHITECTURE.md does not name widgets/{room}' for room in sorted(widgets) if f'`{room}`' not in row]
     found += untrue_names(text, source)
+    found += lost_pages()
     print('\n'.join(found), end='\n' if found else '')
     return 1 if found else 0
 

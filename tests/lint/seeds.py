@@ -11,7 +11,7 @@ import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 COPIED = ['.ci', 'app', 'cmake', 'core', 'docs', 'packaging', 'resources', 'tests', 'widgets', 'ARCHITECTURE.md', 'CHANGELOG.md',
-          'CMakeLists.txt', 'CMakePresets.json', 'CONTRIBUTING.md', 'README.md', 'dev']
+          'CMakeLists.txt', 'CMakePresets.json', 'CONTRIBUTING.md', 'LICENSE', 'README.md', 'dev']
 
 LINES = '    work();\n'
 
@@ -44,6 +44,8 @@ SEEDS = [
     ('ARCHITECTURE.md', '\n| `core/loft` | | | |\n', 'ARCHITECTURE.md has a row for core/loft, which is not there'),
     ('ARCHITECTURE.md', '\n`SeededClass`, `core/drive/seeded.h`\n', 'ARCHITECTURE.md names SeededClass, which is not there'),
     ('ARCHITECTURE.md', '', 'ARCHITECTURE.md names core/drive/seeded.h, which is not there'),
+    ('docs/seed.md', '[Seed](seeded.md)\n', 'docs/seed.md opens seeded.md, which is not there'),
+    ('docs/seed.md', '', 'docs/README.md does not open seed.md'),
     # Classes.
     ('widgets/window/seed_long.cpp', function('Long::run', 360), 'widgets/window Long: 710 lines of functions'),
     ('widgets/window/seed_long_too.cpp', function('Long::runToo', 350), None),
@@ -79,7 +81,7 @@ SEEDS = [
     ('core/base/seed_later.h', '// TO' 'DO\n', 'core/base/seed_later.h:1:'),
     ('core/base/seed_locale.h', 'inline double read(const char *text) { return strtod(text, nullptr); }\n',
      'core/base/seed_locale.h:1:'),
-    ('docs/seed.md', 'See /' 'home/me/notes.\n', 'docs/seed.md:1:'),
+    ('docs/seed.md', 'See /' 'home/me/notes.\n', 'docs/seed.md:2:'),
     ('widgets/window/seed_arg.cpp', 'text\n    .arg(name(first, 2))\n    .arg(second);\n', 'widgets/window/seed_arg.cpp:2'),
 ]
 
