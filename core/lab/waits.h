@@ -55,15 +55,12 @@ public:
     bool settled(bool near, TimePoint now)
     {
         constexpr Duration kSteadyFor = std::chrono::milliseconds(200);
-        if (!near)
-            m_since.reset();
-        else if (!m_since)
-            m_since = now;
-        return m_since && now - *m_since >= kSteadyFor;
+        m_since = near ? std::min(m_since, now) : TimePoint::max();
+        return near && now - m_since >= kSteadyFor;
     }
 
 private:
-    std::optional<TimePoint> m_since;
+    TimePoint m_since = TimePoint::max();
 };
 
 } // namespace lab
