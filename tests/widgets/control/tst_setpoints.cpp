@@ -224,6 +224,7 @@ private Q_SLOTS:
         widgets::NumberEdit any(
             "any", QStringLiteral("Any"), QStringLiteral("mH"), 0.1, 1000.0, &window);
         QVERIFY(any.text().isEmpty() && any.problem().isEmpty() && !any.value());
+        QVERIFY(!any.isUndoAvailable()); // nobody has typed
         any.setValue(1.0 / 3.0);
         QCOMPARE(any.text(), QStringLiteral("0.3333"));
         QCOMPARE(any.value(), std::optional(1.0 / 3.0)); // more than is seen

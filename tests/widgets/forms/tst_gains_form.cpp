@@ -181,9 +181,13 @@ private Q_SLOTS:
         bench.field("labPolePairs")->setFocus();
         QTest::keySequence(bench.field("labPolePairs"), QKeySequence::Undo);
         QCOMPARE(undone, 2);
+        bench.field("labInertia")->setFocus(); // which the board does not tell
+        QTest::keySequence(bench.field("labInertia"), QKeySequence::Undo);
+        QCOMPARE(undone, 3);
+        QVERIFY(bench.field("labInertia")->text().isEmpty());
         bench.typeInto("labPolePairs", QStringLiteral("5"));
         QTest::keySequence(bench.field("labPolePairs"), QKeySequence::Undo);
-        QCOMPARE(undone, 2);
+        QCOMPARE(undone, 3);
     }
 
     void theMotorComesFromTheBoard()

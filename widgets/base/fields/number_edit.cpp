@@ -46,7 +46,7 @@ NumberEdit::NumberEdit(const char *name, const QString &label, const QString &un
     setMaxLength(kMostStepless);
     setRange(least, greatest, 0.0, unit);
     setWheelAllowed(true);
-    clear();
+    setText({}); // clear() could be undone, and Undo would be the field's
 }
 
 void NumberEdit::setRange(double least, double greatest, double step, const QString &unit)
