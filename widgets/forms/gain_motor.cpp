@@ -46,7 +46,10 @@ GainMotor::GainMotor(QWidget *parent)
         connect(field, &NumberEdit::valueEdited, this, [this, field] { fluxTyped(field); });
     connect(m_polePairs, &NumberEdit::valueEdited, this, [this] {
         keepTyped(m_polePairs);
-        fluxTyped(isTyped(m_ke) ? m_ke : m_flux);
+        if (isTyped(m_flux) || isTyped(m_ke))
+            return fluxTyped(isTyped(m_ke) ? m_ke : m_flux);
+        fill(); // the flux is as it was; its Ke is another
+        Q_EMIT edited();
     });
 }
 
@@ -142,9 +145,8 @@ void GainMotor::fill()
     if (!isTyped(m_flux) && !isTyped(m_ke)) {
         const double flux_wb = measured(m_measured.flux_wb, motor.flux_wb);
         put(m_flux, flux_wb, kMilli);
-        put(m_ke,
-            motor.polePairs > 0.0 ? motor::keOfFlux_vrmsPerKrpm(flux_wb, motor.polePairs) : 0.0,
-            1.0);
+        const double polePairs = m_polePairs->value().value_or(0.0);
+        put(m_ke, polePairs > 0.0 ? motor::keOfFlux_vrmsPerKrpm(flux_wb, polePairs) : 0.0, 1.0);
     }
     put(m_inertia,
         measured(measuredInertia(),

@@ -251,6 +251,32 @@ private Q_SLOTS:
         QVERIFY(!told().contains(QStringLiteral("Measured")));
     }
 
+    /// Who types pole pairs has not typed a flux: the measured one is taken, and told, before it and behind it.
+    void pairsOfPolesThatAreTypedLeaveTheFluxWhoseItIs()
+    {
+        GainBench bench;
+        bench.typeInto("labPolePairs", QStringLiteral("8"));
+        QCOMPARE(bench.field("labFlux")->text(), QStringLiteral("6.5")); // the board's
+        const double ke = motor::keOfFlux_vrmsPerKrpm(6.5e-3, 8.0);
+        QVERIFY(std::abs(*bench.field("labKe")->value() - ke) < 1e-3);
+        widgets::MeasuredMotor found;
+        found.flux_wb = {7e-3, std::nullopt, std::nullopt};
+        bench.form.setMeasured(found);
+        const auto isMeasured = [&](double polePairs) {
+            const double wanted = motor::keOfFlux_vrmsPerKrpm(7e-3, polePairs);
+            return bench.field("labFlux")->text() == QLatin1String("7")
+                && std::abs(bench.field("labKe")->value().value_or(0.0) - wanted) < 1e-9
+                && textOf(bench, "labFindings").contains(QLatin1String("Flux 7"));
+        };
+        QVERIFY(isMeasured(8.0));
+        bench.typeInto("labPolePairs", QStringLiteral("5"));
+        QVERIFY(isMeasured(5.0));
+        bench.look(); // which reads the board's 4 again
+        QVERIFY(isMeasured(5.0));
+        bench.typeInto("labFlux", QStringLiteral("6"));
+        QVERIFY(!textOf(bench, "labFindings").contains(QLatin1String("Flux 7")));
+    }
+
     void aTypedInertiaOfThisNameStaysBeforeAMeasuredOne()
     {
         const QString motor = [] {
