@@ -87,6 +87,8 @@ QJsonObject json(const OpenedRecording &opened)
         {QStringLiteral("samples"), static_cast<qint64>(report.samples)},
         {QStringLiteral("link_bytes"), static_cast<qint64>(report.linkBytes)},
         {QStringLiteral("lost_samples"), static_cast<qint64>(report.lost.samples)},
+        {QStringLiteral("lost_link_bytes"), static_cast<qint64>(report.lost.linkBytes)},
+        {QStringLiteral("lost_others"), static_cast<qint64>(report.lost.others)},
         {QStringLiteral("left_out"), static_cast<qint64>(report.leftOut)},
         {QStringLiteral("snapshots"), static_cast<qint64>(report.snapshots.size())},
         {QStringLiteral("channels"), channels}, {QStringLiteral("events"), happenings},

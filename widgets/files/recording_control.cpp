@@ -161,7 +161,7 @@ void RecordingControl::progressed(const session::RecordingProgress &progress)
                     .arg(numberText(static_cast<double>(progress.freeBytes) / 1e9, 1));
     const bool lost = progress.lost != recorded::Lost{};
     if (lost)
-        text += tr(", %1 samples lost").arg(QString::number(progress.lost.samples));
+        text += tr(", %1 lost", "samples and more").arg(lostText(progress.lost));
     m_line->show(progress.lowSpace || lost ? Lamp::Light::Waiting : Lamp::Light::On,
         m_name + QStringLiteral(": ") + text);
 }

@@ -315,6 +315,11 @@ void TestCliRecording::whatADiskWasTooSlowForIsNamed()
     const CliRun shown = typed({QStringLiteral("show"), path("slow.pcapng")});
     COMPARE_STATUS(shown, 4);
     QVERIFY2(shown.err.contains(said), qPrintable(shown.err));
+    const QJsonObject json =
+        typed({QStringLiteral("--json"), QStringLiteral("show"), path("slow.pcapng")}).object();
+    QCOMPARE(quint64(json[QLatin1String("lost_samples")].toInteger()), samples);
+    QCOMPARE(quint64(json[QLatin1String("lost_link_bytes")].toInteger()), linkBytes);
+    QCOMPARE(quint64(json[QLatin1String("lost_others")].toInteger()), others);
 }
 
 void TestCliRecording::aFileThatIsThereIsNotRecordedOver()

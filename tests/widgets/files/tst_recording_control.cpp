@@ -480,6 +480,16 @@ private Q_SLOTS:
         QVERIFY2(both.contains(QLatin1String("120 samples, 2 other entries")), qPrintable(both));
     }
 
+    void whatADiskIsTooSlowForIsNamedMeanwhile()
+    {
+        makeRig();
+        session::RecordingProgress progress;
+        progress.lost.linkBytes = 4096;
+        Q_EMIT m_rig->workbench.recording().progressed(progress);
+        QVERIFY2(line()->text().endsWith(QLatin1String(", 4096 bytes of the line lost")),
+            qPrintable(line()->text()));
+    }
+
     void aConnectionAfterAnOpenedFileStartsAfresh()
     {
         makeRig();
