@@ -203,7 +203,7 @@ void RampLine::accept(const RampPreset &preset)
 void RampLine::reset()
 {
     if (m_kind == RampKind::Position)
-        return m_first->clear();
+        return m_first->setText({});
     m_first->beginAnew();
     if (m_kind == RampKind::Current)
         m_second->beginAnew();

@@ -527,6 +527,7 @@ private Q_SLOTS:
         QCOMPARE(ramp.duration.count(), 1500);
         facts::feed(*m_device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
         QVERIFY(edit("position")->text().isEmpty()); // nothing is left to be sent by accident
+        QVERIFY(!edit("position")->isUndoAvailable());
     }
 
     void expertModeIsNoLimitToJogUnder()

@@ -327,6 +327,7 @@ private Q_SLOTS:
         QVERIFY(!bench.find<QLineEdit>("rampPosition")->isHidden());
         // No 0 by accident.
         QVERIFY(!bench.find<widgets::NumberEdit>("rampPosition")->sentValue());
+        QVERIFY(!bench.find<QLineEdit>("rampPosition")->isUndoAvailable());
         QVERIFY(bench.start());
         bench.type("rampPosition", QStringLiteral("90"));
         bench.type("rampPositionTime", QStringLiteral("1500"));

@@ -354,7 +354,7 @@ void SetpointBox::forget()
     m_takeReference = false;
     for (NumberEdit *edit : {m_speed, m_torque, m_iq, m_id})
         edit->beginAnew();
-    m_position->clear(); // zero would be a place to go to
+    m_position->setText({}); // zero would be a place to go to, and Undo takes clear() back
 }
 
 void SetpointBox::expectReference()

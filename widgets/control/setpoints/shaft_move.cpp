@@ -28,7 +28,7 @@ void makeAngleField(NumberEdit &edit)
 {
     edit.setLimits(kFarthestDegrees, kDegreeStep, QStringLiteral("\u00b0"));
     edit.setNotch(kDegreeNotch);
-    edit.clear();
+    edit.setText({}); // not clear(), which Undo takes back
 }
 
 ShaftMove::ShaftMove(
