@@ -44,13 +44,14 @@ Happenings carriedOut(const Happenings &all)
 
 namespace {
 
-const capture::Channel *channelOf(
-    const capture::Capture &capture, const std::string &name, capture::ChannelInfo::Kind kind)
+/// @param unit  empty: any
+const capture::Channel *channelOf(const capture::Capture &capture, const std::string &name,
+    capture::ChannelInfo::Kind kind, std::string_view unit = {})
 {
     if (name.empty())
         return nullptr;
     for (const capture::ChannelInfo &info : capture.channels())
-        if (info.name == name && info.kind == kind)
+        if (info.name == name && info.kind == kind && (unit.empty() || info.unit == unit))
             return capture.channel(info.id);
     return nullptr;
 }
@@ -62,9 +63,10 @@ const capture::Channel *fastChannel(const capture::Capture &capture, const std::
     return channelOf(capture, name, capture::ChannelInfo::Kind::Fast);
 }
 
-const capture::Channel *polledChannel(const capture::Capture &capture, const std::string &name)
+const capture::Channel *polledChannel(
+    const capture::Capture &capture, const std::string &name, std::string_view unit)
 {
-    return channelOf(capture, name, capture::ChannelInfo::Kind::Polled);
+    return channelOf(capture, name, capture::ChannelInfo::Kind::Polled, unit);
 }
 
 std::optional<DrivenSpan> drivenSpan(

@@ -169,10 +169,11 @@ void Runner::accept(const drive::Event &event, TimePoint now)
     advance(now);
 }
 
-/// A motor that is slowed down gives its energy to the bus. Only what was taken before is known to be taken.
+/// A motor that is slowed down gives its energy to the bus. Only what was taken before is known to be taken. Before its
+/// speed came for the first time, one that runs has that of its set-point.
 milliseconds Runner::wayTo(double rpm) const
 {
-    const double now_rpm = m_envelope.rpm().value_or(0.0);
+    const double now_rpm = m_envelope.rpm().value_or(m_ran ? m_before_rpm : 0.0);
     const double kept = now_rpm * rpm > 0.0 ? rpm * rpm : 0.0;
     const bool gently = m_ran && now_rpm * now_rpm - kept > m_braked;
     return gently ? m_conditions.gently() : m_conditions.approach;

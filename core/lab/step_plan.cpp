@@ -88,8 +88,9 @@ std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject)
 
 double jumpPerRpm(const Subject &subject, double gain, double exponent)
 {
+    const bool recorded = subject.catalog && subject.registers.reference != 0;
     const double amps =
-        subject.catalog ? subject.catalog->streamScale(subject.registers.reference).factor : 0.0;
+        recorded ? subject.catalog->streamScale(subject.registers.reference).factor : 0.0;
     const double step = subject.limits.speedStepRpm;
     if (!(step > 0.0) || !(exponent >= 0.0) || exponent > 31.0)
         return 0.0;

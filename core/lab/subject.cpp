@@ -105,12 +105,12 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
                       : 1U;
 }
 
-/// Boards name a speed after its sensor; those that record nothing have one name for all, and stages of a start-up
-/// where they have no sensor.
+/// Boards name a speed after its sensor; those that record nothing have one name for all, and say how many stages a
+/// start-up without a sensor has. Where that is not said nothing is known, and none is assumed.
 bool Subject::seesRotor() const
 {
     if (polled)
-        return registers.startUp == 0;
+        return registers.startUp == 0 && catalog && catalog->find("RUC_STAGE_NBR") != nullptr;
     const std::string speed = nameOf(registers.speed);
     return byEncoder(speed) || byHall(speed);
 }

@@ -266,8 +266,9 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "the board records nothing: its speed was read once in up to %1 ms, so that rise times are "
         "uncertain by as much, and peaks may be higher than is told"),
-    QT_TRANSLATE_NOOP(
-        "Lab", "%1 of %2 steps rise in less than three times as long: nothing is told of them"),
+    QT_TRANSLATE_NOOP("Lab",
+        "%1 of %2 steps rise in less than three times the time between two of their values: "
+        "nothing is told of them"),
     QT_TRANSLATE_NOOP(
         "Lab", "the step is only %1 digits of the set-point; %2 rpm or more say more"),
     QT_TRANSLATE_NOOP("Lab", "%1 of %2 steps do not settle while their speed is held"),

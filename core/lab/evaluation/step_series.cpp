@@ -174,8 +174,12 @@ void addUncertainty(std::optional<Estimate> &mean, double by)
     *mean->high += by;
 }
 
-void notePolls(StepSeries &series, double distance_s)
+/// @param told_s  the largest distance of steps that are told; 0: none is
+void notePolls(StepSeries &series, double told_s)
 {
+    double distance_s = told_s;
+    for (const StepRun &run : series.runs)
+        distance_s = std::max(distance_s, run.tooFast && told_s == 0.0 ? run.pollDistance_s : 0.0);
     if (!(distance_s > 0.0))
         return;
     const std::string distance = decimalText(distance_s * 1e3, 2) + " ms";
@@ -184,7 +188,8 @@ void notePolls(StepSeries &series, double distance_s)
     const auto tooFast = std::ranges::count_if(series.runs, &StepRun::tooFast);
     if (tooFast > 0)
         series.notes.push_back(std::to_string(tooFast) + " of " + std::to_string(series.runs.size())
-            + " steps rise in less than three times as long: nothing is told of them");
+            + " steps rise in less than three times the time between two of their values: nothing "
+              "is told of them");
 }
 
 } // namespace
@@ -242,9 +247,11 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
         finder.accept(at->first, at->second);
     const bool polled = plan->reference.empty();
-    const auto signal = polled ? polledChannel : fastChannel;
-    const StepChannels channels{signal(capture, plan->reference), signal(capture, plan->current),
-        signal(capture, plan->speed), signal(capture, plan->angle)};
+    const auto signal = [&](const std::string &name, std::string_view unit) {
+        return polled ? polledChannel(capture, name, unit) : fastChannel(capture, name);
+    };
+    const StepChannels channels{signal(plan->reference, "A"), signal(plan->current, "A"),
+        signal(plan->speed, "rpm"), signal(plan->angle, {})};
     if ((channels.reference == nullptr && !polled) || channels.speed == nullptr)
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     StepSeries series;
@@ -262,10 +269,11 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     noteResolution(series, *plan);
     noteRuns(series, "speed");
     constexpr double kMilli = 1e-3;
+    // Of what the means are of: a step that was read too rarely takes nothing from the others.
     double distance_s = 0.0, error_s = 0.0;
     for (const StepRun &run : series.runs) {
-        distance_s = std::max(distance_s, run.pollDistance_s);
-        error_s = std::max(error_s, run.instantError_s.value_or(0.0));
+        distance_s = std::max(distance_s, run.rise_s ? run.pollDistance_s : 0.0);
+        error_s = std::max(error_s, run.settling_s ? run.instantError_s.value_or(0.0) : 0.0);
     }
     addMeans(series, polled ? 0.0 : channels.reference->info().digit(), kMilli + distance_s);
     if (polled) {

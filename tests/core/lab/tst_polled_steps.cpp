@@ -60,7 +60,8 @@ struct ReadSteps {
     lab::Happenings happenings;
     std::vector<double> instants_s; ///< at which the board had them, somewhere before its answer
 
-    ReadSteps(double tau_s, std::uint64_t seed)
+    /// @param unread_s  from when to when nothing was read
+    ReadSteps(double tau_s, std::uint64_t seed, std::pair<double, double> unread_s = {})
     {
         support::Random random(seed);
         const auto between = [&random](double least, double most) {
@@ -96,7 +97,8 @@ struct ReadSteps {
                 rpm = to_rpm + (rpm - to_rpm) * std::exp((instants_s[step] - until_s) / tau_s);
                 to_rpm = 3000.0 - to_rpm;
             }
-            capture.appendPolled(7, "SPEED_MEAS", "rpm", at_s, rpm);
+            if (at_s < unread_s.first || at_s > unread_s.second)
+                capture.appendPolled(7, "SPEED_MEAS", "rpm", at_s, rpm);
         }
     }
 };
@@ -119,12 +121,16 @@ class TestPolledSteps : public QObject {
 private Q_SLOTS:
     void theTruthIsWithinWhatIsStated();
     void whatIsOverTooFastIsNotTold();
+    void aStepThatWasReadTooRarelyTakesNothingFromTheOthers();
     void theNumbersAreThoseOfTheRotor();
     void aLineTooSlowForTheMotorIsNotConclusive();
     void aPeakIsToldWhereTheCurrentHasItsScale();
+    void digitsOfBeforeTheScaleWasToldAreNoCurrent();
     void aBrokenBoundIsAStopWithinAPoll_data();
     void aBrokenBoundIsAStopWithinAPoll();
     void aSpeedThatIsNotReadAnyMoreBreaksIt();
+    void aRunningMotorIsBrakedGentlyBeforeItsSpeedCame();
+    void aBoardThatDoesNotSayHowItStartsMayHaveNoSensor();
     void theBoundsAreAgreedToAsOfAnyBoard();
     void nothingElseIsMeasuredFromPolls();
 };
@@ -174,10 +180,31 @@ void TestPolledSteps::whatIsOverTooFastIsNotTold()
             untold += few ? 1U : 0U;
         }
         QVERIFY(untold > 0);
-        QVERIFY(notes(series, " steps rise in less than three times as long"));
+        QVERIFY(notes(series, " steps rise in less than three times the time between two of their values"));
         QVERIFY(!notes(series, "does not settle"));
         if (untold == series.runs.size())
             QVERIFY(lab::lackOf(*finding).starts_with("not conclusive"));
+    }
+}
+
+/// A computer that stood still for 0.3 s in the third one.
+void TestPolledSteps::aStepThatWasReadTooRarelyTakesNothingFromTheOthers()
+{
+    constexpr double kTau_s = 0.04;
+    const ReadSteps read(kTau_s, 1, {2.005, 2.305});
+    const auto series = lab::stepSeries(read.capture, read.happenings);
+    QVERIFY2(series, series ? "" : series.error().c_str());
+    QCOMPARE(series->runs.size(), 6U);
+    for (std::size_t i = 0; i < series->runs.size(); ++i)
+        QCOMPARE(series->runs[i].rise_s.has_value(), i != 2);
+    const double rise_s = kTau_s * std::log(9.0), settling_s = kTau_s * std::log(50.0);
+    constexpr double kWidest_s = 0.1; // some distances of 6 ms, and none of 300 ms
+    for (const auto &[mean, truth_s] :
+        {std::pair(series->rise_s, rise_s), std::pair(series->settling_s, settling_s)}) {
+        QVERIFY(mean && mean->low && mean->high);
+        QVERIFY(*mean->low <= truth_s && *mean->high >= truth_s);
+        QVERIFY2(*mean->high - *mean->low < kWidest_s,
+            qPrintable(QString::number(*mean->high - *mean->low)));
     }
 }
 
@@ -242,7 +269,7 @@ void TestPolledSteps::aLineTooSlowForTheMotorIsNotConclusive()
         QVERIFY(run.pollDistance_s > 10e-3);
     }
     QVERIFY(lab::lackOf(*finding).starts_with("not conclusive"));
-    QVERIFY(notes(series, "2 of 2 steps rise in less than three times as long"));
+    QVERIFY(notes(series, "2 of 2 steps rise in less than three times the time between two of their values"));
 }
 
 void TestPolledSteps::aPeakIsToldWhereTheCurrentHasItsScale()
@@ -257,6 +284,20 @@ void TestPolledSteps::aPeakIsToldWhereTheCurrentHasItsScale()
     QCOMPARE(series->runs.size(), 2U);
     for (const lab::StepRun &run : series->runs)
         QVERIFY(run.peakIq_a && *run.peakIq_a > 0.1 && *run.peakIq_a < 10.0);
+}
+
+/// Of a recording that goes on over many experiments.
+void TestPolledSteps::digitsOfBeforeTheScaleWasToldAreNoCurrent()
+{
+    ReadSteps read(0.04, 1);
+    read.happenings.front().second.fields.emplace_back("current", "I_Q_MEAS");
+    read.capture.appendPolled(8, "I_Q_MEAS", "s16A", 0.1, 500.0);
+    for (double at_s = 0.6; at_s < 4.0; at_s += 0.01)
+        read.capture.appendPolled(8, "I_Q_MEAS", "A", at_s, -2.5);
+    const auto series = lab::stepSeries(read.capture, read.happenings);
+    QVERIFY2(series, series ? "" : series.error().c_str());
+    for (const lab::StepRun &run : series->runs)
+        QVERIFY(run.peakIq_a && *run.peakIq_a == 2.5);
 }
 
 void TestPolledSteps::aBrokenBoundIsAStopWithinAPoll_data()
@@ -350,6 +391,40 @@ void TestPolledSteps::aSpeedThatIsNotReadAnyMoreBreaksIt()
     QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).idle; }, 2s));
 }
 
+/// Where nothing has shown that the bus takes what comes back: from the set-point, as its first value comes later.
+void TestPolledSteps::aRunningMotorIsBrakedGentlyBeforeItsSpeedCame()
+{
+    OlderBench bench;
+    QVERIFY(bench.pair.ready);
+    QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(drive::SpeedRamp{1, 2000, 0ms})));
+    QVERIFY(bench.pair.runAt(2000));
+    bench.pair.runFor(1s);
+    bench.steps.toRpm = 1300;
+    VERIFY_END(bench.run(), End::Complete);
+    const drive::SpeedRamp first = bench.asked<drive::SpeedRamp>().front();
+    QCOMPARE(first.rpm, 1000);
+    QVERIFY(first.duration == 3s);
+}
+
+void TestPolledSteps::aBoardThatDoesNotSayHowItStartsMayHaveNoSensor()
+{
+    OlderBench bench;
+    QVERIFY(bench.pair.ready && bench.experiment.subject.seesRotor());
+    drive::Identified silent = *bench.pair.identified;
+    std::vector<catalog::RegisterInfo> registers = silent.catalog->registers();
+    const auto isTheirNumber = [](const catalog::RegisterInfo &one) {
+        return one.name == "RUC_STAGE_NBR";
+    };
+    QCOMPARE(std::erase_if(registers, isTheirNumber), std::size_t{1});
+    const std::vector<catalog::Scales> scales(1, silent.catalog->scales(1));
+    silent.catalog = std::make_shared<const catalog::Catalog>(
+        std::move(registers), 1, scales, silent.catalog->start());
+    const auto subject = lab::stepSubjectOf(silent, 1);
+    QVERIFY2(subject, subject ? "" : subject.error().c_str());
+    QVERIFY(!subject->seesRotor());
+    QVERIFY(subject->leastObservedRpm(3000.0) > 0.0);
+}
+
 void TestPolledSteps::theBoundsAreAgreedToAsOfAnyBoard()
 {
     simulation::BoardOptions options;
@@ -359,6 +434,7 @@ void TestPolledSteps::theBoundsAreAgreedToAsOfAnyBoard()
     QVERIFY(bench.pair.ready);
     const lab::Subject &subject = bench.experiment.subject;
     QVERIFY(subject.polled && !subject.seesRotor());
+    QCOMPARE(lab::jumpPerRpm(subject, 1000.0, 4.0), 0.0); // of no reference that was recorded
     QVERIFY(OlderBench().experiment.subject.seesRotor());
     const auto objection = [&](const lab::StepPlan &plan) {
         return lab::objectionTo({plan, subject});
