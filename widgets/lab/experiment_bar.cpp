@@ -232,7 +232,7 @@ Result<ExperimentBar::Run, QString> ExperimentBar::wanted(int which) const
 
 QString ExperimentBar::hint(int which) const
 {
-    if (const QString why = m_parts.experiments.obstacle(); !why.isEmpty())
+    if (const QString why = obstacle(); !why.isEmpty())
         return why;
     if (m_evaluating)
         return tr("What was measured is being evaluated.");
@@ -415,7 +415,7 @@ void ExperimentBar::tell(const QString &sentence)
 /// What all buttons lack, or each of them.
 QString ExperimentBar::hints() const
 {
-    if (!m_saysObstacle && !m_parts.experiments.obstacle().isEmpty())
+    if (!m_saysObstacle && !obstacle().isEmpty())
         return {};
     QStringList all, each;
     for (std::size_t which = 0; which < m_runs.size(); ++which) {

@@ -79,6 +79,8 @@ public:
     void setLook(Look look) { m_look = std::move(look); }
     /// Its page says why none can begin now: the sentence leaves that out.
     void leaveOutObstacle() { m_saysObstacle = false; }
+    /// Its runs are nothing but steps of the speed, for which polled values do.
+    void takeSpeedSteps() { m_speedSteps = true; }
 
     void run(int which); ///< as its button does
     /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind
@@ -105,6 +107,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    QString obstacle() const { return m_parts.experiments.obstacle(m_speedSteps); }
     void fold();
     bool fits(const QString &text, int width) const;
     QString sentence() const;
@@ -124,7 +127,7 @@ private:
     std::vector<Button> m_buttons;
     std::vector<MotorButton *> m_runs;
     Look m_look;
-    bool m_saysObstacle = true;
+    bool m_saysObstacle = true, m_speedSteps = false;
     QPointer<QDialog> m_question;
     QTimer m_patience; ///< with what is being written before a run
     int m_which = -1; ///< that is waited for, is running or is being evaluated

@@ -31,21 +31,22 @@ void Experiments::forgetAgreement()
     Q_EMIT agreementEnded();
 }
 
-Result<lab::Subject, QString> Experiments::subject() const
+Result<lab::Subject, QString> Experiments::subject(bool speedSteps) const
 {
     if (!m_device.answering() || !m_device.identified())
         return fail(motionAllowed(m_device, drive::Feature::SpeedRamp).why);
-    auto found = lab::subjectOf(*m_device.identified(), m_device.motor());
+    const auto find = speedSteps ? lab::stepSubjectOf : lab::subjectOf;
+    auto found = find(*m_device.identified(), m_device.motor());
     if (!found)
         return fail(labText(found.error()));
     return *found;
 }
 
-QString Experiments::obstacle() const
+QString Experiments::obstacle(bool speedSteps) const
 {
     if (running())
         return tr("An experiment is running.");
-    const auto motor = subject();
+    const auto motor = subject(speedSteps);
     if (!motor)
         return motor.error();
     if (!m_device.expert(m_device.motor()) && !drive::gapsIn(motor->limits).empty())

@@ -1,5 +1,7 @@
 #include "widgets/lab/step_page.h"
 
+#include "drive/motion_limits.h"
+#include "lab/evaluation/finding.h"
 #include "lab/happenings.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/look/named.h"
@@ -28,6 +30,15 @@ namespace {
 
 /// Of the table. More would cut the picture in a small window where the sentence of an end stands below the buttons.
 constexpr int kLeastRows = 1;
+
+/// What has to be known of a series that came to its end.
+QStringList wordsOf(const lab::StepSeries &series)
+{
+    QStringList words = labSentences(series.notes);
+    if (const std::string lack = lab::lackOf(series); !lack.empty())
+        words.prepend(labSentence(lack));
+    return words;
+}
 
 /// How many steps have been asked for.
 int stepsIn(const lab::Happenings &happenings)
@@ -118,6 +129,7 @@ void StepPage::makeBar()
     run.settled = [this] { return m_gains->settled(); };
     m_bar->add(std::move(run));
     m_bar->setLook(progress);
+    m_bar->takeSpeedSteps();
     m_reference = named(new QPushButton(tr("Reference"), m_bar), "stepReference");
     m_reference->setToolTip(tr("The others show their difference to the chosen series (Enter)"));
     m_remove = named(new QPushButton(tr("Remove"), m_bar), "stepRemove");
@@ -163,9 +175,10 @@ void StepPage::focusFirst() { m_fields->focusFirst(); }
 void StepPage::boardChanged()
 {
     const Device &device = m_parts.device;
-    const auto subject = m_parts.lab.experiments.subject();
-    m_fields->setLimits(
-        device.bounds(device.motor()).rpm, subject ? subject->leastObservedRpm() : 0.0);
+    const auto subject = m_parts.lab.experiments.subject(true);
+    const drive::UserLimits own = device.userLimits();
+    m_fields->setLimits(drive::realBoundsOf(device.limits(device.motor()), own).rpm,
+        subject ? subject->leastObservedRpm(own.maxSpeedRpm) : 0.0);
     Q_EMIT watchedRegistersChanged();
     m_bar->refresh();
 }
@@ -183,7 +196,7 @@ Result<ExperimentBar::Run, QString> StepPage::wanted()
         return fail(why);
     if (m_gains->there() && !m_gains->known())
         return fail(tr("The gains are being read."));
-    const auto subject = m_parts.lab.experiments.subject();
+    const auto subject = m_parts.lab.experiments.subject(true);
     if (!subject)
         return fail(subject.error());
     auto plan = m_fields->plan();
@@ -200,9 +213,11 @@ ExperimentBar::Evaluate StepPage::evaluation(const lab::Subject &subject)
     return [this, bus = subject.nameOf(subject.registers.bus), with = m_gains->values()](
                const Experiments::Run &record) -> ExperimentBar::Show {
         auto result = stepResult(record, bus);
-        if (!result || !result->told())
+        if (!result)
             return {};
         const bool complete = record.outcome.end == lab::End::Complete;
+        if (!result->told())
+            return [words = complete ? wordsOf(result->series) : QStringList()] { return words; };
         return [this, with, complete, result = std::move(*result)] {
             return addResult(result, with, complete);
         };
@@ -218,8 +233,7 @@ QStringList StepPage::addResult(
     if (begunWith != m_gains->values())
         more.append(tr("The gains were changed meanwhile: the row has the first."));
     if (complete) // else why it ended is what counts
-        for (const std::string &note : result.series.notes)
-            more.append(labSentence(note));
+        more += wordsOf(result.series);
     m_runs->add(std::move(result));
     m_table->scrollToBottom();
     return more;

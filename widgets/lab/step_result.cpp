@@ -58,7 +58,9 @@ StepCurve curveOf(const capture::Capture &capture, const lab::Recorded<lab::Step
     StepCurve curve;
     curve.up = run.up;
     const capture::Channel *angle = lab::fastChannel(capture, plan.angle);
-    const capture::Channel *speed = lab::fastChannel(capture, plan.speed);
+    const capture::Channel *speed = plan.reference.empty()
+        ? lab::polledChannel(capture, plan.speed, "rpm")
+        : lab::fastChannel(capture, plan.speed);
     if (angle != nullptr && run.speedWindow_s > 0.0) {
         for (const auto &[from, to] : stretchesOf(*angle, run)) {
             const capture::Capture turned =

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMarkHeight = 14; ///< pixels
 const QChar kMinus(0x2212), kNarrow(0x202f);
+const QString kPlusMinus = QStringLiteral(" \u00b1 ");
 
 /// What a column shows of a series, and of one of its runs.
 struct Metric {
@@ -45,6 +46,15 @@ QString signedText(double value, int decimals)
     const bool zero = text == numberText(0.0, decimals);
     return zero ? QStringLiteral("\u00b1") + text
                 : (value < 0.0 ? QString(kMinus) : QStringLiteral("+")) + text;
+}
+
+/// To either side, of what was told from values that were polled; 0: it was recorded.
+double errorOf(const lab::StepRun &run, int column)
+{
+    const bool settling = column == StepRuns::SettlingColumn && run.pollDistance_s > 0.0;
+    return column == StepRuns::RiseColumn ? run.pollDistance_s
+        : settling                        ? run.instantError_s.value_or(0.0)
+                                          : 0.0;
 }
 
 /// With how many were held to their end, which are fewer than planned where the series ended early.
@@ -131,7 +141,7 @@ QString StepRuns::number(const StepResult &result, int column) const
         return QStringLiteral("\u2013");
     QString text = numberText(mean->value * shown->factor, shown->decimals);
     if (mean->low)
-        text += QStringLiteral(" \u00b1 ")
+        text += kPlusMinus
             + numberText((mean->value - *mean->low) * shown->factor, shown->decimals);
     text += kNarrow + QLatin1String(shown->unit);
     const int row = reference();
@@ -184,11 +194,15 @@ QString StepRuns::tip(const StepResult &result) const
         for (int column = RiseColumn; column <= PeakColumn; ++column) {
             const Metric &shown = *shownIn(column);
             const auto &value = run.*(shown.run);
+            const double error = errorOf(run, column);
+            QString text = QStringLiteral("\u2013");
+            if (value)
+                text = numberText(*value * shown.factor, shown.decimals)
+                    + (error > 0.0 ? kPlusMinus + numberText(error * shown.factor, shown.decimals)
+                                   : QString())
+                    + kNarrow + QLatin1String(shown.unit);
             values.append(headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
-                + QLatin1Char(' ')
-                + (value ? numberText(*value * shown.factor, shown.decimals) + kNarrow
-                            + QLatin1String(shown.unit)
-                         : QStringLiteral("\u2013")));
+                + QLatin1Char(' ') + text);
         }
         lines.append((run.up ? tr("Step %1, up: %2", "number, what was measured")
                              : tr("Step %1, down: %2", "number, what was measured"))

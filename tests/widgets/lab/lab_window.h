@@ -181,6 +181,13 @@ struct OlderBoardWindow {
         rig.workbench.device().open(endpoint);
         QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
     }
+    void arm()
+    {
+        auto *box = rig.find<QCheckBox>("arm");
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+        QTRY_VERIFY(rig.workbench.device().armed());
+        rig.acts.noteArming();
+    }
     /// @param buttons  what runs an experiment  @param sentence  says why it cannot
     void greyWithTheReason(std::initializer_list<const char *> buttons, const char *sentence)
     {

@@ -591,11 +591,50 @@ private Q_SLOTS:
         QVERIFY(!bench.run()->isEnabled());
     }
 
-    void aBoardThatRecordsNothingIsGreyWithTheReason()
+    /// With how well that is known. Whether it is conclusive depends on how often this computer has time to read.
+    void aBoardThatRecordsNothingIsSteppedByWhatIsRead()
     {
         support::OlderBoardWindow old;
         old.open(Qt::Key_T, Qt::ControlModifier);
-        old.greyWithTheReason({"stepRun"}, "stepSentence");
+        facts::WindowRig &rig = old.rig;
+        widgets::Device &device = rig.workbench.device();
+        const widgets::Experiments &experiments = rig.workbench.experiments();
+        auto *run = rig.find<QPushButton>("stepRun");
+        const auto refused = [run](const char *why) {
+            return !run->isEnabled() && run->toolTip().contains(QLatin1String(why));
+        };
+        QTRY_VERIFY2(refused("agree to expert mode"), qPrintable(run->toolTip()));
+        QVERIFY(!experiments.subject()); // for what is recorded
+        device.becomeExpert(1);
+        QTRY_VERIFY2(refused("Arm first."), qPrintable(run->toolTip()));
+        old.arm();
+        QTRY_VERIFY2(refused("how fast this motor may turn"), qPrintable(run->toolTip()));
+        device.setUserLimits({4000.0, 0.0});
+        QTRY_VERIFY2(run->isEnabled(), qPrintable(run->toolTip()));
+        // Twice the least speed of an observer is 0.3 of the user's limit, as it is of a board's.
+        QCOMPARE(rig.find<QLineEdit>("stepFrom")->text(), QStringLiteral("1500"));
+        QCOMPARE(rig.find<QLineEdit>("stepTo")->text(), QStringLiteral("1800"));
+
+        rig.find<QLineEdit>("stepTo")->setText(QStringLiteral("1650"));
+        QTRY_VERIFY2(run->isEnabled(), qPrintable(run->toolTip()));
+        QTest::mouseClick(run, Qt::LeftButton);
+        auto *question = rig.find<QDialog>("experimentQuestion");
+        QVERIFY(question);
+        QTest::mouseClick(
+            question->findChild<QPushButton *>(QStringLiteral("experimentConfirm")), Qt::LeftButton);
+        QTRY_VERIFY(experiments.running());
+        QTRY_VERIFY_WITH_TIMEOUT(!experiments.running(), kSeriesMs);
+        QTRY_VERIFY_WITH_TIMEOUT(run->isEnabled(), kSeriesMs); // evaluated
+        const QString said = rig.find<QLabel>("stepSentence")->text();
+        QVERIFY2(said.startsWith(QLatin1String("Done; ")), qPrintable(said));
+        QVERIFY2(
+            said.contains(QLatin1String("The board records nothing: its speed was read once in")),
+            qPrintable(said));
+        const QAbstractItemModel &rows = *rig.find<QTreeView>("stepRuns")->model();
+        const bool conclusive = !said.contains(QLatin1String("Not conclusive: "));
+        QCOMPARE(rows.rowCount(), conclusive ? 1 : 0);
+        QCOMPARE(rig.window.findChild<widgets::StepOverlay *>()->curves(), conclusive ? 1 : 0);
+        QTRY_COMPARE_WITH_TIMEOUT(device.status(1).state, MotorState::Idle, 10'000);
     }
 
 private:

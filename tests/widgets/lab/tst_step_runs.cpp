@@ -11,6 +11,9 @@
 
 #include <qcustomplot.h>
 
+#include <cmath>
+#include <tuple>
+
 using widgets::StepResult;
 using widgets::StepRuns;
 
@@ -107,6 +110,33 @@ private:
         run.capture.append(block);
     }
 };
+
+/// The same steps of a board that records nothing: read every 5 ms, and answered 2 ms after they were asked for.
+widgets::Experiments::Run &readSteps(widgets::Experiments::Run &run, double tau_s)
+{
+    for (int read = 120; read < 420; ++read) {
+        const double at_s = read * 5e-3;
+        const auto left = [&](double from_s) { return 500.0 * std::exp((from_s - at_s) / tau_s); };
+        const double rpm = at_s < 1.0 ? 1000.0 : at_s < 1.5 ? 1500.0 - left(1.0) : 1000.0 + left(1.5);
+        run.capture.appendPolled(7, "SPEED_MEAS", "rpm", at_s, rpm);
+    }
+    const auto add = [&run](double at_s, recorded::Happening what) {
+        run.happenings.emplace_back(capture::toNanos(at_s), std::move(what));
+    };
+    add(0.5,
+        {"step plan",
+            {{"motor", "1"}, {"speed", "SPEED_MEAS"}, {"from rpm", "1000"}, {"to rpm", "1500"},
+                {"repeat", "1"}, {"hold ms", "500"}}});
+    for (const auto &[asked_s, at, rpm] :
+        {std::tuple(0.999, "0.999", "1500"), std::tuple(1.499, "1.499", "1000")}) {
+        add(asked_s, {"speed ramp", {{"motor", "1"}, {"rpm", rpm}, {"ms", "0"}}});
+        add(asked_s + 2e-3,
+            {"motion",
+                {{"act", "SPEED_RAMP"}, {"asked s", at}, {"took ms", "2"}, {"outcome", "ok"}}});
+    }
+    add(1.999, {lab::kEndEntry, {{"outcome", "complete"}}});
+    return run;
+}
 
 QString wordsIn(const widgets::StepOverlay &picture)
 {
@@ -215,6 +245,26 @@ private Q_SLOTS:
         picture.showSteps({*found}, false);
         QCOMPARE(picture.curves(), 1);
         QCOMPARE(plot->graphCount(), 3); // both pieces
+    }
+    void valuesThatWereReadAreDrawnAndToldWithTheirUncertainty()
+    {
+        widgets::Experiments::Run record, quick;
+        const auto found = widgets::stepResult(readSteps(record, 0.04), {});
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        QVERIFY(found->told());
+        QCOMPARE(found->curves.size(), 2);
+        for (const widgets::StepCurve &curve : found->curves)
+            QVERIFY(curve.gaps.isEmpty() && curve.seconds.size() > 90);
+        StepRuns runs;
+        runs.add(*found);
+        const QString tip = runs.index(0, 0).data(Qt::ToolTipRole).toString();
+        for (const char *words : {" \u00b1 5.0\u202fms", " \u00b1 6\u202fms",
+                 "The board records nothing: its speed was read once in up to 5 ms"})
+            QVERIFY2(tip.contains(QString::fromUtf8(words)), qPrintable(tip));
+
+        const auto tooFast = widgets::stepResult(readSteps(quick, 2e-3), {});
+        QVERIFY2(tooFast, tooFast ? "" : tooFast.error().c_str());
+        QVERIFY(!tooFast->told());
     }
     void aStepThatCannotBeDrawnIsNoneThatWasNotMade()
     {
