@@ -167,6 +167,14 @@ QString wayThere(const lab::Conditions &conditions, const MotorBefore &before)
         : PlanQuestion::tr("It rests: start, then to %1 in %2.").arg(to, in);
 }
 
+QString startWords(const lab::Experiment &experiment)
+{
+    const bool current = lab::currentBoundOf(experiment) != lab::CurrentBound::None;
+    return (current ? PlanQuestion::tr("While it starts, only %1 and the current bound it.")
+                    : PlanQuestion::tr("While it starts, only %1 bound it.", "a speed"))
+        .arg(rpmText(lab::allowedRpm(experiment)));
+}
+
 QStringList wordsOfOne(const lab::Experiment &experiment, const MotorBefore &before)
 {
     const lab::Caps caps = lab::capsOf(experiment, before.rpm);
@@ -181,8 +189,7 @@ QStringList wordsOfOne(const lab::Experiment &experiment, const MotorBefore &bef
         "voltage, the temperature or the link is not as it should be.")
                      .arg(rpmText(caps.leastRpm), rpmText(caps.mostRpm), mostAmpsText(caps)));
     if (!before.runs)
-        lines.append(PlanQuestion::tr("While it starts, only %1 and the current bound it.")
-                         .arg(rpmText(lab::allowedRpm(experiment))));
+        lines.append(startWords(experiment));
     return lines;
 }
 
@@ -204,8 +211,7 @@ QStringList wordsOfAll(const std::vector<lab::Experiment> &experiments, const Mo
     lines.append(PlanQuestion::tr("Also stopped where the bus voltage, the temperature or the link "
                                   "is not as it should be."));
     if (!before.runs)
-        lines.append(PlanQuestion::tr("While it starts, only %1 and the current bound it.")
-                         .arg(rpmText(lab::allowedRpm(experiments.front()))));
+        lines.append(startWords(experiments.front()));
     return lines;
 }
 

@@ -618,8 +618,11 @@ private Q_SLOTS:
         rig.find<QLineEdit>("stepTo")->setText(QStringLiteral("1650"));
         QTRY_VERIFY2(run->isEnabled(), qPrintable(run->toolTip()));
         QTest::mouseClick(run, Qt::LeftButton);
-        auto *question = rig.find<QDialog>("experimentQuestion");
+        auto *question = rig.find<QMessageBox>("experimentQuestion");
         QVERIFY(question);
+        const QString asked = question->informativeText(); // nothing tells its current
+        QVERIFY2(asked.contains(QStringLiteral("While it starts, only 4000\u202frpm bound it.")),
+            qPrintable(asked));
         QTest::mouseClick(
             question->findChild<QPushButton *>(QStringLiteral("experimentConfirm")), Qt::LeftButton);
         QTRY_VERIFY(experiments.running());
