@@ -46,6 +46,17 @@ std::string namesOf(const std::vector<std::string> &faults)
     return all;
 }
 
+std::string faultText(const drive::MotorStatus &status)
+{
+    return "the board reports a fault: "
+        + namesOf(status.faultsNow.empty() ? status.faultsPast : status.faultsNow);
+}
+
+std::string noRestText(const drive::MotorStatus &status)
+{
+    return drive::hasFault(status.state) ? faultText(status) : "the motor was started meanwhile";
+}
+
 /// A start-up as an experiment at rest writes it. No motor that starts without a sensor has such a one of its own.
 bool turnsNothing(const catalog::Value &startUp)
 {
@@ -191,11 +202,12 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     m_answered = ended.outcome == drive::Outcome::Ok;
     m_answeredAt = now;
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
-    if (m_asked_rpm && mayHaveHappened)
-        m_target_rpm = *m_asked_rpm;
-    if (m_answered && std::holds_alternative<drive::SpeedRamp>(m_asked))
-        m_byTorque = false;
-    m_asked_rpm.reset();
+    if (std::holds_alternative<drive::SpeedRamp>(m_asked)) { // one that a fault overtook ends unheard
+        if (m_asked_rpm && mayHaveHappened)
+            m_target_rpm = *m_asked_rpm;
+        m_byTorque = m_byTorque && !m_answered;
+        m_asked_rpm.reset();
+    }
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
     if (m_answered)
         return;
@@ -223,13 +235,10 @@ void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
     if (!moves())
         return;
     if (drive::hasFault(status.state)) {
-        const auto &faults = status.faultsNow.empty() ? status.faultsPast : status.faultsNow;
         // Of its own start, which an experiment only asks for.
         const bool early = !m_ran && (m_phase == Phase::Starting || m_phase == Phase::Approaching);
         return endButReturn(End::Aborted,
-            (early ? "the motor did not get to its first speed: " : "")
-                + ("the board reports a fault: " + namesOf(faults)),
-            now);
+            (early ? "the motor did not get to its first speed: " : "") + faultText(status), now);
     }
     const bool rests = status.state == MotorState::Idle || status.state == MotorState::Stopping;
     const bool mayRest = m_phase == Phase::Starting || (m_phase == Phase::Returning && !m_ran);
@@ -269,7 +278,7 @@ void Runner::advance(TimePoint now)
         return m_ran ? approach(now) : coast(now);
     case Phase::Coasting:
         if (m_status->state != MotorState::Idle)
-            return giveUp(End::Refused, "the motor was started meanwhile", now);
+            return giveUp(End::Refused, noRestText(*m_status), now);
         if (late || stands())
             return lend(now);
         break;
@@ -656,8 +665,10 @@ void Runner::compare(TimePoint now)
 {
     enter(Phase::Comparing, kAnswerWithin, now);
     drive::Read read{m_experiment.subject.setPoint};
-    for (const drive::RegisterWrite &old : m_old)
+    for (const drive::RegisterWrite &old : m_old) {
         read.registers.push_back(old.id);
+        m_values.erase(old.id); // what is not read now is not known
+    }
     ask(std::move(read), now);
 }
 
@@ -683,6 +694,8 @@ void Runner::onCompared()
     const drive::StartTarget target = startTarget();
     m_byTorque = target.control == catalog::ControlMode::Torque;
     const double same_rpm = toleratedRpm(m_experiment.subject.limits);
+    if (target.rpm)
+        m_asked_rpm.reset();
     if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= same_rpm)
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
@@ -769,7 +782,8 @@ void Runner::lose(const std::string &why)
         abort(why, "a Stop goes out as soon as the board is reached");
     else
         interrupt(why);
-    m_outcome->end = End::Lost;
+    if (!m_cut)
+        m_outcome->end = End::Lost;
 }
 
 /// What is not as it was is said.

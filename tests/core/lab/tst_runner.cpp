@@ -37,6 +37,10 @@ private Q_SLOTS:
     void whatWasBorrowedComesBackWhereNothingDisarms_data();
     void whatWasBorrowedComesBackWhereNothingDisarms();
     void whatEndsTheGivingBackIsSaidBehindTheFault();
+    void whatIsNotReadAgainIsNotTakenForGivenBack();
+    void aSetPointThatAFaultOvertookIsNamedAsItIsKnown_data();
+    void aSetPointThatAFaultOvertookIsNamedAsItIsKnown();
+    void aFaultWhileARotorCoastsIsNoStart();
     void aLostLinkStopsWhatMoves();
     void severalInARowEndBehindWhatOneLeaves();
     void whatIsNotAPlanMovesNothing_data();
@@ -671,21 +675,107 @@ void TestRunner::whatWasBorrowedComesBackWhereNothingDisarms()
     QCOMPARE(bench.number(registers.integral), ki);
 }
 
+/// And it stays what ended it.
 void TestRunner::whatEndsTheGivingBackIsSaidBehindTheFault()
 {
+    for (const bool lost : {false, true}) {
+        LabBench bench;
+        QVERIFY(respondsWithOtherGains(bench));
+        bench.pair.board->setFaults(0x0040);
+        QVERIFY(bench.runUntil([&] { return bench.asked<Write>().size() == 2; }, 5s));
+        QVERIFY(!bench.runner->over());
+        if (lost)
+            bench.runner->lose("the port was lost");
+        else
+            bench.runner->stopped();
+        const lab::Outcome outcome = bench.runner->outcome();
+        VERIFY_END(outcome, End::Aborted);
+        const char *then =
+            lost ? "; then the port was lost; " : "; then every motor was stopped; ";
+        QVERIFY2(outcome.reason.starts_with("the board reports a fault: ")
+                && outcome.reason.find(then) != std::string::npos
+                && outcome.reason.find("SPEED_KP may hold what the experiment wrote")
+                    != std::string::npos,
+            outcome.reason.c_str());
+        QVERIFY(!bench.runner->takeStop());
+    }
+}
+
+/// The board tells the gain before, and from then on no more.
+void TestRunner::whatIsNotReadAgainIsNotTakenForGivenBack()
+{
     LabBench bench;
+    int told = 0;
+    retell(bench, bench.experiment.subject.registers.gain, [&](Reading &reading) {
+        if (bench.runner && ++told > 1)
+            reading.status = ReadStatus::Refused;
+    });
     QVERIFY(respondsWithOtherGains(bench));
     bench.pair.board->setFaults(0x0040);
-    QVERIFY(bench.runUntil([&] { return bench.asked<Write>().size() == 2; }, 5s));
-    QVERIFY(!bench.runner->over());
-    bench.runner->stopped();
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
     const lab::Outcome outcome = bench.runner->outcome();
     VERIFY_END(outcome, End::Aborted);
-    QVERIFY2(outcome.reason.starts_with("the board reports a fault: ")
-            && outcome.reason.find("; then every motor was stopped; ") != std::string::npos
+    QCOMPARE(bench.asked<Write>().size(), 2U);
+    QVERIFY2(outcome.leaves
             && outcome.reason.find("SPEED_KP may hold what the experiment wrote")
                 != std::string::npos,
         outcome.reason.c_str());
+}
+
+void TestRunner::aSetPointThatAFaultOvertookIsNamedAsItIsKnown_data()
+{
+    QTest::addColumn<bool>("reads");
+    QTest::newRow("the giving back is refused") << false;
+    QTest::newRow("it is read behind it") << true;
+}
+
+/// The fault comes while a ramp is on its way; how that ends is not waited for.
+void TestRunner::aSetPointThatAFaultOvertookIsNamedAsItIsKnown()
+{
+    QFETCH(const bool, reads);
+    LabBench bench;
+    QVERIFY(respondsWithOtherGains(bench));
+    const auto *ramp = std::get_if<SpeedRamp>(&bench.wishes.back().what);
+    QVERIFY(ramp != nullptr && !bench.pair.ended.contains(bench.wishes.back().id));
+    const std::string rpm = std::to_string(ramp->rpm) + " rpm";
+    drive::MotorStatus fault = bench.pair.status[1];
+    fault.state = MotorState::FaultNow;
+    fault.faultsNow = {"OVER_CURR"};
+    bench.runner->accept(fault, bench.pair.now);
+    QVERIFY(!bench.runner->over());
+    if (reads) {
+        QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
+    } else {
+        const std::vector<drive::Wish> wishes = bench.runner->takeWishes();
+        QVERIFY(wishes.size() == 1 && std::holds_alternative<Write>(wishes.front().what));
+        bench.runner->accept(
+            drive::Ended{wishes.front().id, drive::Outcome::Refused, "RO_REG", {}}, bench.pair.now);
+    }
+    const lab::Outcome outcome = bench.runner->outcome();
+    VERIFY_END(outcome, End::Aborted);
+    QVERIFY2(outcome.reason.find("the set-point " + std::string(reads ? "is " : "may be ") + rpm)
+            != std::string::npos,
+        outcome.reason.c_str());
+}
+
+/// Without a sensor four seconds are waited before its start.
+void TestRunner::aFaultWhileARotorCoastsIsNoStart()
+{
+    simulation::BoardOptions options;
+    options.motor = "pm24";
+    LabBench bench(options);
+    const auto least = static_cast<int>(bench.experiment.subject.leastObservedRpm());
+    bench.steps = {.fromRpm = least + 84, .toRpm = least + 384};
+    bench.ranAt = bench.pair.now;
+    bench.begin();
+    bench.runUntil([&] { return bench.runner->over(); }, 1s);
+    QVERIFY(!bench.runner->over() && !askedForMotion(bench));
+    bench.pair.board->setFaults(0x0040);
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 2s));
+    const lab::Outcome outcome = bench.runner->outcome();
+    VERIFY_END(outcome, End::Refused);
+    QVERIFY2(outcome.reason.starts_with("the board reports a fault: "), outcome.reason.c_str());
+    QVERIFY(!askedForMotion(bench));
 }
 
 void TestRunner::aLostLinkStopsWhatMoves()
