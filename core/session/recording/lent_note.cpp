@@ -70,7 +70,9 @@ void LentNote::tell()
     std::vector<drive::RegisterWrite> back;
     for (const auto &[id, one] : m_lent) {
         lent.push_back(one);
-        const catalog::RegisterInfo *info = m_catalog->find(id);
+        // The file may be older than the table of registers, or of another board: its number alone names none.
+        const catalog::RegisterInfo *info =
+            m_catalog->nameOf(id) == one.name ? m_catalog->find(id) : nullptr;
         if (auto value = info != nullptr ? lab::typedValue(one.held, info->type) : std::nullopt)
             back.push_back({id, std::move(*value)});
     }
@@ -96,6 +98,8 @@ void LentNote::onEvent(const drive::Event &event, TimePoint)
 
 void LentNote::meet(const drive::Identified &board)
 {
+    if (board.catalog == m_catalog)
+        return; // told again, and not met: an experiment may be at work
     m_catalog = board.catalog;
     if (!m_keeps)
         return tell(); // the same one again
@@ -148,7 +152,7 @@ void LentNote::written(const drive::Ended &ended)
         notBorrowed(ended);
     else
         for (const drive::WriteResult &one : ended.writes)
-            if (one.outcome == drive::Outcome::Ok && one.verified != false)
+            if (one.outcome == drive::Outcome::Ok && one.verified.value_or(false))
                 m_lent.erase(one.id);
     if (m_lent.size() == before)
         return;

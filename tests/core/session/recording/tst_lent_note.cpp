@@ -261,6 +261,9 @@ private Q_SLOTS:
             .verified = false}};
         world.note->onEvent(ended, world.now);
         QCOMPARE(world.notes(), 1);
+        ended.writes.front().verified = {}; // nor is one that nobody has read back
+        world.note->onEvent(ended, world.now);
+        QCOMPARE(world.notes(), 1);
         QCOMPARE(world.left.size(), 1);
         ended.writes.front().verified = true;
         world.note->onEvent(ended, world.now);
@@ -281,6 +284,45 @@ private Q_SLOTS:
         QCOMPARE(world.left.size(), 2);
         QVERIFY(world.text().isEmpty());
         QCOMPARE(world.notes(), 1);
+    }
+
+    /// A drive tells its board again when less of it turns out to work: an experiment goes on, and has left nothing.
+    void aBoardThatIsToldAgainIsNotMetAgain()
+    {
+        const QTemporaryDir folder;
+        World world(folder.path());
+        QVERIFY(world.connect());
+        QVERIFY(world.held(kGain) != catalog::Value{std::int64_t{1}});
+        world.wishes(1, std::int64_t{1});
+        world.note->onEvent(*world.board(), world.now);
+        QVERIFY(world.left.isEmpty());
+        QCOMPARE(world.notes(), 1);
+    }
+
+    /// A number alone names no register: the file may be older than the table, or another board's.
+    void whatHasAnotherNameIsNotOffered()
+    {
+        const QTemporaryDir folder;
+        {
+            World killed(folder.path());
+            QVERIFY(killed.connect());
+            QVERIFY(killed.borrows());
+        }
+        const QStringList files = QDir(folder.path()).entryList(QDir::Files);
+        QCOMPARE(files.size(), 1);
+        QFile file(QDir(folder.path()).filePath(files.first()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray content = file.readAll();
+        file.close();
+        QVERIFY(content.contains(kStages));
+        content.replace(kStages, "OTHER_DATA");
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        World next(folder.path());
+        QVERIFY(next.connect());
+        QCOMPARE(next.left.size(), 1);
+        QVERIFY(next.text().startsWith(QStringLiteral("OTHER_DATA may hold")));
+        QVERIFY(next.back().empty());
     }
 
     /// What is given back is what was there, to its last digit.
