@@ -27,7 +27,7 @@ void LinkNews::setLeft(const QString &sentence, QWidget *act)
 {
     m_left = sentence;
     m_giveBack = act;
-    if (!sentence.isEmpty() && !tellsLoss())
+    if (!sentence.isEmpty() && !tellsLoss() && !m_reset) // a board that was reset is met again
         sayLeft();
     else if (sentence.isEmpty() && m_told == Told::Left)
         clear();

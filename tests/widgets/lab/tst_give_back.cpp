@@ -152,6 +152,20 @@ private Q_SLOTS:
         QVERIFY(!left.banner()->isVisible());
     }
 
+    /// What the board holds behind a reset is its own again: that is read first.
+    void aResetStaysToldUntilTheBoardIsArmed()
+    {
+        Left left;
+        facts::feed(left.device(),
+            {drive::LinkChanged{LinkState::Connected, drive::LinkReason::BoardReset}});
+        const QString reset = left.banner()->text();
+        QVERIFY2(!reset.contains(kLeft) && !left.button()->isVisible(), qPrintable(reset));
+        left.tell(kLeft); // it is met again
+        QCOMPARE(left.banner()->text(), reset);
+        left.device().armedChanged(true);
+        QVERIFY(left.says(kLeft) && left.button()->isVisible());
+    }
+
     void itIsAskedAgainWhenTheBoardIsArmed()
     {
         Left left;
