@@ -39,6 +39,10 @@ QString sentenceOf(const WriteReport &report, WriteSense sense)
         sentences.append(sense == WriteSense::Back
                 ? WriteReportText::tr("%n register(s) restored and verified.", nullptr, written)
                 : WriteReportText::tr("%n register(s) written and verified.", nullptr, written));
+    if (!report.unproved.isEmpty())
+        sentences.append(
+            WriteReportText::tr("Written, not verified: %1.", "list of registers with reasons")
+                .arg(listed(report.unproved, QStringLiteral("; "))));
     if (!report.different.isEmpty())
         sentences.append(
             WriteReportText::tr("The board made another value of: %1.", "list of registers")
@@ -61,17 +65,22 @@ WriteReport writeReport(const drive::Ended &ended, const std::vector<drive::Regi
     const auto put = [&](const drive::WriteResult &result) {
         const QString name = catalog != nullptr ? deviceText(catalog->nameOf(result.id))
                                                 : QString::number(result.id);
+        const auto withReason = [&] {
+            return WriteReportText::tr("%1: %2", "register: reason").arg(name, reasonOf(result));
+        };
         switch (result.outcome) {
         case drive::Outcome::Ok:
-            (result.verified == false ? report.different : report.written).append(name);
+            if (result.verified)
+                (*result.verified ? report.written : report.different).append(name);
+            else
+                report.unproved.append(result.reason.empty() ? name : withReason());
             break;
         case drive::Outcome::Unknown:
             report.unknown.append(name);
             break;
         case drive::Outcome::Refused:
         case drive::Outcome::NotSent:
-            report.notWritten.append(
-                WriteReportText::tr("%1: %2", "register: reason").arg(name, reasonOf(result)));
+            report.notWritten.append(withReason());
             break;
         }
     };

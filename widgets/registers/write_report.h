@@ -10,7 +10,8 @@
 namespace widgets {
 
 struct WriteReport {
-    QStringList written; ///< and read back as written, where they can be read
+    QStringList written; ///< and read back as written
+    QStringList unproved; ///< taken, and not read back, or shown only later; with the reason where there is one
     QStringList different; ///< taken, but another value is read back
     QStringList notWritten; ///< certainly; with the reason behind each
     QStringList unknown; ///< sent, and the answer never came

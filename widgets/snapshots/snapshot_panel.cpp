@@ -347,6 +347,7 @@ void SnapshotPanel::restored(const WriteReport &report)
     };
     if (!report.good()) {
         list(tr("Written and read back:"), report.written);
+        list(tr("Written, not verified:"), report.unproved);
         list(tr("The board made another value of:"), report.different);
         list(tr("It is not known whether these were written:"), report.unknown);
         list(tr("Not written:"), report.notWritten);

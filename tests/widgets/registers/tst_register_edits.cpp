@@ -258,6 +258,9 @@ private Q_SLOTS:
         QVERIFY(unclear + waiting == 4);
         QVERIFY(bench.told.last().contains(QStringLiteral("I_D_KI"))
             || bench.told.at(bench.told.size() - 2).contains(QStringLiteral("I_D_KI")));
+        // The board took seven, and none was read back.
+        QVERIFY(!bench.told.filter(QStringLiteral("Written, not verified: ")).isEmpty());
+        QVERIFY(bench.told.filter(QStringLiteral("written and verified")).isEmpty());
         QVERIFY(bench.link.runUntil(
             [&] { return bench.device.link().state == drive::LinkState::Lost; }, 30s));
         QCOMPARE(bench.edits.steps().count(), 0);
