@@ -106,7 +106,7 @@ QString ExperimentBar::endText(const lab::Outcome &outcome)
     case lab::End::Refused:
         return tr("Not carried out: %1.").arg(reason) + behind;
     case lab::End::Aborted:
-        return tr("Ended with a Stop: %1.").arg(reason);
+        return tr("Ended: %1.").arg(reason);
     case lab::End::Interrupted:
     case lab::End::Lost:
         break;

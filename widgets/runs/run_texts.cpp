@@ -49,7 +49,7 @@ QString endText(const session::Run &run)
     if (run.end == QLatin1String("refused"))
         return RunText::tr("Not carried out: %1.").arg(why);
     if (run.end == QLatin1String("aborted"))
-        return RunText::tr("Ended with a Stop: %1.").arg(why);
+        return RunText::tr("Ended: %1.").arg(why);
     return RunText::tr("Interrupted: %1.").arg(why);
 }
 

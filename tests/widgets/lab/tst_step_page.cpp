@@ -212,6 +212,14 @@ private Q_SLOTS:
             QStringLiteral("Not carried out: the start: it was refused.") + shows);
     }
 
+    /// Behind a fault nothing sends a Stop; where one was sent the reason says so.
+    void onlyAStopThatWasSentIsSaid()
+    {
+        QCOMPARE(widgets::ExperimentBar::endText(
+                     {lab::End::Aborted, "the board reports a fault: OVER_CURR", {}}),
+            QStringLiteral("Ended: the board reports a fault: OVER_CURR."));
+    }
+
     void whatIsOfferedRuns_data()
     {
         QTest::addColumn<QString>("motor");

@@ -276,7 +276,13 @@ private Q_SLOTS:
         book.setRuns({run});
         QCOMPARE(book.index(0, Book::ResultColumn).data().toString(),
             QStringLiteral("Not carried out: the motor is not in speed control."));
+        run.end = QStringLiteral("aborted"); // by a fault: no Stop was sent
+        run.reason = QStringLiteral("the board reports a fault: OVER_CURR");
+        book.setRuns({run});
+        QCOMPARE(book.index(0, Book::ResultColumn).data().toString(),
+            QStringLiteral("Ended: the board reports a fault: OVER_CURR."));
         run.end = QStringLiteral("complete");
+        run.reason.clear();
         run.result = {
             {QStringLiteral("kind"), QStringLiteral("response")}, {QStringLiteral("ms"), none}};
         run.notes = {QStringLiteral("no margin is told")};
