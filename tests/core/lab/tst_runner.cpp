@@ -704,8 +704,8 @@ void TestRunner::whatEndsTheGivingBackIsSaidBehindTheFault()
 /// The board tells the gain before, and from then on no more.
 void TestRunner::whatIsNotReadAgainIsNotTakenForGivenBack()
 {
+    int told = 0; // outlives the bench, which asks for it
     LabBench bench;
-    int told = 0;
     retell(bench, bench.experiment.subject.registers.gain, [&](Reading &reading) {
         if (bench.runner && ++told > 1)
             reading.status = ReadStatus::Refused;
