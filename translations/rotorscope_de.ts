@@ -1562,8 +1562,8 @@
         <translation>das Board zeichnet nichts auf: seine Drehzahl wurde nur alle bis zu %1 ms gelesen, sodass Anstiegszeiten um so viel unsicher sind und Spitzen höher sein können als angegeben</translation>
     </message>
     <message>
-        <source>%1 of %2 steps rise in less than three times as long: nothing is told of them</source>
-        <translation>%1 von %2 Sprüngen steigen in weniger als dem Dreifachen davon: von ihnen wird nichts angegeben</translation>
+        <source>%1 of %2 steps rise in less than three times the time between two of their values: nothing is told of them</source>
+        <translation>%1 von %2 Sprüngen steigen in weniger als dem Dreifachen der Zeit zwischen zwei ihrer Werte: über sie wird nichts gesagt</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +2926,11 @@
         <source>Power</source>
         <translation>Leistung</translation>
     </message>
+    <message>
+        <source>While it starts, only %1 bound it.</source>
+        <comment>a speed</comment>
+        <translation>Während er anläuft, begrenzen ihn nur %1.</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3069,10 +3074,6 @@
         <translation>Nicht ausgeführt: %1.</translation>
     </message>
     <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation>Mit einem Stopp beendet: %1.</translation>
-    </message>
-    <message>
         <source>Interrupted: %1.</source>
         <translation>Unterbrochen: %1.</translation>
     </message>
@@ -3140,6 +3141,10 @@
     <message>
         <source>Power at %1 rpm</source>
         <translation>Leistung bei %1 rpm</translation>
+    </message>
+    <message>
+        <source>Ended: %1.</source>
+        <translation>Beendet: %1.</translation>
     </message>
 </context>
 <context>
@@ -3579,6 +3584,11 @@
         <source>Sent, outcome unknown: %1.</source>
         <comment>list of registers</comment>
         <translation>Gesendet, Ergebnis unbekannt: %1.</translation>
+    </message>
+    <message>
+        <source>Written, not verified: %1.</source>
+        <comment>list of registers with reasons</comment>
+        <translation>Geschrieben, nicht geprüft: %1.</translation>
     </message>
 </context>
 <context>
@@ -4392,10 +4402,6 @@
         <translation>Nicht ausgeführt: %1.</translation>
     </message>
     <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation>Mit einem Stopp beendet: %1.</translation>
-    </message>
-    <message>
         <source>Interrupted: %1.</source>
         <translation>Unterbrochen: %1.</translation>
     </message>
@@ -4449,6 +4455,10 @@
         <source>%1: %2</source>
         <comment>text of a button, why it is greyed</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Ended: %1.</source>
+        <translation>Beendet: %1.</translation>
     </message>
 </context>
 <context>
@@ -7284,10 +7294,6 @@
         <translation>, %1 GB frei</translation>
     </message>
     <message>
-        <source>, %1 samples lost</source>
-        <translation>, %1 Werte verloren</translation>
-    </message>
-    <message>
         <source>%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that takes files.</source>
         <translation>%1 kann nicht aufgezeichnet werden (%2). Wählen Sie einen Namen, den es noch nicht gibt, in einem beschreibbaren Ordner.</translation>
     </message>
@@ -7337,6 +7343,11 @@
     <message>
         <source>Recorded to %1: %2 MB, without %3, because the disk was too slow.</source>
         <translation>Aufgezeichnet nach %1: %2 MB, es fehlen %3, weil die Platte zu langsam war.</translation>
+    </message>
+    <message>
+        <source>, %1 lost</source>
+        <comment>samples and more</comment>
+        <translation>, %1 verloren</translation>
     </message>
 </context>
 <context>
@@ -9371,6 +9382,10 @@ mN·m</translation>
     <message>
         <source>S&amp;ave…</source>
         <translation>&amp;Sichern…</translation>
+    </message>
+    <message>
+        <source>Written, not verified:</source>
+        <translation>Geschrieben, nicht geprüft:</translation>
     </message>
 </context>
 <context>

@@ -1562,7 +1562,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of %2 steps rise in less than three times as long: nothing is told of them</source>
+        <source>%1 of %2 steps rise in less than three times the time between two of their values: nothing is told of them</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2926,6 +2926,11 @@
         <source>Power</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>While it starts, only %1 bound it.</source>
+        <comment>a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3069,10 +3074,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Interrupted: %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3139,6 +3140,10 @@
     </message>
     <message>
         <source>Power at %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3578,6 +3583,11 @@
     <message>
         <source>Sent, outcome unknown: %1.</source>
         <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written, not verified: %1.</source>
+        <comment>list of registers with reasons</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4391,10 +4401,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ended with a Stop: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Interrupted: %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4447,6 +4453,10 @@
     <message>
         <source>%1: %2</source>
         <comment>text of a button, why it is greyed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7283,10 +7293,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, %1 samples lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that takes files.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7335,6 +7341,11 @@
     </message>
     <message>
         <source>Recorded to %1: %2 MB, without %3, because the disk was too slow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 lost</source>
+        <comment>samples and more</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9363,6 +9374,10 @@ mN·m</source>
     </message>
     <message>
         <source>Meas&amp;ured values, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written, not verified:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
