@@ -78,14 +78,18 @@ QString brokenSentence(const std::vector<drive::WriteResult> &writes, const QStr
 
 Outcome<int> verdict(const Desk &desk, const drive::Ended &ended)
 {
-    QStringList failed, other;
+    QStringList failed, other, unread;
     bool shown = true; // above is what the board has now
     for (const drive::WriteResult &result : ended.writes) {
-        shown = shown && (result.readBack || result.outcome == drive::Outcome::Ok);
+        const catalog::RegisterInfo *info = desk.catalog().find(result.id);
+        const bool unknown = !result.readBack && info != nullptr && info->readable();
+        shown = shown && !unknown && (result.readBack || result.outcome == drive::Outcome::Ok);
         if (result.outcome != drive::Outcome::Ok)
             failed.append(nameOf(desk, result.id) + reasonText(result.reason));
         else if (result.verified == false)
             other.append(nameOf(desk, result.id));
+        else if (unknown)
+            unread.append(nameOf(desk, result.id));
     }
     const auto sentence = [shown](const char *begin, const QStringList &names) {
         const QString advice = shown
@@ -98,6 +102,8 @@ Outcome<int> verdict(const Desk &desk, const drive::Ended &ended)
         return failure(kRefused, sentence("Not written", failed));
     if (!other.isEmpty())
         return failure(kRefused, sentence("The board made another value of", other));
+    if (!unread.isEmpty())
+        return failure(kRefused, sentence("Written, but not read back", unread));
     if (ended.outcome != drive::Outcome::Ok)
         return failure(
             kRefused, QStringLiteral("Nothing was written%1.").arg(reasonText(ended.reason)));

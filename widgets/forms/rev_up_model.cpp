@@ -97,7 +97,7 @@ void RevUpModel::adoptRegister()
         wanted.clear(); // there, but not run
     using State = RegisterModel::EditState;
     const State state = m_id ? m_registers.editState(*m_id) : State::None;
-    if (state != State::Sending && state != State::Verified)
+    if (state != State::Sending && state != State::Verified && state != State::Unproved)
         m_before = held; // the flash of a write shows what has become another
     const bool was = !m_stages.empty(), is = !wanted.empty();
     m_editable =

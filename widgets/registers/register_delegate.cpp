@@ -43,6 +43,8 @@ QString signOf(RegisterModel::EditState state)
         return QStringLiteral("\u2026");
     case RegisterModel::EditState::Verified:
         return QStringLiteral("\u2713");
+    case RegisterModel::EditState::Unproved:
+        return QStringLiteral("?");
     case RegisterModel::EditState::Refused:
         return QStringLiteral("\u2717");
     case RegisterModel::EditState::None:

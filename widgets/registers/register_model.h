@@ -43,6 +43,7 @@ public:
         Pending, ///< typed, not written
         Sending,
         Verified, ///< written and read back, a moment ago
+        Unproved, ///< taken by the board a moment ago, and not read back, or shown only later
         Refused, ///< was not written; the reason is in the tool tip
     };
 
@@ -88,7 +89,7 @@ public:
     void markNotSent(); ///< what was on its way is pending again
     /// How writes ended. An edit that was not among them waits on, unless the board now holds what it wants.
     void onResults(const std::vector<drive::WriteResult> &results);
-    bool hasEdits() const; ///< of any state but a flash
+    bool hasEdits() const; ///< of any state but the flash of a write
     QStringList pendingElsewhere() const; ///< names of those of a motor that is not shown
     EditState editState(catalog::RegisterId id) const;
     std::optional<catalog::Value> known(catalog::RegisterId id) const; ///< newest, however old

@@ -20,6 +20,7 @@ QColor colorOf(RegisterModel::EditState state)
     case RegisterModel::EditState::Pending:
         return QColor(0xff, 0xc1, 0x4d);
     case RegisterModel::EditState::Sending:
+    case RegisterModel::EditState::Unproved: // neither is proved; their signs differ
         return QColor(0xff, 0xe0, 0xa8);
     case RegisterModel::EditState::Verified:
         return QColor(0x7f, 0xd8, 0x8f);
@@ -29,6 +30,13 @@ QColor colorOf(RegisterModel::EditState state)
         break;
     }
     return {};
+}
+
+/// The board took it a moment ago, and it is shown for so long: no edit any more.
+bool flashes(RegisterModel::EditState state)
+{
+    return state == RegisterModel::EditState::Verified
+        || state == RegisterModel::EditState::Unproved;
 }
 
 } // namespace
@@ -55,8 +63,8 @@ RegisterModel::EditState RegisterModel::editState(catalog::RegisterId id) const
 
 bool RegisterModel::hasEdits() const
 {
-    return std::any_of(m_edits.begin(), m_edits.end(),
-        [](const Edit &edit) { return edit.state != EditState::Verified; });
+    return std::any_of(
+        m_edits.begin(), m_edits.end(), [](const Edit &edit) { return !flashes(edit.state); });
 }
 
 QStringList RegisterModel::pendingElsewhere() const
@@ -187,7 +195,8 @@ void RegisterModel::onResults(const std::vector<drive::WriteResult> &results)
             edit(result.id).reason = tr("Not sent: %1", "the reason").arg(reason);
         } else if (result.outcome == drive::Outcome::Ok && !wrong) {
             Edit &done = edit(result.id);
-            done.state = EditState::Verified;
+            done.state = result.verified ? EditState::Verified : EditState::Unproved;
+            done.reason = reason;
             done.until.reset();
         } else if (typed) {
             Edit &refused = edit(result.id);
@@ -207,7 +216,7 @@ void RegisterModel::endFlashes(Milliseconds now)
 {
     std::vector<catalog::RegisterId> over;
     for (Edit &edit : m_edits) {
-        if (edit.state != EditState::Verified)
+        if (!flashes(edit.state))
             continue;
         if (!edit.until)
             edit.until = now + kFlash;
@@ -227,7 +236,7 @@ void RegisterModel::keepEdits(const catalog::Catalog *before)
         const auto rules = rulesOf(edit.id);
         const bool otherScale = rules && edit.state != EditState::Sending && before != nullptr
             && before->readScale(edit.id) != rules->scale;
-        return !rules || otherScale || edit.state == EditState::Verified
+        return !rules || otherScale || flashes(edit.state)
             || !catalog::refuseValue(*rules->info, edit.wanted).empty();
     });
 }
@@ -241,7 +250,7 @@ std::optional<catalog::Value> RegisterModel::known(catalog::RegisterId id) const
 std::optional<catalog::Value> RegisterModel::wanted(catalog::RegisterId id) const
 {
     const Edit *edit = editOf(id);
-    return edit && edit->state != EditState::Verified ? std::optional(edit->wanted) : known(id);
+    return edit && !flashes(edit->state) ? std::optional(edit->wanted) : known(id);
 }
 
 QString RegisterModel::describe(catalog::RegisterId id, const catalog::Value &value) const
@@ -286,6 +295,11 @@ QString RegisterModel::editSentence(const Row &row) const
         break;
     case EditState::Verified:
         lines = {tr("Written and read back.")};
+        break;
+    case EditState::Unproved:
+        lines = {edit->reason.isEmpty()
+                ? tr("Written, not verified.")
+                : tr("Written, not verified: %1", "the reason").arg(edit->reason)};
         break;
     case EditState::Refused:
         lines = {edit->reason, held};

@@ -105,6 +105,29 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains(QStringLiteral("rotorscope-cli get")), qPrintable(run.err));
     }
 
+    /// The board took the value, and refused to give it a moment later.
+    void whatWasWrittenAndNotReadBackIsNoSuccess()
+    {
+        const Simulator board({QStringLiteral("--liar"), QStringLiteral("refused-reads")});
+        QVERIFY(board.ready());
+        constexpr int kTries = 40; // about one in five is like that
+        bool seen = false;
+        for (int i = 0; i < kTries && !seen; ++i) {
+            const CliRun run = board.cli("--json set SPEED_KP=1234");
+            const QJsonObject one = run.list().at(0).toObject();
+            seen = one[QLatin1String("outcome")].toString() == QStringLiteral("ok")
+                && !one.contains(QLatin1String("new"));
+            if (!seen)
+                continue;
+            QVERIFY(one[QLatin1String("verified")].isNull());
+            QCOMPARE(run.status, 1);
+            QVERIFY2(
+                run.err.contains(QStringLiteral("not read back: SPEED_KP")), qPrintable(run.err));
+            QVERIFY2(run.err.contains(QStringLiteral("rotorscope-cli get")), qPrintable(run.err));
+        }
+        QVERIFY(seen);
+    }
+
     void aDamagedFileIsOneSentenceWithItsPlace()
     {
         const Simulator board;

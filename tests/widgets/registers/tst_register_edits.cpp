@@ -1,5 +1,6 @@
 // Editing registers: pending, written, read back, taken back, on a simulated board in virtual time.
 #include "support/edit_bench.h"
+#include "widgets/registers/register_delegate.h"
 #include "widgets/registers/write_question.h"
 
 #include <QAbstractItemModelTester>
@@ -35,6 +36,10 @@ std::size_t setsIn(const EditBench &bench)
 struct SlowSnapshot : widgets::KeepBeforeWriting {
     int asked = 0;
     void take() override { ++asked; }
+};
+
+struct Cells : widgets::RegisterDelegate {
+    using RegisterDelegate::initStyleOption, RegisterDelegate::RegisterDelegate;
 };
 
 } // namespace
@@ -244,17 +249,25 @@ private Q_SLOTS:
         };
         bench.edits.apply();
         QVERIFY(bench.link.runUntil([&] { return !bench.edits.underWay(); }, 30s));
-        int verifiedOrWritten = 0;
+        int written = 0;
         int unclear = 0;
         int waiting = 0;
         for (const char *name : names) {
             const State state = stateOf(bench, name);
-            verifiedOrWritten += state == State::Verified ? 1 : 0;
+            QVERIFY2(state != State::Verified, name); // none was read back
+            if (state == State::Unproved) {
+                ++written;
+                const QModelIndex cell = bench.model.indexOf(bench.id(name));
+                const QString says = cell.data(Qt::AccessibleDescriptionRole).toString();
+                QVERIFY2(
+                    says.startsWith(QStringLiteral("Written, not verified")), qPrintable(says));
+                QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(says.toHtmlEscaped()));
+            }
             unclear += state == State::Refused ? 1 : 0;
             waiting += state == State::Pending ? 1 : 0;
         }
-        QCOMPARE(verifiedOrWritten + unclear + waiting, 11);
-        QCOMPARE(verifiedOrWritten, 7);
+        QCOMPARE(written + unclear + waiting, 11);
+        QCOMPARE(written, 7);
         QVERIFY(unclear + waiting == 4);
         QVERIFY(bench.told.last().contains(QStringLiteral("I_D_KI"))
             || bench.told.at(bench.told.size() - 2).contains(QStringLiteral("I_D_KI")));
@@ -265,6 +278,42 @@ private Q_SLOTS:
             [&] { return bench.device.link().state == drive::LinkState::Lost; }, 30s));
         QCOMPARE(bench.edits.steps().count(), 0);
         QVERIFY(!bench.edits.applyHint().isEmpty());
+    }
+
+    /// The board says OK, and what it has is not read, or shows only later: neither is as good as read back.
+    void whatWasNotReadBackIsMarkedApart()
+    {
+        EditBench bench;
+        bench.arm();
+        const auto ends = [&](const char *name, std::optional<bool> verified, const char *reason) {
+            drive::WriteResult result{bench.id(name), Outcome::Ok, reason, {}, {}, verified};
+            if (verified)
+                result.readBack = whole(7);
+            bench.model.onResults({result});
+            const auto cell = [&](RegisterModel::Column column) {
+                return bench.model.indexOf(bench.id(name), column);
+            };
+            QStyleOptionViewItem option;
+            Cells(bench.model).initStyleOption(&option, cell(RegisterModel::NameColumn));
+            return std::tuple(stateOf(bench, name), option.text.left(1),
+                cell(RegisterModel::ValueColumn).data(Qt::AccessibleDescriptionRole).toString(),
+                cell(RegisterModel::ValueColumn).data(Qt::BackgroundRole).value<QColor>());
+        };
+        const auto [state, sign, says, color] = ends("SPEED_KP", true, "");
+        QVERIFY(state == State::Verified);
+        QCOMPARE(says, QStringLiteral("Written and read back."));
+        const auto [silentState, silentSign, silent, silentColor] = ends("SPEED_KI", {}, "");
+        QVERIFY(silentState == State::Unproved);
+        QCOMPARE(silent, QStringLiteral("Written, not verified."));
+        QVERIFY(silentSign != sign);
+        QVERIFY(silentColor != color);
+        const auto later = std::get<2>(ends("SPEED_KD", {}, "shown from the next start on"));
+        QCOMPARE(later, QStringLiteral("Written, not verified: shown from the next start on"));
+        QVERIFY(!bench.model.hasEdits()); // the board took them
+        bench.model.refresh(bench.ms());
+        bench.model.refresh(bench.ms() + 1500ms);
+        for (const char *name : {"SPEED_KP", "SPEED_KI", "SPEED_KD"})
+            QVERIFY(stateOf(bench, name) == State::None);
     }
 
     void aResetOfTheBoardEmptiesTheList()
