@@ -46,7 +46,7 @@ public:
     /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
     void lose(const std::string &why);
 
-    const catalog::Catalog &catalog() const { return *m_experiment.subject.catalog; }
+    const Experiment &experiment() const { return m_experiment; }
 
     std::vector<drive::Wish> takeWishes();
     /// Once true: every motor is to be stopped, before anything else leaves.

@@ -170,6 +170,10 @@ DEFECTS = [
         ("core/lab/runner.cpp", "m_stop = needsEnvelope();", "m_stop = false;")]),
     ("an experiment is left to itself when its port goes", "tst_session_experiment_faults@1-100", "MS29|MS32", [
         ("core/session/link/session.cpp", 'm_experiment->lose("the port was lost");', 'm_experiment->interrupt("the port was lost");')]),
+    ("what an experiment has borrowed is written over", "tst_session_experiment", "FAIL", [
+        ("core/session/link/session.cpp", "if (m_experiment && writesLent(", "if (m_experiment && false && writesLent(")]),
+    ("what was not read back is told as verified", "tst_register_edits", "FAIL", [
+        ("widgets/registers/register_model_edits.cpp", "result.verified ? EditState::Verified", "true ? EditState::Verified")]),
     ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [
         ("app/cli/command_capture.cpp", 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())', 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks() / 1000)')]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [

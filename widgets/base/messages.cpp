@@ -14,8 +14,8 @@ struct Messages {
     Q_DECLARE_TR_FUNCTIONS(Messages)
 };
 
-/// The drive's own words (core/drive), English there as in recordings and on the command line. No place holder takes a
-/// space.
+/// The words of drive and session (core/drive, core/session/link), English there as in recordings and on the command
+/// line. No place holder takes a space.
 constexpr const char *kReasons[] = {
     // NOLINTBEGIN(bugprone-suspicious-missing-comma): long ones stand in several pieces
     QT_TRANSLATE_NOOP("Messages", "beyond your own limit of %1 rpm"),
@@ -50,6 +50,7 @@ constexpr const char *kReasons[] = {
     QT_TRANSLATE_NOOP("Messages", "not armed"),
     QT_TRANSLATE_NOOP("Messages", "stopped; arm again first"),
     QT_TRANSLATE_NOOP("Messages", "too late: it was asked for more than half a second ago"),
+    QT_TRANSLATE_NOOP("Messages", "a register of it is lent to an experiment until that ends"),
     // NOLINTEND(bugprone-suspicious-missing-comma)
 };
 

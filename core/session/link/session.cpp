@@ -26,7 +26,7 @@ constexpr Duration kLeastBetweenWakes = std::chrono::microseconds(900);
 constexpr Duration kLongestWait = std::chrono::seconds(60);
 constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
 
-/// What takes the motor out of an experiment's hands; parameters, such as gains, may be written meanwhile.
+/// What takes the motor out of an experiment's hands; parameters that it has not borrowed may be written meanwhile.
 bool commands(const drive::Wish &wish, const catalog::Catalog &catalog)
 {
     if (const auto *write = std::get_if<drive::Write>(&wish.what))
@@ -38,6 +38,20 @@ bool commands(const drive::Wish &wish, const catalog::Catalog &catalog)
         && !std::holds_alternative<drive::Stream>(wish.what)
         && !std::holds_alternative<drive::Watch>(wish.what)
         && !std::holds_alternative<drive::UserLimits>(wish.what);
+}
+
+constexpr const char *kLentOut = "a register of it is lent to an experiment until that ends";
+
+/// Whether it writes what the experiment brings back at its end, which would overwrite what was written meanwhile.
+bool writesLent(const drive::Wish &wish, const lab::Experiment &experiment)
+{
+    const auto *write = std::get_if<drive::Write>(&wish.what);
+    return write != nullptr
+        && std::ranges::any_of(
+            lab::conditionsOf(experiment).lent, [&](const drive::RegisterWrite &lent) {
+                return std::ranges::find(write->writes, lent.id, &drive::RegisterWrite::id)
+                    != write->writes.end();
+            });
 }
 
 const auto kStopEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
@@ -225,7 +239,15 @@ void Session::submit(const drive::Wish &wish)
         m_limits = *limits;
     const TimePoint now = wake();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
-    if (m_experiment && commands(wish, m_experiment->catalog()))
+    if (m_experiment && writesLent(wish, m_experiment->experiment())) {
+        m_batcher.add(drive::Ended{.id = wish.id,
+            .outcome = drive::Outcome::Refused,
+            .reason = kLentOut,
+            .writes = {},
+            .byProgram = true});
+        return step(now);
+    }
+    if (m_experiment && commands(wish, *m_experiment->experiment().subject.catalog))
         interruptExperiment("another command went to the motor", now);
     const bool isSignals = std::holds_alternative<drive::Stream>(wish.what)
         || std::holds_alternative<drive::Watch>(wish.what);

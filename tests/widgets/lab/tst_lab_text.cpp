@@ -269,7 +269,9 @@ void TestLabText::coreAndTheWindowHaveTheSameSentences_data()
              "task_drive.h", "wish.h", "wish_drive.cpp", "wish_queue.h"})
         acts.append(QStringLiteral("core/drive/") + QLatin1String(file));
     QTest::newRow("why a drive refuses an act")
-        << kDrive << acts << QStringList{QStringLiteral("core/drive")}
+        << kDrive << acts
+        << QStringList{QStringLiteral("core/drive"),
+               QStringLiteral("core/session/link/session.cpp")}
         << QStringList{QStringLiteral(" ms"), QStringLiteral(" of motor "),
                QStringLiteral("; to move it all the same takes "),
                QStringLiteral("a move lasts 1 to 65535 ms"), QStringLiteral("a ramp lasts 0 to "),

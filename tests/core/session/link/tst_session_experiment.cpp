@@ -221,6 +221,52 @@ private Q_SLOTS:
         VERIFY_END(world, End::Complete);
     }
 
+    /// At its end the old value comes back, over what was written meanwhile: so nothing of such a write leaves.
+    void whatItHasBorrowedIsNotWrittenMeanwhile()
+    {
+        World world;
+        QVERIFY(world.connect());
+        const drive::RegisterId kp = world.id("SPEED_KP"), ki = world.id("SPEED_KI"),
+                                other = world.id("SPEED_KD");
+        const auto write = [&](drive::WishId wish, std::vector<drive::RegisterWrite> writes) {
+            world.session.submit({.id = wish, .what = drive::Write{std::move(writes)}});
+            const auto end = [&] {
+                for (const drive::Ended &ended : world.all<drive::Ended>())
+                    if (ended.id == wish)
+                        return std::optional(ended);
+                return std::optional<drive::Ended>();
+            };
+            return world.runUntil([&] { return end().has_value(); }, 5s) ? end() : std::nullopt;
+        };
+        const auto first = write(6, {{kp, std::int64_t{1900}}, {ki, std::int64_t{150}}});
+        QVERIFY(first && first->writes.size() == 2 && first->writes[0].id == kp);
+        const auto ownKp = std::get<std::int64_t>(first->writes[0].before.value());
+        const auto ownKi = std::get<std::int64_t>(first->writes[1].before.value());
+        const auto set = write(7, {{kp, ownKp + 1}, {ki, ownKi}});
+        QVERIFY(set && set->writes.at(0).verified == true);
+
+        const lab::Subject subject = *lab::subjectOf(*world.board(), 1);
+        lab::ResponsePlan plan = lab::responsePlanFor(subject, {});
+        plan.kp = 3 * int(ownKp) / 4;
+        plan.ki = 3 * int(ownKi) / 4;
+        plan.length = 4s;
+        world.session.run({plan, subject});
+        QVERIFY(world.runUntil([&] { return world.status->state == MotorState::Running; }, 20s));
+        // Of a list, all of it.
+        const auto refused = write(8, {{other, std::int64_t{0}}, {kp, ownKp + 2}});
+        QVERIFY(refused && refused->outcome == drive::Outcome::Refused && refused->byProgram);
+        QVERIFY2(refused->reason.find("lent") != std::string::npos, refused->reason.c_str());
+        QVERIFY(refused->writes.empty());
+        const auto taken = write(9, {{other, std::int64_t{0}}});
+        QVERIFY(taken && taken->outcome == drive::Outcome::Ok);
+        QVERIFY(world.ends(60s));
+        VERIFY_END(world, End::Complete);
+
+        const auto after = write(10, {{kp, ownKp + 2}});
+        QVERIFY(after && after->writes.at(0).verified == true);
+        QVERIFY(after->writes.at(0).before == catalog::Value(ownKp + 1)); // which came back
+    }
+
     /// The Stop leaves within 25 ms; a session that lost it between two turns would let the motor run on.
     void aBrokenCapStopsTheMotor()
     {
