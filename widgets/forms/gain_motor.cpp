@@ -165,7 +165,7 @@ QString GainMotor::measuredText() const
     const auto unless = [](bool typed, const std::optional<lab::Estimate> &found) {
         return typed ? std::nullopt : found;
     };
-    QStringList parts;
+    QStringList within, alone;
     for (const Shown &shown :
         {Shown{tr("Rs"), unless(isTyped(m_rs), m_measured.rs_ohm), 1.0, u"\u03a9"},
             Shown{tr("Lq"), unless(isTyped(m_lq), m_measured.lq_h), 1.0, u"H"},
@@ -180,13 +180,20 @@ QString GainMotor::measuredText() const
             return siText(value * shown.factor, QString::fromUtf16(shown.unit),
                 lab::lastPlaceOf(*shown.found) * shown.factor);
         };
-        parts.append(shown.found->low && shown.found->high
-                ? tr("%1 from %2 to %3", "quantity, least and greatest value")
-                      .arg(shown.name, figure(*shown.found->low), figure(*shown.found->high))
-                : shown.name + QLatin1Char(' ') + figure(shown.found->value));
+        if (shown.found->low && shown.found->high)
+            within.append(
+                tr("%1 from %2 to %3", "quantity, least and greatest value")
+                    .arg(shown.name, figure(*shown.found->low), figure(*shown.found->high)));
+        else
+            alone.append(shown.name + QLatin1Char(' ') + figure(shown.found->value));
     }
-    return parts.isEmpty() ? QString()
-                           : tr("Measured, with 95 %: %1.").arg(parts.join(QStringLiteral("; ")));
+    QStringList sentences;
+    if (!within.isEmpty())
+        sentences.append(tr("Measured, with 95 %: %1.").arg(within.join(QStringLiteral("; "))));
+    if (!alone.isEmpty())
+        sentences.append(
+            tr("Measured, without an interval: %1.").arg(alone.join(QStringLiteral("; "))));
+    return sentences.join(QLatin1Char(' '));
 }
 
 motor::GainPlant GainMotor::plant() const
