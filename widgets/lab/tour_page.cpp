@@ -256,14 +256,16 @@ void TourPage::began(int which)
     m_steps.set(m_next, State::Runs);
 }
 
-/// From the first station, or from a response with gentler gains: nobody has agreed to them yet.
+/// From the first station, or from a response: with gentler gains, which nobody has agreed to yet, if those stand with
+/// which the speed swung.
 void TourPage::waitAt(Step next)
 {
     m_next = next;
     if (next == TourSteps::Response)
         m_bar->rename(m_tour, tr("Go on with the tou&r"),
-            tr("Measures the response with gentler gains, which it asks about, and proposes gains "
-               "from it; the old ones come back."));
+            tr("Measures the response, and proposes gains from it. Instead of the gains with which "
+               "the speed swung it takes gentler ones meanwhile, and asks about them; others are "
+               "taken as they are."));
     else
         m_bar->rename(m_tour, tr("Sta&rt the tour"),
             tr("Measures windings, mechanics and the response of the speed, one after the other, "

@@ -291,6 +291,22 @@ private Q_SLOTS:
         QVERIFY(!bench.running() && !bench.asks());
         QCOMPARE(wished.size(), 4U); // nothing by itself
         QTRY_VERIFY(button->isEnabled());
+        // Whoever writes others meanwhile has these measured, to which the first question was; so its tool tip says.
+        scaleGains(bench, 2.0);
+        if (QTest::currentTestFailed())
+            return;
+        QTRY_VERIFY(button->isEnabled());
+        QVERIFY2(button->toolTip().contains(QLatin1String("others are taken as they are")),
+            qPrintable(button->toolTip()));
+        bench.press("tourRun");
+        if (bench.asks())
+            bench.agree();
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Runs);
+        QCOMPARE(wished.size(), 5U);
+        QCOMPARE(std::get<lab::ResponsePlan>(wished.back().plan).kp, 0);
+        swings();
+        QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Ended);
+        QTRY_VERIFY(button->isEnabled());
         bench.press("tourRun");
         QVERIFY(bench.asks());
         const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
@@ -301,7 +317,7 @@ private Q_SLOTS:
         bench.agree();
         QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Runs);
         QCOMPARE(stepsOf(bench).state(Steps::Windings), State::Ended); // as it was
-        QCOMPARE(wished.size(), 5U);
+        QCOMPARE(wished.size(), 6U);
         QCOMPARE(std::get<lab::ResponsePlan>(wished.back().plan).kp, kp.toInt());
         experiments.end({.reason = {}, .at = bench.world.now()}); // of which nothing is known
         QTRY_COMPARE(stepsOf(bench).state(Steps::Response), State::Unclear);
