@@ -6,6 +6,7 @@
 #include "campaign/lab_gains.h"
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/power_evaluation.h"
 #include "lab/evaluation/response_evaluation.h"
 #include "session/files/motor_file.h"
 #include "simulation/plant/presets.h"
@@ -23,6 +24,7 @@
 #include <map>
 #include <numbers>
 #include <span>
+#include <string_view>
 
 namespace {
 
@@ -253,6 +255,38 @@ void electrics(const Motor &motor, std::uint64_t seeds)
     end(columns, reasons);
 }
 
+/// Of the shaft at a speed that is held: the air gap gives what friction, fan and brake take there, at the speed that
+/// the angle tells.
+void powers(const Motor &motor, double brake, std::uint64_t seeds)
+{
+    std::array columns{Column{"shaft", 3.0}};
+    const simulation::PlantParameters plant = braked(motor.plant, brake);
+    std::vector<std::string> reasons;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        support::LabBench bench(boardOf(plant, seed), seed);
+        std::string why = carryOut(bench, {powerPlanFor(bench.experiment.subject, {})});
+        const auto found = why.empty() ? evaluatePower(bench.capture, bench.happenings)
+                                       : Result<Power, std::string>(fail(why));
+        if (!found) {
+            reasons.push_back(found.error());
+            continue;
+        }
+        const auto figure = [&found](std::string_view key) {
+            const Figures &all = found->figures;
+            const auto at = std::ranges::find(all, key, &Figure::key);
+            return at == all.end() ? std::nullopt : at->value;
+        };
+        const auto rpm = figure("speed_rpm");
+        const double w = rpm ? rpm->value * std::numbers::pi / 30.0 : 0.0;
+        const double torque = plant.motor.coulomb_nm + plant.load.constant_nm
+            + (plant.motor.viscous_nms + plant.load.fan_nms2 * w) * w;
+        columns[0].accept(figure("shaft_w"), torque * w);
+    }
+    std::printf("| %s | %.0f %% | %zu of %llu |", motor.name.c_str(), brake * kPercent,
+        static_cast<std::size_t>(seeds) - reasons.size(), static_cast<unsigned long long>(seeds));
+    end(columns, reasons);
+}
+
 } // namespace
 
 int main(int count, char **words)
@@ -281,6 +315,11 @@ int main(int count, char **words)
         "held | else |\n|---|---|---|---|---|---|---|---|\n");
     for (const Motor &motor : all)
         responses(motor, seeds);
+    std::printf("\n| motor | brake, of the nominal torque | results | shaft power | else "
+                "|\n|---|---|---|---|---|\n");
+    for (const Motor &motor : all)
+        for (const double brake : {0.0, 0.1})
+            powers(motor, brake, seeds);
     std::printf(
         "\nMedium gains: Ms that was measured, overshoot in %% as predicted and as measured.\n\n"
         "| motor | load | gains as they were | four times | a quarter | else "
