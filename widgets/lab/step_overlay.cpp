@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kLeastShown_s = 0.01; ///< that the axis shows
 constexpr int kTicks = 6; ///< of a curve
-constexpr double kRoom = 0.08; ///< of the speeds, above and below
+constexpr double kRoom = 0.08; ///< of what is drawn, above and below
+constexpr double kLeastRoom_rpm = 1.0, kLeastRoom_a = 0.01;
 
 } // namespace
 
@@ -38,16 +39,23 @@ StepOverlay::StepOverlay(QWidget *parent)
     draw();
 }
 
-void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up)
+void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up, StepKind kind)
 {
+    if (std::exchange(m_kind, kind) != kind)
+        m_from_s = m_to_s = 0.0;
+    plot().yAxis->setLabel(kind == StepKind::Torque ? tr("Iq [A]")
+            : kind == StepKind::Flux                ? tr("Id [A]")
+                                                    : tr("Speed [rpm]"));
     m_curves.clear();
     m_least_s = 0.0;
     m_most_s = kLeastShown_s;
     bool missing = false;
     for (const StepResult &result : results)
         for (const StepCurve &curve : result.curves) {
-            missing = missing || (curve.up == up && curve.seconds.isEmpty());
-            if (curve.up != up || curve.seconds.isEmpty())
+            if (curve.up != up || result.kind() != kind)
+                continue;
+            missing = missing || curve.seconds.isEmpty();
+            if (curve.seconds.isEmpty())
                 continue;
             m_least_s = std::min(m_least_s, curve.seconds.first());
             m_most_s = std::max(m_most_s, curve.seconds.last());
@@ -84,7 +92,8 @@ void StepOverlay::drawCurve(const Drawn &drawn, bool dark)
         QCPGraph *line = plot().addGraph();
         line->setPen(QPen(color, 0));
         line->setAntialiased(false);
-        line->setData(times.mid(piece, end - piece), drawn.curve.rpm.mid(piece, end - piece), true);
+        line->setData(
+            times.mid(piece, end - piece), drawn.curve.values.mid(piece, end - piece), true);
         piece = end;
     }
     QCPGraph *ticks = plot().addGraph();
@@ -95,7 +104,7 @@ void StepOverlay::drawCurve(const Drawn &drawn, bool dark)
     for (int i = 0; i < kTicks; ++i) {
         const auto at = std::lower_bound(times.begin(), times.end(), first + i * each);
         if (at != times.end())
-            ticks->addData(*at, drawn.curve.rpm[at - times.begin()]);
+            ticks->addData(*at, drawn.curve.values[at - times.begin()]);
     }
 }
 
@@ -110,13 +119,14 @@ void StepOverlay::draw()
     bool any = false;
     for (const Drawn &drawn : m_curves) {
         const auto [low, high] =
-            std::minmax_element(drawn.curve.rpm.begin(), drawn.curve.rpm.end());
+            std::minmax_element(drawn.curve.values.begin(), drawn.curve.values.end());
         least = any ? std::min(least, *low) : *low;
         most = any ? std::max(most, *high) : *high;
         any = true;
         drawCurve(drawn, dark);
     }
-    const double room = std::max(1.0, kRoom * (most - least));
+    const double room =
+        std::max(m_kind == StepKind::Speed ? kLeastRoom_rpm : kLeastRoom_a, kRoom * (most - least));
     plot().yAxis->setRange(least - room, most + room);
     const auto ticks = [](QCPAxis *axis, int pixels, int each, int close) {
         axis->ticker().dynamicCast<AxisTicker>()->setMost(

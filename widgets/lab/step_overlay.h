@@ -1,5 +1,5 @@
 // StepOverlay: the steps of all series over one another, each in the colour and with the tick of its row, from their
-// instants on. The wheel, dragging and keys move the time axis; the speeds fit themselves.
+// instants on. The wheel, dragging and keys move the time axis; speeds and currents fit themselves.
 #pragma once
 
 #include "widgets/lab/step_result.h"
@@ -14,7 +14,9 @@ class StepOverlay final : public KeyedPlot {
 public:
     explicit StepOverlay(QWidget *parent = nullptr);
 
-    void showSteps(const std::vector<StepResult> &results, bool up);
+    /// Those of one kind: speeds and currents have no axis in common.
+    void showSteps(
+        const std::vector<StepResult> &results, bool up, StepKind kind = StepKind::Speed);
     void fit() override; ///< all of the time
     int curves() const; ///< that are drawn
 
@@ -35,6 +37,7 @@ private:
     void setLimits(double least, double most);
 
     std::vector<Drawn> m_curves;
+    StepKind m_kind = StepKind::Speed;
     double m_least_s = 0.0, m_most_s = 0.1; ///< that there are points of
     double m_from_s = 0.0, m_to_s = 0.0; ///< shown; both 0: all
     bool m_setting = false;

@@ -1,5 +1,6 @@
 #include "widgets/lab/step_result.h"
 
+#include "lab/evaluation/current_step_evaluation.h"
 #include "scope/sample_range.h"
 
 #include <algorithm>
@@ -12,21 +13,23 @@ using capture::Nanos;
 
 constexpr Nanos kBefore = 20'000'000; ///< of the speed before a step
 constexpr double kSpacing_s = 1e-3; ///< of the points that are drawn
+constexpr double kPoints = 500.0; ///< of a current while it is held
 
-/// What is drawn of a speed, and of which step.
-void fill(StepCurve &curve, const capture::Channel &speed, const lab::StepRun &run)
+/// What is drawn of a signal, and of which step.
+void fill(StepCurve &curve, const capture::Channel &signal, const lab::StepRun &run,
+    Nanos before = kBefore, double spacing_s = kSpacing_s)
 {
     const Nanos at = run.at;
-    const scope::SampleRange range(speed, at - kBefore, run.until);
+    const scope::SampleRange range(signal, at - before, run.until);
     double next = 0.0;
-    range.visit([&](double seconds, double rpm, bool joined) {
+    range.visit([&](double seconds, double value, bool joined) {
         if (joined && seconds < next)
             return;
         if (!joined && !curve.seconds.isEmpty())
             curve.gaps.append(curve.seconds.size());
-        next = seconds + kSpacing_s;
+        next = seconds + spacing_s;
         curve.seconds.append(capture::toSeconds(range.toNanos(seconds) - at));
-        curve.rpm.append(rpm);
+        curve.values.append(value);
     });
 }
 
@@ -75,6 +78,15 @@ StepCurve curveOf(const capture::Capture &capture, const lab::Recorded<lab::Step
     return curve;
 }
 
+/// @param hold  of each current
+StepCurve curveOf(const capture::Channel &current, const lab::StepRun &run, Nanos hold)
+{
+    StepCurve curve;
+    curve.up = run.up;
+    fill(curve, current, run, hold / 2, capture::toSeconds(hold) / kPoints);
+    return curve;
+}
+
 std::optional<std::pair<double, double>> extremesOf(
     const capture::Capture &capture, const std::string &name, Nanos from, Nanos to)
 {
@@ -97,7 +109,31 @@ bool StepResult::told() const
         [](const lab::StepRun &run) { return run.rise_s || run.peakIq_a; });
 }
 
-Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus)
+StepKind StepResult::kind() const
+{
+    return !current ? StepKind::Speed : current->flux != 0 ? StepKind::Flux : StepKind::Torque;
+}
+
+namespace {
+
+Result<StepResult, std::string> currentResult(
+    const Experiments::Run &record, const lab::Recorded<lab::CurrentStepPlan> &plan)
+{
+    auto found = lab::currentSteps(record.capture, record.happenings);
+    if (!found)
+        return fail(found.error());
+    StepResult result;
+    static_cast<lab::MeasuredSteps &>(result.series) = std::move(*found);
+    result.current = plan.plan;
+    const capture::Channel *current =
+        lab::fastChannel(record.capture, plan.plan.flux != 0 ? plan.currentD : plan.current);
+    const Nanos hold = std::chrono::nanoseconds(plan.plan.hold).count();
+    for (const lab::StepRun &run : result.series.runs)
+        result.curves.append(curveOf(*current, run, hold)); // it is there: it was evaluated
+    return result;
+}
+
+Result<StepResult, std::string> speedResult(const Experiments::Run &record)
 {
     auto series = lab::stepSeries(record.capture, record.happenings);
     if (!series)
@@ -108,10 +144,23 @@ Result<StepResult, std::string> stepResult(const Experiments::Run &record, const
     const auto &runs = result.series.runs;
     if (!plan || runs.empty())
         return result;
-    const Nanos hold = std::chrono::nanoseconds(result.series.plan.hold).count();
     for (const lab::StepRun &run : runs)
         result.curves.append(curveOf(record.capture, *plan, run));
-    result.bus_v = extremesOf(record.capture, bus, runs.front().at, runs.back().at + hold);
+    return result;
+}
+
+} // namespace
+
+Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus)
+{
+    const auto current = lab::recordedPlan<lab::CurrentStepPlan>(record.happenings.front().second);
+    auto result = current ? currentResult(record, *current) : speedResult(record);
+    if (!result || result->series.runs.empty())
+        return result;
+    const auto &runs = result->series.runs;
+    const Nanos hold =
+        std::chrono::nanoseconds(current ? current->plan.hold : result->series.plan.hold).count();
+    result->bus_v = extremesOf(record.capture, bus, runs.front().at, runs.back().at + hold);
     return result;
 }
 

@@ -1,5 +1,5 @@
 // A series of steps as its row and its curves show it. The numbers are those of core/lab, from the record of the
-// experiment alone; a curve is the speed by which they were measured.
+// experiment alone; a curve is the speed, or the current, by which they were measured.
 #pragma once
 
 #include "lab/evaluation/step_series.h"
@@ -8,27 +8,34 @@
 #include <QString>
 #include <QVector>
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 namespace widgets {
 
-/// One step: the speed over the time since its instant, as far as it was recorded. Empty: no stretch of it is long
-/// enough to tell a speed.
+/// What is stepped: the speed, Iq, or Id.
+enum class StepKind : std::uint8_t { Speed, Torque, Flux };
+constexpr std::size_t kStepKinds = 3;
+
+/// One step: the speed or the current over the time since its instant, as far as it was recorded. Empty: no stretch of
+/// it is long enough to tell a speed.
 struct StepCurve {
     bool up = true;
-    QVector<double> seconds, rpm;
+    QVector<double> seconds, values; ///< rpm, or A of a current
     QVector<qsizetype> gaps; ///< samples are missing before these points
 };
 
 struct StepResult {
     int number = 0; ///< of the series in its table, from 1
     QString kp, ki; ///< with which it was made, with units
-    lab::StepSeries series;
+    lab::StepSeries series; ///< its plan is that of a speed
+    std::optional<lab::CurrentStepPlan> current; ///< empty: the speed was stepped
     QVector<StepCurve> curves;
     std::optional<std::pair<double, double>> bus_v; ///< least and greatest; empty: not known
 
     bool told() const; ///< at least one of its numbers is known
+    StepKind kind() const;
 };
 
 /// @param bus  name of the register that tells the bus voltage; empty: there is none

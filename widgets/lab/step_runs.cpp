@@ -40,6 +40,12 @@ const Metric *shownIn(int column)
     return at >= 0 && at < int(kMetrics.size()) ? &kMetrics[std::size_t(at)] : nullptr;
 }
 
+/// Currents follow some thirty times as fast as speeds.
+int decimalsOf(const Metric &metric, const StepResult &result)
+{
+    return metric.decimals + (result.current && metric.factor == kMilli ? 1 : 0);
+}
+
 QString signedText(double value, int decimals)
 {
     QString text = numberText(std::abs(value), decimals);
@@ -58,8 +64,9 @@ double errorOf(const lab::StepRun &run, int column)
 }
 
 /// With how many were held to their end, which are fewer than planned where the series ended early.
-QString stepText(const lab::StepSeries &series)
+QString stepText(const StepResult &result)
 {
+    const lab::StepSeries &series = result.series;
     const auto held = [&series](bool up) {
         return QString::number(std::ranges::count_if(
             series.runs, [up](const lab::StepRun &run) { return run.up == up && !run.cut; }));
@@ -68,15 +75,42 @@ QString stepText(const lab::StepSeries &series)
     const auto number = [](int rpm) {
         return QString::number(rpm).replace(QLatin1Char('-'), kMinus);
     };
-    return QStringLiteral("%1 \u2192 %2")
-               .arg(number(series.plan.fromRpm), number(series.plan.toRpm))
-        + kNarrow + StepRuns::tr("rpm") + QStringLiteral(", ")
+    const auto amps = [](double value) {
+        return numberText(value, 2).replace(QLatin1Char('-'), kMinus);
+    };
+    const auto &current = result.current;
+    const QString ends = current
+        ? StepRuns::kindText(result.kind()) + QLatin1Char(' ')
+            + QStringLiteral("%1 \u2192 %2").arg(amps(current->fromAmps), amps(current->toAmps))
+            + kNarrow + QLatin1Char('A')
+        : QStringLiteral("%1 \u2192 %2").arg(number(series.plan.fromRpm), number(series.plan.toRpm))
+            + kNarrow + StepRuns::tr("rpm");
+    return ends + QStringLiteral(", ")
         + (up == down
                 ? up + QChar(0x00d7)
                 : StepRuns::tr("%1\u00d7 up, %2\u00d7 down", "numbers of steps").arg(up, down));
 }
 
+/// Another step is no other tuning of this one.
+bool isSameStep(const StepResult &one, const StepResult &other)
+{
+    if (one.kind() != other.kind())
+        return false;
+    if (one.current)
+        return one.current->fromAmps == other.current->fromAmps
+            && one.current->toAmps == other.current->toAmps;
+    return one.series.plan.fromRpm == other.series.plan.fromRpm
+        && one.series.plan.toRpm == other.series.plan.toRpm;
+}
+
 } // namespace
+
+QString StepRuns::kindText(StepKind kind)
+{
+    return kind == StepKind::Torque ? tr("Torque")
+        : kind == StepKind::Flux    ? tr("Flux")
+                                    : tr("Speed");
+}
 
 StepRuns::StepRuns(QObject *parent)
     : RowTable(parent,
@@ -139,24 +173,21 @@ QString StepRuns::number(const StepResult &result, int column) const
     const auto &mean = result.series.*(shown->mean);
     if (!mean)
         return QStringLiteral("\u2013");
-    QString text = numberText(mean->value * shown->factor, shown->decimals);
+    const int decimals = decimalsOf(*shown, result);
+    QString text = numberText(mean->value * shown->factor, decimals);
     if (mean->low)
-        text += kPlusMinus
-            + numberText((mean->value - *mean->low) * shown->factor, shown->decimals);
+        text += kPlusMinus + numberText((mean->value - *mean->low) * shown->factor, decimals);
     text += kNarrow + QLatin1String(shown->unit);
     const int row = reference();
     if (row < 0 || result.number == m_reference)
         return text;
-    const lab::StepSeries &with = m_results[std::size_t(row)].series;
-    const auto &other = with.*(shown->mean);
-    // Another step is no other tuning of this one.
-    const bool same = with.plan.fromRpm == result.series.plan.fromRpm
-        && with.plan.toRpm == result.series.plan.toRpm;
-    if (!other || !same)
+    const StepResult &with = m_results[std::size_t(row)];
+    const auto &other = with.series.*(shown->mean);
+    if (!other || !isSameStep(with, result))
         return text;
     return text
         + QStringLiteral("  (%1)").arg(
-            signedText((mean->value - other->value) * shown->factor, shown->decimals));
+            signedText((mean->value - other->value) * shown->factor, decimals));
 }
 
 QString StepRuns::text(const StepResult &result, int column) const
@@ -168,7 +199,7 @@ QString StepRuns::text(const StepResult &result, int column) const
                   .arg(QString::number(result.number))
             : QString::number(result.number);
     case StepColumn:
-        return stepText(result.series);
+        return stepText(result);
     case KpColumn:
         return result.kp;
     case KiColumn:
@@ -193,12 +224,13 @@ QString StepRuns::tip(const StepResult &result) const
         QStringList values;
         for (int column = RiseColumn; column <= PeakColumn; ++column) {
             const Metric &shown = *shownIn(column);
+            const int decimals = decimalsOf(shown, result);
             const auto &value = run.*(shown.run);
             const double error = errorOf(run, column);
             QString text = QStringLiteral("\u2013");
             if (value)
-                text = numberText(*value * shown.factor, shown.decimals)
-                    + (error > 0.0 ? kPlusMinus + numberText(error * shown.factor, shown.decimals)
+                text = numberText(*value * shown.factor, decimals)
+                    + (error > 0.0 ? kPlusMinus + numberText(error * shown.factor, decimals)
                                    : QString())
                     + kNarrow + QLatin1String(shown.unit);
             values.append(headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()

@@ -25,6 +25,7 @@ public:
     static constexpr int kMost = 50; ///< the oldest that is no reference goes for the next one
 
     explicit StepRuns(QObject *parent = nullptr);
+    static QString kindText(StepKind kind); ///< a word
 
     void add(StepResult result); ///< it gets the next number
     void remove(int row);

@@ -168,6 +168,36 @@ private Q_SLOTS:
         QCOMPARE(runs.index(0, StepRuns::StepColumn).data().toString(),
             QStringLiteral("1000 \u2192 \u22121500\u202frpm, 3\u00d7"));
     }
+    /// Of which only the same step is another tuning, and which no axis has in common with a speed.
+    void aCurrentIsToldInItsUnits()
+    {
+        StepRuns runs;
+        const auto torque = [](double rise_s, int flux) {
+            StepResult one = result(rise_s);
+            one.current = lab::CurrentStepPlan{.flux = flux, .fromAmps = 0.5, .toAmps = 1.5};
+            one.curves.append({true, {0.0, 0.01}, {0.5, 1.5}, {}});
+            return one;
+        };
+        runs.add(result(0.030));
+        for (const int flux : {0, 0, 1})
+            runs.add(torque(flux != 0 ? 1.0e-3 : 1.02e-3, flux));
+        QCOMPARE(text(runs, 1), QStringLiteral("1.02\u202fms"));
+        runs.setReference(1);
+        QCOMPARE(text(runs, 2), QStringLiteral("1.02\u202fms  (\u00b10.00)"));
+        QCOMPARE(text(runs, 3), QStringLiteral("1.00\u202fms"));
+        QCOMPARE(text(runs, 0), QStringLiteral("30.0\u202fms"));
+        QCOMPARE(runs.index(3, StepRuns::StepColumn).data().toString(),
+            QStringLiteral("Flux 0.50 \u2192 1.50\u202fA, 3\u00d7"));
+
+        widgets::StepOverlay picture;
+        picture.showSteps(runs.results(), true);
+        QCOMPARE(picture.curves(), 0);
+        picture.showSteps(runs.results(), true, widgets::StepKind::Torque);
+        QCOMPARE(picture.curves(), 2);
+        const QCPAxis &axis = *picture.findChild<QCustomPlot *>()->yAxis;
+        QCOMPARE(axis.label(), QStringLiteral("Iq [A]"));
+        QVERIFY(axis.range().lower > 0.3 && axis.range().upper < 1.7); // by tenths of the step
+    }
     void onlyStepsThatWereMadeAreCounted()
     {
         StepRuns runs;
