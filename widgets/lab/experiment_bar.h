@@ -79,8 +79,8 @@ public:
     void setLook(Look look) { m_look = std::move(look); }
     /// Its page says why none can begin now: the sentence leaves that out.
     void leaveOutObstacle() { m_saysObstacle = false; }
-    /// Its runs are nothing but steps of the speed, for which polled values do.
-    void takeSpeedSteps() { m_speedSteps = true; }
+    /// Whether its runs are nothing but steps of the speed, for which polled values do.
+    void takeSpeedSteps(bool only) { m_speedSteps = only; }
 
     void run(int which); ///< as its button does
     /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind

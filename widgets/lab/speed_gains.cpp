@@ -14,8 +14,21 @@ namespace widgets {
 
 using motor::GainId;
 
-SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edits, QWidget *parent)
+namespace {
+
+/// Kp and Ki, in the order of StepKind.
+constexpr std::pair<GainId, GainId> kLoops[kStepKinds] = {{GainId::SpeedKp, GainId::SpeedKi},
+    {GainId::TorqueKp, GainId::TorqueKi}, {GainId::FluxKp, GainId::FluxKi}};
+
+} // namespace
+
+SpeedGains::SpeedGains(
+    Device &device, RegisterModel &model, RegisterEdits &edits, StepKind kind, QWidget *parent)
     : QWidget(parent)
+    , m_kind(kind)
+    , m_kpId(kLoops[std::size_t(kind)].first)
+    , m_kiId(kLoops[std::size_t(kind)].second)
+    , m_wanted(kind == StepKind::Speed)
     , m_model(model)
     , m_edits(edits)
     , m_facts(device, model)
@@ -24,8 +37,8 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
 {
     setObjectName(QStringLiteral("speedGains"));
     auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
-    m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(GainId::SpeedKp));
-    m_ki = addGain(grid, 1, tr("K&i"), gainRegister(GainId::SpeedKi));
+    m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(m_kpId));
+    m_ki = addGain(grid, 1, tr("K&i"), gainRegister(m_kiId));
     for (QLabel *text : {m_kpText, m_kiText})
         text->setTextFormat(Qt::PlainText);
     grid->addWidget(m_kpText, 0, 2);
@@ -42,8 +55,10 @@ LiveGain *SpeedGains::addGain(QGridLayout *grid, int row, const QString &text, c
     auto *gain = new LiveGain(m_model, m_edits, name, this);
     auto *label = new QLabel(text, this);
     label->setBuddy(gain);
-    gain->setAccessibleName(
-        tr("%1 of the speed loop", "Kp or Ki").arg(QString(text).remove(QLatin1Char('&'))));
+    const QString of = m_kind == StepKind::Torque ? tr("%1 of the torque loop", "Kp or Ki")
+        : m_kind == StepKind::Flux                ? tr("%1 of the flux loop", "Kp or Ki")
+                                                  : tr("%1 of the speed loop", "Kp or Ki");
+    gain->setAccessibleName(of.arg(QString(text).remove(QLatin1Char('&'))));
     gain->setFixedWidth(gain->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
     grid->addWidget(label, row, 0);
     grid->addWidget(gain, row, 1);
@@ -59,6 +74,12 @@ std::vector<catalog::RegisterId> SpeedGains::watchedRegisters() const
                 ids.push_back(*id);
     ids.insert(ids.end(), m_facts.watched().begin(), m_facts.watched().end());
     return ids;
+}
+
+void SpeedGains::setWanted(bool wanted)
+{
+    m_wanted = wanted;
+    updateTexts();
 }
 
 bool SpeedGains::refresh()
@@ -89,15 +110,9 @@ bool SpeedGains::settled() const { return m_kp->settled() && m_ki->settled(); }
 
 SpeedGains::Values SpeedGains::values() const { return {m_kp->gain(), m_ki->gain()}; }
 
-QString SpeedGains::kpText(std::optional<double> value) const
-{
-    return textOf(value, GainId::SpeedKp);
-}
+QString SpeedGains::kpText(std::optional<double> value) const { return textOf(value, m_kpId); }
 
-QString SpeedGains::kiText(std::optional<double> value) const
-{
-    return textOf(value, GainId::SpeedKi);
-}
+QString SpeedGains::kiText(std::optional<double> value) const { return textOf(value, m_kiId); }
 
 QString SpeedGains::textOf(std::optional<double> value, GainId id) const
 {
@@ -110,7 +125,7 @@ QString SpeedGains::textOf(std::optional<double> value, GainId id) const
 
 double SpeedGains::jumpPerRpm(const lab::Subject &subject) const
 {
-    if (!m_kp->digits())
+    if (m_kind != StepKind::Speed || !m_kp->digits())
         return 0.0;
     return lab::jumpPerRpm(subject, static_cast<double>(*m_kp->digits()),
         static_cast<double>(m_kp->exponent().value_or(-1)));
@@ -118,7 +133,7 @@ double SpeedGains::jumpPerRpm(const lab::Subject &subject) const
 
 void SpeedGains::updateTexts()
 {
-    setVisible(there() || !m_model.catalog());
+    setVisible(m_wanted && (there() || !m_model.catalog()));
     m_kpText->setText(kpText(m_kp->gain()));
     m_kiText->setText(kiText(m_ki->gain()));
     Q_EMIT changed();

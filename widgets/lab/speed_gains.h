@@ -1,8 +1,10 @@
-// SpeedGains: the two gains of the speed loop as fields that move the board's own, and what their digits come to.
+// SpeedGains: the two gains of the speed loop, or of the loop of a current, as fields that move the board's own, and
+// what their digits come to.
 #pragma once
 
 #include "motor/gain_plan.h"
 #include "widgets/lab/shown_motor.h"
+#include "widgets/lab/step_result.h"
 #include "widgets/registers/register_edits.h"
 
 #include <QWidget>
@@ -17,10 +19,12 @@ class LiveGain;
 class SpeedGains : public QWidget {
     Q_OBJECT
 public:
-    SpeedGains(
-        Device &device, RegisterModel &model, RegisterEdits &edits, QWidget *parent = nullptr);
+    /// @param kind  whose loop it is
+    SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edits, StepKind kind,
+        QWidget *parent = nullptr);
 
     std::vector<catalog::RegisterId> watchedRegisters() const;
+    void setWanted(bool wanted); ///< else it is hidden
     bool refresh(); ///< true: other registers are to be watched from now on
     bool there() const; ///< the board has such gains
     bool known() const; ///< and has told them, and what they are worth
@@ -34,7 +38,7 @@ public:
     /// With its unit; as digits where that is not known.
     QString kpText(std::optional<double> value) const;
     QString kiText(std::optional<double> value) const;
-    /// What the loop adds to the current's reference at once: A/rpm. 0: not known.
+    /// What the loop of the speed adds to the current's reference at once: A/rpm. 0: not known.
     double jumpPerRpm(const lab::Subject &subject) const;
 
 Q_SIGNALS:
@@ -46,6 +50,9 @@ private:
     void updateTexts();
     QString textOf(std::optional<double> value, motor::GainId id) const;
 
+    StepKind m_kind;
+    motor::GainId m_kpId, m_kiId;
+    bool m_wanted;
     RegisterModel &m_model;
     RegisterEdits &m_edits;
     ShownMotor m_facts;

@@ -1,14 +1,18 @@
 #include "widgets/lab/step_fields.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/fields/number_edit.h"
 #include "widgets/base/fields/whole_spin.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/lab/step_runs.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStandardItemModel>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +30,13 @@ constexpr double kFromShare = 0.25, kToShare = 0.3, kLeastStep_rpm = 120.0;
 constexpr double kFromObserved = 1.25, kObservedShare = 0.075;
 constexpr int kNotch_ms = 50, kUsual_ms = 500, kLeastHold_ms = 50, kMost_ms = 10'000,
               kMostRepeats = 100;
+/// Of a current: nothing holds the speed meanwhile.
+constexpr int kCurrentNotch_ms = 5, kCurrentUsual_ms = 20, kCurrentLeast_ms = 10,
+              kCurrentMost_ms = 500;
+/// Of the greatest current, offered at first. A torque pushes all the time; a current along the magnets weakens them.
+constexpr double kFromTorque = 0.1, kToTorque = 0.3, kToFlux = -0.3;
+constexpr double kAnyAmps = 1e5; ///< where no board has told its limit
+constexpr double kUsualAmps = 1.0, kStep_a = 0.01, kNotch_a = 0.05;
 
 } // namespace
 
@@ -34,27 +45,38 @@ StepFields::StepFields(QWidget *parent)
     , m_grid(bare(new QGridLayout(this), kGrid, kFineGrid))
 {
     setObjectName(QStringLiteral("stepFields"));
-    m_from = addSpeed(0, tr("Fr&om"), "stepFrom");
-    m_to = addSpeed(2, tr("to", "a speed"), "stepTo");
+    m_from = addNumber(0, 0, tr("Fr&om"), "stepFrom", m_offered);
+    m_to = addNumber(0, 2, tr("to", "a speed"), "stepTo", m_offered);
     m_hold = addSpin(1, 0, tr("Hold"), "stepHold");
-    m_hold->setToolTip(tr("How long each speed is held: longer than the loop takes to settle"));
     m_approach = addSpin(1, 2, tr("ramp"), "stepApproach");
     m_approach->setToolTip(tr("Of the ramp to the first speed, and of the way back"));
+    m_rampLabel = m_grid->itemAtPosition(1, 2)->widget();
+    m_turning = addNumber(1, 2, tr("at", "a speed"), "stepSpeed", m_turningOffered);
+    m_turning.edit->setToolTip(
+        tr("How fast the motor turns meanwhile, negative for torques that push it backwards"));
     m_repeat = addSpin(2, 0, tr("Repeat"), "stepRepeat");
     m_repeat->setToolTip(tr("So many steps up, and as many down"));
-    m_hold->setRange(kLeastHold_ms, kMost_ms);
+    m_which = named(new QComboBox(this), "stepKind", tr("What is stepped"));
+    for (const StepKind kind : {StepKind::Speed, StepKind::Torque, StepKind::Flux})
+        m_which->addItem(StepRuns::kindText(kind));
+    new WheelGuard(m_which);
+    auto *label = new QLabel(tr("Kind"), this);
+    label->setBuddy(m_which);
+    m_grid->addWidget(label, 2, 2);
+    m_grid->addWidget(m_which, 2, 3);
+    connect(m_which, &QComboBox::currentIndexChanged, this, &StepFields::changeKind);
     m_approach->setRange(1, kMost_ms);
-    for (QSpinBox *time : {m_hold, m_approach}) {
+    m_approach->setSingleStep(kNotch_ms);
+    m_approach->setValue(kUsual_ms);
+    for (QSpinBox *time : {m_hold, m_approach})
         time->setSuffix(QStringLiteral("\u202fms"));
-        time->setSingleStep(kNotch_ms);
-        time->setValue(kUsual_ms);
-    }
     m_repeat->setRange(1, kMostRepeats);
     m_repeat->setSuffix(QStringLiteral("\u202f\u00d7"));
-    setLimits(0.0, 0.0);
+    showKind();
 }
 
-NumberEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
+StepFields::Number StepFields::addNumber(
+    int row, int column, const QString &text, const char *name, bool &offered)
 {
     auto *edit = named(new NumberEdit(this), name);
     edit->setFixedWidth(edit->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
@@ -67,13 +89,13 @@ NumberEdit *StepFields::addSpeed(int column, const QString &text, const char *na
     auto *both = bare(new QHBoxLayout, kHalfGrid);
     both->addWidget(edit);
     both->addWidget(unit);
-    m_grid->addWidget(label, 0, column);
-    m_grid->addLayout(both, 0, column + 1);
-    connect(edit, &NumberEdit::echoChanged, this, [this] {
-        m_offered = m_offered && m_offering;
+    m_grid->addWidget(label, row, column);
+    m_grid->addLayout(both, row, column + 1);
+    connect(edit, &NumberEdit::echoChanged, this, [this, &offered] {
+        offered = offered && m_offering;
         Q_EMIT changed();
     });
-    return edit;
+    return {edit, label, unit};
 }
 
 QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const char *name)
@@ -89,57 +111,139 @@ QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const ch
     return spin;
 }
 
-void StepFields::setLimits(double greatestRpm, double leastRpm)
+void StepFields::changeKind()
 {
-    m_offering = true;
-    const double limit = greatestRpm > 0.0 ? greatestRpm : kAnyRpm;
-    for (NumberEdit *edit : {m_from, m_to})
-        edit->setLimits(limit, 1.0, tr("rpm")); // the board rounds to its own steps
-    if (m_offered) {
-        const double greatest = greatestRpm > 0.0 ? greatestRpm : kUsualRpm;
-        const double notch = greatest > 20.0 * kNotch_rpm ? kNotch_rpm : 1.0;
-        const auto round = [notch](double rpm) { return notch * std::round(rpm / notch); };
-        double from = kFromShare * greatest, to = kToShare * greatest;
-        if (from < leastRpm) {
-            from = std::min(kFromObserved * leastRpm, (leastRpm + greatest) / 2.0);
-            to = std::min(from + kObservedShare * greatest, greatest);
-        }
-        from = round(from);
-        to = round(to);
-        if (to - from < kLeastStep_rpm)
-            to = std::min(from + notch * std::ceil(kLeastStep_rpm / notch), greatest);
-        m_from->setValue(from);
-        m_to->setValue(to);
+    m_typed[std::size_t(m_kind)] = {
+        m_from.edit->text(), m_to.edit->text(), m_hold->value(), m_offered};
+    m_kind = static_cast<StepKind>(m_which->currentIndex());
+    showKind();
+    Q_EMIT changed();
+    Q_EMIT kindChanged();
+}
+
+/// With what was typed for it, or what is offered.
+void StepFields::showKind()
+{
+    const bool speed = ofSpeed();
+    const Typed typed = m_typed[std::size_t(m_kind)];
+    const int usual = speed ? kUsual_ms : kCurrentUsual_ms;
+    m_hold->setRange(speed ? kLeastHold_ms : kCurrentLeast_ms, speed ? kMost_ms : kCurrentMost_ms);
+    m_hold->setSingleStep(speed ? kNotch_ms : kCurrentNotch_ms);
+    m_hold->setValue(typed.hold_ms > 0 ? typed.hold_ms : usual);
+    m_hold->setToolTip(speed
+            ? tr("How long each speed is held: longer than the loop takes to settle")
+            : tr("How long each current is held: nothing holds the speed meanwhile"));
+    m_rampLabel->setVisible(speed);
+    m_approach->setVisible(speed);
+    m_turning.edit->setVisible(!speed);
+    m_turning.label->setVisible(!speed);
+    m_turning.unit->setVisible(!speed);
+    for (const Number &end : {m_from, m_to}) {
+        const QString name = QString(end.label->text()).remove(QLatin1Char('&'));
+        end.edit->setAccessibleName(
+            speed ? tr("%1, rpm", "a field").arg(name) : tr("%1, A", "a field").arg(name));
+        end.edit->setNotch(speed ? kNotch_rpm : kNotch_a);
+        end.unit->setText(speed ? tr("rpm") : QStringLiteral("A"));
     }
+    m_offered = typed.offered;
+    setLimits(m_limits);
+    if (!typed.offered) {
+        m_from.edit->setText(typed.from);
+        m_to.edit->setText(typed.to);
+    }
+}
+
+void StepFields::setLimits(const Limits &limits)
+{
+    m_limits = limits;
+    m_offering = true;
+    const double rpm = limits.greatestRpm > 0.0 ? limits.greatestRpm : kAnyRpm;
+    const double amps = limits.greatestAmps > 0.0 ? limits.greatestAmps : kAnyAmps;
+    for (const Number &end : {m_from, m_to}) // the board rounds to its own steps
+        end.edit->setLimits(ofSpeed() ? rpm : amps, ofSpeed() ? 1.0 : kStep_a, end.unit->text());
+    m_turning.edit->setLimits(rpm, 1.0, tr("rpm"));
+    if (m_turningOffered)
+        m_turning.edit->setValue(limits.turningRpm);
+    if (m_offered && ofSpeed())
+        offerSpeeds();
+    else if (m_offered)
+        offerCurrents();
     m_offering = false;
 }
 
-std::optional<lab::StepPlan> StepFields::plan() const
+void StepFields::offerSpeeds()
 {
-    const auto from = m_from->value(), to = m_to->value();
-    if (!from || !to)
+    const double leastRpm = m_limits.leastRpm;
+    const double greatest = m_limits.greatestRpm > 0.0 ? m_limits.greatestRpm : kUsualRpm;
+    const double notch = greatest > 20.0 * kNotch_rpm ? kNotch_rpm : 1.0;
+    const auto round = [notch](double rpm) { return notch * std::round(rpm / notch); };
+    double from = kFromShare * greatest, to = kToShare * greatest;
+    if (from < leastRpm) {
+        from = std::min(kFromObserved * leastRpm, (leastRpm + greatest) / 2.0);
+        to = std::min(from + kObservedShare * greatest, greatest);
+    }
+    from = round(from);
+    to = round(to);
+    if (to - from < kLeastStep_rpm)
+        to = std::min(from + notch * std::ceil(kLeastStep_rpm / notch), greatest);
+    m_from.edit->setValue(from);
+    m_to.edit->setValue(to);
+}
+
+void StepFields::offerCurrents()
+{
+    const double greatest = m_limits.greatestAmps > 0.0 ? m_limits.greatestAmps : kUsualAmps;
+    const bool flux = m_kind == StepKind::Flux;
+    m_from.edit->setValue(flux ? 0.0 : kFromTorque * greatest);
+    m_to.edit->setValue((flux ? kToFlux : kToTorque) * greatest);
+}
+
+void StepFields::greyCurrents(const QString &why)
+{
+    auto *items = qobject_cast<QStandardItemModel *>(m_which->model());
+    for (int i = 1; i < m_which->count(); ++i) {
+        items->item(i)->setEnabled(why.isEmpty());
+        items->item(i)->setToolTip(plainToolTip(why));
+    }
+}
+
+std::optional<lab::Plan> StepFields::plan(const drive::UserLimits &caps) const
+{
+    const auto from = m_from.edit->value(), to = m_to.edit->value();
+    const auto turning = m_turning.edit->value();
+    if (!from || !to || (!ofSpeed() && !turning))
         return std::nullopt;
-    lab::StepPlan plan;
-    plan.fromRpm = static_cast<int>(std::lround(*from));
-    plan.toRpm = static_cast<int>(std::lround(*to));
-    plan.hold = std::chrono::milliseconds(m_hold->value());
-    plan.approach = std::chrono::milliseconds(m_approach->value());
-    plan.repeat = m_repeat->value();
-    return plan;
+    const auto whole = [](double rpm) { return static_cast<int>(std::lround(rpm)); };
+    const std::chrono::milliseconds hold(m_hold->value());
+    if (!ofSpeed())
+        return lab::CurrentStepPlan{.flux = m_kind == StepKind::Flux ? 1 : 0,
+            .fromAmps = *from,
+            .toAmps = *to,
+            .repeat = m_repeat->value(),
+            .hold = hold,
+            .rpm = whole(*turning),
+            .caps = caps};
+    return lab::StepPlan{.fromRpm = whole(*from),
+        .toRpm = whole(*to),
+        .repeat = m_repeat->value(),
+        .hold = hold,
+        .approach = std::chrono::milliseconds(m_approach->value()),
+        .caps = caps};
 }
 
 QString StepFields::problem() const
 {
-    for (const NumberEdit *edit : {m_from, m_to})
-        if (!edit->value())
-            return edit->echo();
+    for (const Number &number : {m_from, m_to, m_turning})
+        if (const bool counts = !ofSpeed() || number.edit != m_turning.edit;
+            counts && !number.edit->value())
+            return number.edit->echo();
     return {};
 }
 
 void StepFields::focusFirst()
 {
-    m_from->setFocus(Qt::ShortcutFocusReason);
-    m_from->selectAll();
+    m_from.edit->setFocus(Qt::ShortcutFocusReason);
+    m_from.edit->selectAll();
 }
 
 } // namespace widgets

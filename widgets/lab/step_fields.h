@@ -1,14 +1,18 @@
-// StepFields: what is to be stepped, as it is typed: from which speed to which, how long each is held, the ramp to the
-// first one and back, how often.
+// StepFields: what is to be stepped, as it is typed: a speed, a torque or the current along the magnets; from which to
+// which, how long each is held, how often; of a speed the ramp to the first one and back, of a current the speed at
+// which the motor turns. Each kind keeps what was typed for it.
 #pragma once
 
-#include "lab/step_plan.h"
+#include "widgets/lab/step_result.h"
 
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
+class QComboBox;
 class QGridLayout;
+class QLabel;
 class QSpinBox;
 
 namespace widgets {
@@ -20,25 +24,54 @@ class StepFields : public QWidget {
 public:
     explicit StepFields(QWidget *parent = nullptr);
 
-    /// Empty: a speed is not understood, or beyond the limit.
-    std::optional<lab::StepPlan> plan() const;
+    StepKind kind() const { return m_kind; }
+    /// Empty: a number is not understood, or beyond the limit.
+    std::optional<lab::Plan> plan(const drive::UserLimits &caps) const;
     QString problem() const; ///< why, in a sentence
-    /// Of the motor that is shown: its greatest speed, 0 if it is not known, and what a motor without a sensor has to
-    /// stay above.
-    void setLimits(double greatestRpm, double leastRpm);
+    /// Of the motor that is shown; 0: not known.
+    struct Limits {
+        double greatestRpm = 0.0, greatestAmps = 0.0;
+        double leastRpm = 0.0; ///< that a motor without a sensor has to stay above
+        int turningRpm = 0; ///< offered for steps of a current
+    };
+    void setLimits(const Limits &limits);
+    /// @param why  the board cannot step currents, a sentence; empty: it can
+    void greyCurrents(const QString &why);
     void focusFirst();
 
 Q_SIGNALS:
     void changed();
+    void kindChanged(); ///< behind changed()
 
 private:
-    NumberEdit *addSpeed(int column, const QString &text, const char *name);
+    /// A field whose unit may be another one.
+    struct Number {
+        NumberEdit *edit = nullptr;
+        QLabel *label = nullptr, *unit = nullptr;
+    };
+    /// What was typed for a kind that is not shown.
+    struct Typed {
+        QString from, to;
+        int hold_ms = 0; ///< 0: as offered
+        bool offered = true;
+    };
+    Number addNumber(int row, int column, const QString &text, const char *name, bool &offered);
+    void changeKind();
+    void showKind();
+    void offerSpeeds();
+    void offerCurrents();
+    bool ofSpeed() const { return m_kind == StepKind::Speed; }
     QSpinBox *addSpin(int row, int column, const QString &text, const char *name);
 
     QGridLayout *m_grid;
-    NumberEdit *m_from, *m_to;
+    QComboBox *m_which;
+    Number m_from, m_to, m_turning;
+    QWidget *m_rampLabel;
     QSpinBox *m_hold, *m_approach, *m_repeat;
-    bool m_offered = true; ///< the speeds are not the user's
+    StepKind m_kind = StepKind::Speed;
+    Limits m_limits;
+    std::array<Typed, kStepKinds> m_typed;
+    bool m_offered = true, m_turningOffered = true; ///< the numbers are not the user's
     bool m_offering = false;
 };
 

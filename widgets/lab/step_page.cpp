@@ -52,7 +52,9 @@ int stepsIn(const lab::Happenings &happenings)
 ExperimentBar::Progress progress(const lab::Happenings &happenings)
 {
     const auto plan = lab::recordedPlan<lab::StepPlan>(happenings.front().second);
-    const int all = plan ? 2 * plan->plan.repeat : 1;
+    if (!plan)
+        return {}; // a current is stepped by milliseconds: the time tells it
+    const int all = 2 * plan->plan.repeat;
     const int steps = std::min(stepsIn(happenings), all);
     return {steps, all,
         steps == 0 ? StepPage::tr("On the way to the first speed\u2026")
@@ -66,7 +68,6 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     : Form(parent)
     , m_parts(parts)
     , m_fields(new StepFields(this))
-    , m_gains(new SpeedGains(parts.device, parts.registers, parts.edits, this))
     , m_direction(named(new QComboBox(this), "stepDirection", tr("Steps in the picture")))
     , m_overlay(new StepOverlay(this))
     , m_runs(new StepRuns(this))
@@ -74,6 +75,9 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     , m_bar(new ExperimentBar(parts.lab, "step", this))
 {
     setObjectName(QStringLiteral("stepPage"));
+    for (std::size_t kind = 0; kind < kStepKinds; ++kind)
+        m_gains[kind] = new SpeedGains(
+            parts.device, parts.registers, parts.edits, static_cast<StepKind>(kind), this);
     // Side by side: one above the other, both would have half of a height that is little in a small window.
     auto *both = new QSplitter(Qt::Horizontal, this);
     both->setChildrenCollapsible(false);
@@ -101,7 +105,8 @@ QWidget *StepPage::makeSide()
     auto *grid = bare(new QGridLayout(gains), kGrid, kFineGrid);
     auto *label = new QLabel(tr("In the picture"), gains);
     label->setBuddy(m_direction);
-    grid->addWidget(m_gains, 0, 0, 1, 2);
+    for (SpeedGains *of : m_gains) // one of them is seen
+        grid->addWidget(of, 0, 0, 1, 2);
     grid->addWidget(label, 1, 0);
     grid->addWidget(m_direction, 1, 1);
     auto *choices = new QWidget(side);
@@ -124,12 +129,12 @@ void StepPage::makeTable()
 void StepPage::makeBar()
 {
     ExperimentBar::Button run{tr("Run steps"), "stepRun",
-        tr("Steps the speed up and down; then the motor is as it was (Ctrl+Shift+T)."),
+        tr("Steps up and down; then the motor is as it was (Ctrl+Shift+T)."),
         [this] { return wanted(); }, Qt::CTRL | Qt::SHIFT | Qt::Key_T};
-    run.settled = [this] { return m_gains->settled(); };
+    run.settled = [this] { return gains().settled(); };
     m_bar->add(std::move(run));
     m_bar->setLook(progress);
-    m_bar->takeSpeedSteps();
+    m_bar->takeSpeedSteps(true);
     m_reference = named(new QPushButton(tr("Reference"), m_bar), "stepReference");
     m_reference->setToolTip(tr("The others show their difference to the chosen series (Enter)"));
     m_remove = named(new QPushButton(tr("Remove"), m_bar), "stepRemove");
@@ -142,7 +147,9 @@ void StepPage::connectParts()
 {
     Device &device = m_parts.device;
     connect(m_fields, &StepFields::changed, m_bar, &ExperimentBar::refresh);
-    connect(m_gains, &SpeedGains::changed, m_bar, &ExperimentBar::refresh);
+    connect(m_fields, &StepFields::kindChanged, this, &StepPage::kindChanged);
+    for (const SpeedGains *of : m_gains)
+        connect(of, &SpeedGains::changed, m_bar, &ExperimentBar::refresh);
     connect(&device, &Device::boundsChanged, this, &StepPage::boardChanged);
     connect(&m_parts.registers, &RegisterModel::catalogSet, this, &StepPage::boardChanged);
     connect(&m_parts.edits, &RegisterEdits::told, this, [this](const QString &told, bool good) {
@@ -160,12 +167,12 @@ void StepPage::connectParts()
 
 std::vector<catalog::RegisterId> StepPage::watchedRegisters() const
 {
-    return m_gains->watchedRegisters();
+    return gains().watchedRegisters();
 }
 
 void StepPage::refresh(Milliseconds)
 {
-    if (m_gains->refresh())
+    if (gains().refresh())
         Q_EMIT watchedRegistersChanged();
     m_bar->refresh();
 }
@@ -176,10 +183,27 @@ void StepPage::boardChanged()
 {
     const Device &device = m_parts.device;
     const auto subject = m_parts.lab.experiments.subject(true);
+    const auto recorded = m_parts.lab.experiments.subject();
     const drive::UserLimits own = device.userLimits();
-    m_fields->setLimits(drive::realBoundsOf(device.limits(device.motor()), own).rpm,
-        subject ? subject->leastObservedRpm(own.maxSpeedRpm) : 0.0);
+    const drive::MotionBounds most = drive::realBoundsOf(device.limits(device.motor()), own);
+    m_fields->setLimits({.greatestRpm = most.rpm,
+        .greatestAmps = most.amps,
+        .leastRpm = subject ? subject->leastObservedRpm(own.maxSpeedRpm) : 0.0,
+        .turningRpm = recorded ? lab::currentStepPlanFor(*recorded, false, 0.0, 1.0, own).rpm : 0});
+    m_fields->greyCurrents(subject && !recorded ? recorded.error() : QString());
     Q_EMIT watchedRegistersChanged();
+    m_bar->refresh();
+}
+
+SpeedGains &StepPage::gains() const { return *m_gains[std::size_t(m_fields->kind())]; }
+
+void StepPage::kindChanged()
+{
+    for (SpeedGains *of : m_gains)
+        of->setWanted(of == &gains());
+    m_bar->takeSpeedSteps(m_fields->kind() == StepKind::Speed);
+    Q_EMIT watchedRegistersChanged();
+    showResults();
     m_bar->refresh();
 }
 
@@ -194,43 +218,42 @@ Result<ExperimentBar::Run, QString> StepPage::wanted()
 {
     if (const QString why = m_fields->problem(); !why.isEmpty())
         return fail(why);
-    if (m_gains->there() && !m_gains->known())
+    if (gains().there() && !gains().known())
         return fail(tr("The gains are being read."));
-    const auto subject = m_parts.lab.experiments.subject(true);
+    const auto subject = m_parts.lab.experiments.subject(m_fields->kind() == StepKind::Speed);
     if (!subject)
         return fail(subject.error());
-    auto plan = m_fields->plan();
+    const auto plan = m_fields->plan(m_parts.device.userLimits());
     if (!plan)
         return fail(QString());
-    plan->caps = m_parts.device.userLimits();
     return ExperimentBar::Run{
-        {{*plan, *subject}}, evaluation(*subject), {.proportional = m_gains->jumpPerRpm(*subject)}};
+        {{*plan, *subject}}, evaluation(*subject), {.proportional = gains().jumpPerRpm(*subject)}};
 }
 
 /// Also of a series that ended early, as far as it went.
 ExperimentBar::Evaluate StepPage::evaluation(const lab::Subject &subject)
 {
-    return [this, bus = subject.nameOf(subject.registers.bus), with = m_gains->values()](
-               const Experiments::Run &record) -> ExperimentBar::Show {
+    return [this, bus = subject.nameOf(subject.registers.bus), &of = gains(),
+               with = gains().values()](const Experiments::Run &record) -> ExperimentBar::Show {
         auto result = stepResult(record, bus);
         if (!result)
             return {};
         const bool complete = record.outcome.end == lab::End::Complete;
         if (!result->told())
             return [words = complete ? wordsOf(result->series) : QStringList()] { return words; };
-        return [this, with, complete, result = std::move(*result)] {
-            return addResult(result, with, complete);
+        return [this, &of, with, complete, result = std::move(*result)] {
+            return addResult(result, of, with, complete);
         };
     };
 }
 
 QStringList StepPage::addResult(
-    StepResult result, const SpeedGains::Values &begunWith, bool complete)
+    StepResult result, const SpeedGains &gains, const SpeedGains::Values &begunWith, bool complete)
 {
-    result.kp = m_gains->kpText(begunWith.kp);
-    result.ki = m_gains->kiText(begunWith.ki);
+    result.kp = gains.kpText(begunWith.kp);
+    result.ki = gains.kiText(begunWith.ki);
     QStringList more;
-    if (begunWith != m_gains->values())
+    if (begunWith != gains.values())
         more.append(tr("The gains were changed meanwhile: the row has the first."));
     if (complete) // else why it ended is what counts
         more += wordsOf(result.series);
@@ -248,7 +271,7 @@ void StepPage::enableButtons()
 
 void StepPage::showResults()
 {
-    m_overlay->showSteps(m_runs->results(), m_direction->currentIndex() == 0);
+    m_overlay->showSteps(m_runs->results(), m_direction->currentIndex() == 0, m_fields->kind());
     for (int column = 0; column < StepRuns::kColumns; ++column)
         m_table->resizeColumnToContents(column);
     const int row = std::max(m_table->sizeHintForRow(0), fontMetrics().height());

@@ -1,5 +1,6 @@
-// StepPage: steps of the speed, again and again: from, to, Run; every series a row and a curve. The gains of the speed
-// loop stand beside and are written as they are turned, so that a changed gain and its new step are two actions.
+// StepPage: steps of the speed, the torque or the flux, again and again: from, to, Run; every series a row and a curve.
+// The gains of the loop that is stepped stand beside and are written as they are turned, so that a changed gain and its
+// new step are two actions.
 //
 // A series is asked about once; further ones within the same caps are not, until the drive is disarmed. What it lacks
 // is told where it cannot be run.
@@ -10,6 +11,8 @@
 #include "widgets/lab/speed_gains.h"
 #include "widgets/registers/register_edits.h"
 
+#include <array>
+
 class QComboBox;
 class QPushButton;
 class QTreeView;
@@ -19,7 +22,6 @@ namespace widgets {
 class StepFields;
 class StepOverlay;
 class StepRuns;
-struct StepResult;
 
 class StepPage : public Form {
     Q_OBJECT
@@ -52,7 +54,10 @@ private:
     void boardChanged();
     Result<ExperimentBar::Run, QString> wanted();
     ExperimentBar::Evaluate evaluation(const lab::Subject &subject);
-    QStringList addResult(StepResult result, const SpeedGains::Values &begunWith, bool complete);
+    QStringList addResult(StepResult result, const SpeedGains &gains,
+        const SpeedGains::Values &begunWith, bool complete);
+    void kindChanged();
+    SpeedGains &gains() const; ///< of the loop that is stepped
     void enableButtons();
     void showResults();
     void takeAsReference();
@@ -61,7 +66,7 @@ private:
     Parts m_parts;
 
     StepFields *m_fields;
-    SpeedGains *m_gains;
+    std::array<SpeedGains *, kStepKinds> m_gains;
     QComboBox *m_direction;
     StepOverlay *m_overlay;
     StepRuns *m_runs;

@@ -1,6 +1,7 @@
-// Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves
-// in the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of
-// it.
+// Steps of the speed and of currents through the real window on a simulated board with an encoder: what is asked, what
+// a series leaves in the table, how a gain and its new step are two actions, and what ends one. The judge of the wire
+// watches all of it.
+#include "lab/evaluation/finding.h"
 #include "session/recording/reader.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/lab/experiment_bar.h"
@@ -400,6 +401,131 @@ private:
     }
 
 private Q_SLOTS:
+    void aCurrentIsSteppedAsTheSpeedIs_data()
+    {
+        QTest::addColumn<bool>("flux");
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("step");
+        QTest::addColumn<QString>("axis");
+        QTest::newRow("torque") << false << QStringLiteral("0.4") << QStringLiteral("0.8")
+                                << QStringLiteral("Torque 0.40 \u2192 0.80\u202fA, 1\u00d7")
+                                << QStringLiteral("Iq [A]");
+        QTest::newRow("flux") << true << QStringLiteral("0") << QStringLiteral("-1.5")
+                              << QStringLiteral("Flux 0.00 \u2192 \u22121.50\u202fA, 1\u00d7")
+                              << QStringLiteral("Id [A]");
+    }
+    /// Asked about, carried out, and told by the numbers that its recording has.
+    void aCurrentIsSteppedAsTheSpeedIs()
+    {
+        QFETCH(const bool, flux);
+        QFETCH(const QString, from);
+        QFETCH(const QString, to);
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500);
+        auto *kind = bench.find<QComboBox>("stepKind");
+        QCOMPARE(kind->accessibleName(), QStringLiteral("What is stepped"));
+        QVERIFY(bench.find<QSpinBox>("stepApproach")->isVisible());
+        kind->setFocus();
+        QTest::keyClick(kind, Qt::Key_End); // the last of them
+        QCOMPARE(kind->currentText(), QStringLiteral("Flux"));
+        kind->setCurrentIndex(flux ? 2 : 1);
+        QVERIFY(!bench.find<QSpinBox>("stepApproach")->isVisible());
+        const auto subject = bench.rig.workbench.experiments().subject();
+        QVERIFY(subject); // as the command line has it without --speed
+        QCOMPARE(bench.find<QLineEdit>("stepSpeed")->text(),
+            QString::number(
+                lab::currentStepPlanFor(*subject, flux, 0.0, 1.0, bench.device().userLimits())
+                    .rpm));
+        QCOMPARE(bench.find<QSpinBox>("stepHold")->value(), 20);
+        bench.find<QLineEdit>("stepFrom")->setText(from);
+        bench.find<QLineEdit>("stepTo")->setText(to);
+        QTRY_VERIFY2(bench.run()->isEnabled(), qPrintable(bench.said()));
+
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("run.pcapng"));
+        session::Recording &recording = bench.rig.workbench.recording();
+        recording.start(path, session::RecordingTap::Content::Samples, QStringLiteral("test"),
+            QStringLiteral("sim"));
+        QSignalSpy finished(&recording, &session::Recording::finished);
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QLatin1String("its current jumps from")), qPrintable(words));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.agree();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows().rowCount(), 1, kSeriesMs);
+        QVERIFY2(bench.said().contains(QLatin1String("the motor is as it was")),
+            qPrintable(bench.said()));
+        QTRY_COMPARE(bench.state(), MotorState::Idle);
+        recording.stop();
+        QTRY_COMPARE(finished.size(), 1);
+
+        capture::Capture capture;
+        const auto report = session::readRecording(path, capture);
+        QVERIFY(report);
+        QCOMPARE(lab::nameOfRun(lab::runsIn(report->happenings).front()),
+            std::string(flux ? "step flux" : "step torque"));
+        const auto found = lab::findingIn(capture, report->happenings); // as evaluate does
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        const auto &evaluated = std::get<lab::MeasuredSteps>(*found);
+        const auto *runs = bench.rig.window.findChild<widgets::StepRuns *>();
+        const lab::StepSeries &told = runs->results().front().series;
+        QCOMPARE(told.runs.size(), 2U);
+        QVERIFY(told.rise_s && told.rise_s->value > 0.0 && told.rise_s->value < 0.02);
+        QVERIFY(told.rise_s == evaluated.rise_s);
+        QVERIFY(told.overshoot_pct == evaluated.overshoot_pct);
+        QVERIFY(told.settling_s == evaluated.settling_s);
+        QVERIFY(told.peakIq_a && told.peakIq_a == evaluated.peakIq_a);
+
+        using Runs = widgets::StepRuns;
+        QTEST(bench.cell(0, Runs::StepColumn), "step");
+        QVERIFY(bench.cell(0, Runs::RiseColumn).endsWith(QLatin1String("ms")));
+        const QString kp = bench.cell(0, Runs::KpColumn); // of the loop that was stepped
+        QVERIFY2(!kp.isEmpty() && !kp.contains(QLatin1String("rad")), qPrintable(kp));
+        const auto *picture = bench.rig.window.findChild<widgets::StepOverlay *>();
+        QCOMPARE(picture->curves(), 1);
+        QTEST(picture->findChild<QCustomPlot *>()->yAxis->label(), "axis");
+
+        kind->setCurrentIndex(0); // with what was typed for it
+        QCOMPARE(picture->curves(), 0);
+        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QStringLiteral("1500"));
+        QCOMPARE(bench.find<QSpinBox>("stepHold")->value(), 200);
+        kind->setCurrentIndex(flux ? 2 : 1);
+        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), to);
+    }
+
+    void aCurrentBeyondItsCapsMovesNothing()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        auto *kind = bench.find<QComboBox>("stepKind");
+        const auto refused = [&](const char *from, const char *to, const char *why) {
+            bench.find<QLineEdit>("stepFrom")->setText(QLatin1String(from));
+            bench.find<QLineEdit>("stepTo")->setText(QLatin1String(to));
+            return QTest::qWaitFor([&] {
+                return !bench.run()->isEnabled()
+                    && bench.run()->toolTip().contains(QLatin1String(why));
+            });
+        };
+        kind->setCurrentIndex(1);
+        QTRY_VERIFY2(bench.run()->isEnabled(), qPrintable(bench.said())); // what is offered
+        QVERIFY(refused("0.4", "99", "The limit is"));
+        QVERIFY(refused("-0.4", "0.4", "push the same way"));
+        QVERIFY(refused("0.4", "0.4", "there is no step"));
+        kind->setCurrentIndex(2);
+        QTRY_VERIFY2(bench.run()->isEnabled(), qPrintable(bench.said()));
+        QVERIFY(refused("0", "-6", "that are allowed")); // 0.7 of 7 A
+        bench.device().setUserLimits({0.0, 0.5});
+        QVERIFY(refused("0", "-0.8", "The limit is"));
+        bench.press("stepRun");
+        QVERIFY(!bench.asks());
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+    }
+
     /// The measure of the page: change a gain and see the new step, in two actions.
     void aChangedGainAndItsNewStepAreTwoActions()
     {
@@ -622,6 +748,10 @@ private Q_SLOTS:
         // Twice the least speed of an observer is 0.3 of the user's limit, as it is of a board's.
         QCOMPARE(rig.find<QLineEdit>("stepFrom")->text(), QStringLiteral("1500"));
         QCOMPARE(rig.find<QLineEdit>("stepTo")->text(), QStringLiteral("1800"));
+
+        const auto currents = rig.find<QComboBox>("stepKind")->model()->index(1, 0);
+        QVERIFY(!currents.flags().testFlag(Qt::ItemIsEnabled)); // and says why
+        QVERIFY(!currents.data(Qt::ToolTipRole).toString().isEmpty());
 
         rig.find<QLineEdit>("stepTo")->setText(QStringLiteral("1650"));
         QTRY_VERIFY2(run->isEnabled(), qPrintable(run->toolTip()));
