@@ -2306,6 +2306,10 @@
         <source>too many wishes wait already</source>
         <translation>es warten schon zu viele Aufträge</translation>
     </message>
+    <message>
+        <source>a register of it is lent to an experiment until that ends</source>
+        <translation>ein Register davon ist bis zu dessen Ende an einen Versuch verliehen</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -4910,6 +4914,10 @@
     <message>
         <source>Measured, with 95 %: %1.</source>
         <translation>Gemessen, mit 95 %: %1.</translation>
+    </message>
+    <message>
+        <source>Measured, without an interval: %1.</source>
+        <translation>Gemessen, ohne Intervall: %1.</translation>
     </message>
 </context>
 <context>
@@ -7537,6 +7545,15 @@
         <comment>heading of values that are not read any more</comment>
         <translation>Letzter Wert</translation>
     </message>
+    <message>
+        <source>Written, not verified.</source>
+        <translation>Geschrieben, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Written, not verified: %1</source>
+        <comment>the reason</comment>
+        <translation>Geschrieben, nicht geprüft: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -9617,6 +9634,16 @@ mN·m</translation>
         <comment>a gain whose unit is not known</comment>
         <translation>%1 Digits</translation>
     </message>
+    <message>
+        <source>%1 of the torque loop</source>
+        <comment>Kp or Ki</comment>
+        <translation>%1 des Momentenreglers</translation>
+    </message>
+    <message>
+        <source>%1 of the flux loop</source>
+        <comment>Kp or Ki</comment>
+        <translation>%1 des Flussreglers</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StateBox</name>
@@ -9790,6 +9817,32 @@ mN·m</translation>
         <source>Repeat</source>
         <translation>Anzahl</translation>
     </message>
+    <message>
+        <source>at</source>
+        <comment>a speed</comment>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns meanwhile, negative for torques that push it backwards</source>
+        <translation>Wie schnell der Motor dabei dreht, negativ für Momente, die ihn rückwärts treiben</translation>
+    </message>
+    <message>
+        <source>What is stepped</source>
+        <translation>Was springt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>How long each current is held: nothing holds the speed meanwhile</source>
+        <translation>Wie lange jeder Strom gehalten wird: nichts hält dabei die Drehzahl</translation>
+    </message>
+    <message>
+        <source>%1, A</source>
+        <comment>a field</comment>
+        <translation>%1, A</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepOverlay</name>
@@ -9812,6 +9865,14 @@ mN·m</translation>
     <message>
         <source>Not drawn: samples are missing.</source>
         <translation>Nicht gezeichnet: es fehlen Messwerte.</translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation>Iq [A]</translation>
+    </message>
+    <message>
+        <source>Id [A]</source>
+        <translation>Id [A]</translation>
     </message>
 </context>
 <context>
@@ -9874,8 +9935,8 @@ mN·m</translation>
         <translation>Springen</translation>
     </message>
     <message>
-        <source>Steps the speed up and down; then the motor is as it was (Ctrl+Shift+T).</source>
-        <translation>Lässt die Drehzahl auf und ab springen; danach ist der Motor wie zuvor (Strg+Umschalt+T).</translation>
+        <source>Steps up and down; then the motor is as it was (Ctrl+Shift+T).</source>
+        <translation>Springt auf und ab; danach ist der Motor wie zuvor (Strg+Umschalt+T).</translation>
     </message>
 </context>
 <context>
@@ -9944,6 +10005,18 @@ mN·m</translation>
         <source>%1, ref.</source>
         <comment>number of the run that others are compared with</comment>
         <translation>%1, Ref.</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>Flux</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
     </message>
 </context>
 <context>
@@ -10240,12 +10313,12 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>&amp;Rundgang fortsetzen</translation>
     </message>
     <message>
-        <source>Measures the response with gentler gains, which it asks about, and proposes gains from it; the old ones come back.</source>
-        <translation>Misst den Frequenzgang mit sanfteren Verstärkungen, nach denen gefragt wird, und schlägt daraus welche vor; die alten kommen zurück.</translation>
-    </message>
-    <message>
         <source>Go on with the tour: it begins there.</source>
         <translation>Rundgang fortsetzen: Er beginnt dort.</translation>
+    </message>
+    <message>
+        <source>Measures the response, and proposes gains from it. Instead of the gains with which the speed swung it takes gentler ones meanwhile, and asks about them; others are taken as they are.</source>
+        <translation>Misst den Frequenzgang und schlägt daraus Verstärkungen vor. Statt derer, mit denen die Drehzahl schwang, nimmt es währenddessen sanftere und fragt danach; andere werden genommen, wie sie sind.</translation>
     </message>
 </context>
 <context>

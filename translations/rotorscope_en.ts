@@ -2306,6 +2306,10 @@
         <source>too many wishes wait already</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a register of it is lent to an experiment until that ends</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -4908,6 +4912,10 @@
     </message>
     <message>
         <source>Measured, with 95 %: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured, without an interval: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7536,6 +7544,15 @@
         <comment>heading of values that are not read any more</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Written, not verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written, not verified: %1</source>
+        <comment>the reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -9610,6 +9627,16 @@ mN·m</source>
         <comment>a gain whose unit is not known</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 of the torque loop</source>
+        <comment>Kp or Ki</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the flux loop</source>
+        <comment>Kp or Ki</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StateBox</name>
@@ -9783,6 +9810,32 @@ mN·m</source>
         <source>Repeat</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>at</source>
+        <comment>a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the motor turns meanwhile, negative for torques that push it backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is stepped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long each current is held: nothing holds the speed meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, A</source>
+        <comment>a field</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StepOverlay</name>
@@ -9804,6 +9857,14 @@ mN·m</source>
     </message>
     <message>
         <source>Not drawn: samples are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Id [A]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9867,7 +9928,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Steps the speed up and down; then the motor is as it was (Ctrl+Shift+T).</source>
+        <source>Steps up and down; then the motor is as it was (Ctrl+Shift+T).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9936,6 +9997,18 @@ mN·m</source>
     <message>
         <source>%1, ref.</source>
         <comment>number of the run that others are compared with</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10232,11 +10305,11 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures the response with gentler gains, which it asks about, and proposes gains from it; the old ones come back.</source>
+        <source>Go on with the tour: it begins there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go on with the tour: it begins there.</source>
+        <source>Measures the response, and proposes gains from it. Instead of the gains with which the speed swung it takes gentler ones meanwhile, and asks about them; others are taken as they are.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
