@@ -22,7 +22,7 @@ std::string typedText(const catalog::Value &value)
 std::optional<catalog::Value> typedValue(const std::string &text, catalog::ValueType type)
 {
     if (type == catalog::ValueType::Raw) {
-        if (text.size() < 2 || text.front() != '"' || text.back() != '"')
+        if (text.size() < 2 || !text.starts_with("\"") || !text.ends_with("\""))
             return std::nullopt;
         auto bytes = bytesIn(std::string_view(text).substr(1, text.size() - 2));
         return bytes ? std::optional<catalog::Value>(std::move(*bytes)) : std::nullopt;

@@ -131,8 +131,8 @@ private Q_SLOTS:
         left.device().armedChanged(true);
         const QString before = left.banner()->text();
         QTest::mouseClick(left.button(), Qt::LeftButton);
-        QTRY_VERIFY(left.banner()->text() != before);
-        QVERIFY2(left.banner()->text().endsWith(before), qPrintable(left.banner()->text()));
+        // Signals that could not be recorded either are said, too.
+        QTRY_VERIFY(left.banner()->text() != before && left.banner()->text().endsWith(before));
         QVERIFY(left.button()->isVisible());
         QTRY_VERIFY(left.button()->isEnabled());
         left.tell({}); // written by other means
