@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -203,13 +204,15 @@ void ResponsePage::connectParts()
     connect(m_back, &QPushButton::clicked, this, [this] { m_parts.tuning.back(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
         &ResponsePage::chosen);
+    // The sentence below the page takes its room from the table.
+    connect(m_table->verticalScrollBar(), &QScrollBar::rangeChanged, this, &ResponsePage::showLast,
+        Qt::QueuedConnection);
+    connect(
+        m_table->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { m_last = ""; });
     connect(m_bar, &ExperimentBar::ended, this, [this](int which, bool complete) {
         constexpr std::array kRowOf{"measured", "current", "proof"}; // in the order of the buttons
-        // Once the sentence below the page has got its room, which was the table's.
-        QTimer::singleShot(0, this, [this, complete, key = kRowOf[std::size_t(which)]] {
-            if (const int row = m_rows.rowOf(key); complete && row >= 0)
-                m_table->scrollTo(m_rows.index(row, 0));
-        });
+        m_last = complete ? kRowOf[std::size_t(which)] : "";
+        showLast();
         constexpr int kCurrentRun = 1;
         const bool current = which == kCurrentRun;
         if (current != (m_picture->currentIndex() >= CurrentLoop))
@@ -220,6 +223,12 @@ void ResponsePage::connectParts()
 std::vector<catalog::RegisterId> ResponsePage::watchedRegisters() const
 {
     return m_parts.tuning.watchedRegisters();
+}
+
+void ResponsePage::showLast()
+{
+    if (const int row = m_rows.rowOf(m_last); row >= 0)
+        m_table->scrollTo(m_rows.index(row, 0));
 }
 
 void ResponsePage::refresh(Milliseconds)

@@ -50,6 +50,7 @@ private:
     void whatIf();
     void predict();
     void showRows();
+    void showLast();
     void showCurves();
     void enableButtons();
     LoopTuning::Gains gains() const;
@@ -59,6 +60,7 @@ private:
     Parts m_parts;
     bool m_proposed = false; ///< the candidates are shown
     bool m_setting = false;
+    const char *m_last = ""; ///< the row of what ended last, until the user scrolls
     int m_measurement = -1; ///< that the prediction is of
     LoopTuning::Gains m_predictedFor;
     std::optional<lab::SpeedResponse> m_predicted; ///< with the gains in the fields
