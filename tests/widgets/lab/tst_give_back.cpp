@@ -137,6 +137,8 @@ private Q_SLOTS:
         QTest::mouseClick(left.button(), Qt::LeftButton);
         QTRY_VERIFY(!said.isEmpty());
         QVERIFY2(said != before && said.endsWith(before), qPrintable(said));
+        left.device().armedChanged(false);
+        left.device().armedChanged(true); // tells it again
         QVERIFY(left.button()->isVisible());
         QTRY_VERIFY(left.button()->isEnabled());
         left.tell({}); // written by other means
