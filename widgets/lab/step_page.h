@@ -66,7 +66,7 @@ private:
     Parts m_parts;
 
     StepFields *m_fields;
-    std::array<SpeedGains *, kStepKinds> m_gains;
+    std::array<SpeedGains *, kStepKinds> m_gains{};
     QComboBox *m_direction;
     StepOverlay *m_overlay;
     StepRuns *m_runs;
