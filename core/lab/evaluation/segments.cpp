@@ -127,6 +127,7 @@ std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::stri
 {
     const capture::Channel *turns = fastChannel(capture, angle);
     std::vector<const capture::Channel *> channels;
+    channels.reserve(others.size());
     for (const std::string &name : others)
         channels.push_back(fastChannel(capture, name));
     if (turns == nullptr || std::find(channels.begin(), channels.end(), nullptr) != channels.end())
