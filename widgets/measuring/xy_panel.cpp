@@ -33,7 +33,7 @@ enum class XyRange { Picture, NewestStretch, BetweenCursors };
 
 struct Vector {
     catalog::SignalNames x, y; ///< the first pair that is recorded is taken
-    const char *missing;
+    const char *missing = nullptr;
 };
 /// In the order of XyPanel::Kind, but for the last one.
 constexpr std::array kVectors{
