@@ -51,8 +51,8 @@ QString lostText(const recorded::Lost &lost)
     QStringList parts;
     const auto add = [&parts](std::uint64_t count, const char *one, const char *many) {
         if (count > 0)
-            parts.append(QString::number(count) + QLatin1Char(' ')
-                + QLatin1String(count == 1 ? one : many));
+            parts.append(
+                QString::number(count) + QLatin1Char(' ') + QLatin1String(count == 1 ? one : many));
     };
     add(lost.samples, "sample", "samples");
     add(lost.linkBytes, "byte of the line", "bytes of the line");

@@ -130,7 +130,7 @@ void GainsForm::boardChanged()
 {
     const Writes previewed = std::exchange(m_previewed, {}); // of what is shown no more
     m_lab->forgetTyped();
-    m_lab->setMeasured(m_measured); // is emptied, before or behind this, where it is of another motor
+    m_lab->setMeasured(m_measured); // emptied elsewhere if it is of another motor
     adoptFacts();
     m_lab->refreshPresent();
     if (!previewed.empty())

@@ -74,7 +74,8 @@ public:
 
     int add(Button button); ///< its number, from 0
     void addAside(QWidget *widget); ///< behind the others
-    void rename(int which, const QString &text, const QString &help); ///< it stands for something else now
+    /// It stands for something else now.
+    void rename(int which, const QString &text, const QString &help);
     QSize minimumSizeHint() const override;
     void setLook(Look look) { m_look = std::move(look); }
     /// Its page says why none can begin now: the sentence leaves that out.
@@ -88,7 +89,7 @@ public:
     bool goOn(int which);
     QString told() const { return m_told; } ///< how the last one ended
     QString more() const { return m_more; } ///< and what has to be known of it
-    bool swung() const { return m_swung; } ///< it ended before it began: its speed did not come to rest
+    bool swung() const { return m_swung; } ///< it never began: its speed did not come to rest
     bool busy() const { return m_own || m_evaluating; } ///< with an experiment of this page
     bool running() const { return m_own; } ///< one of this page moves the motor
     QString hint(int which) const; ///< why it cannot be run now; empty if it can

@@ -11,7 +11,7 @@ namespace widgets {
 
 struct WriteReport {
     QStringList written; ///< and read back as written
-    QStringList unproved; ///< taken, and not read back, or shown only later; with the reason where there is one
+    QStringList unproved; ///< taken, not read back or shown only later; the reason if there is one
     QStringList different; ///< taken, but another value is read back
     QStringList notWritten; ///< certainly; with the reason behind each
     QStringList unknown; ///< sent, and the answer never came

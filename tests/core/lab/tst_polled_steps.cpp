@@ -180,7 +180,8 @@ void TestPolledSteps::whatIsOverTooFastIsNotTold()
             untold += few ? 1U : 0U;
         }
         QVERIFY(untold > 0);
-        QVERIFY(notes(series, " steps rise in less than three times the time between two of their values"));
+        QVERIFY(notes(
+            series, " steps rise in less than three times the time between two of their values"));
         QVERIFY(!notes(series, "does not settle"));
         if (untold == series.runs.size())
             QVERIFY(lab::lackOf(*finding).starts_with("not conclusive"));
@@ -269,7 +270,8 @@ void TestPolledSteps::aLineTooSlowForTheMotorIsNotConclusive()
         QVERIFY(run.pollDistance_s > 10e-3);
     }
     QVERIFY(lab::lackOf(*finding).starts_with("not conclusive"));
-    QVERIFY(notes(series, "2 of 2 steps rise in less than three times the time between two of their values"));
+    QVERIFY(notes(
+        series, "2 of 2 steps rise in less than three times the time between two of their values"));
 }
 
 void TestPolledSteps::aPeakIsToldWhereTheCurrentHasItsScale()

@@ -690,8 +690,7 @@ void TestRunner::whatEndsTheGivingBackIsSaidBehindTheFault()
             bench.runner->stopped();
         const lab::Outcome outcome = bench.runner->outcome();
         VERIFY_END(outcome, End::Aborted);
-        const char *then =
-            lost ? "; then the port was lost; " : "; then every motor was stopped; ";
+        const char *then = lost ? "; then the port was lost; " : "; then every motor was stopped; ";
         QVERIFY2(outcome.reason.starts_with("the board reports a fault: ")
                 && outcome.reason.find(then) != std::string::npos
                 && outcome.reason.find("SPEED_KP may hold what the experiment wrote")

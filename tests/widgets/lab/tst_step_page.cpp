@@ -761,8 +761,8 @@ private Q_SLOTS:
         const QString asked = question->informativeText(); // nothing tells its current
         QVERIFY2(asked.contains(QStringLiteral("While it starts, only 4000\u202frpm bound it.")),
             qPrintable(asked));
-        QTest::mouseClick(
-            question->findChild<QPushButton *>(QStringLiteral("experimentConfirm")), Qt::LeftButton);
+        QTest::mouseClick(question->findChild<QPushButton *>(QStringLiteral("experimentConfirm")),
+            Qt::LeftButton);
         QTRY_VERIFY(experiments.running());
         QTRY_VERIFY_WITH_TIMEOUT(!experiments.running(), kSeriesMs);
         QTRY_VERIFY_WITH_TIMEOUT(run->isEnabled(), kSeriesMs); // evaluated

@@ -117,7 +117,9 @@ widgets::Experiments::Run &readSteps(widgets::Experiments::Run &run, double tau_
     for (int read = 120; read < 420; ++read) {
         const double at_s = read * 5e-3;
         const auto left = [&](double from_s) { return 500.0 * std::exp((from_s - at_s) / tau_s); };
-        const double rpm = at_s < 1.0 ? 1000.0 : at_s < 1.5 ? 1500.0 - left(1.0) : 1000.0 + left(1.5);
+        const double rpm = at_s < 1.0 ? 1000.0
+            : at_s < 1.5              ? 1500.0 - left(1.0)
+                                      : 1000.0 + left(1.5);
         run.capture.appendPolled(7, "SPEED_MEAS", "rpm", at_s, rpm);
     }
     const auto add = [&run](double at_s, recorded::Happening what) {
