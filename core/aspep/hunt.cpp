@@ -12,7 +12,7 @@ void Hunt::learn(const Data &data, ByteView payload)
         payload.end() - static_cast<std::ptrdiff_t>(m_tailSize), payload.end(), m_tail.begin());
     if (data.response || payload.size() < std::tuple_size_v<End>)
         return;
-    const Look look{payload.size(), {payload[payload.size() - 2], payload.back()}};
+    const Look look{data.length, {payload[payload.size() - 2], payload.back()}};
     if (m_last == look)
         m_stream = look;
     m_last = look;
@@ -66,16 +66,19 @@ bool Hunt::proves(ByteView bytes, std::size_t longestResponse, std::size_t crcSi
     if (!m_stream)
         return false;
     m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
-    std::optional<std::size_t> open;
-    std::size_t from = m_bytes.size();
+    // A packet of the stream begins with this and nothing else: most bytes are passed over by it.
+    const std::uint8_t first = encodeHeader(Data{false, m_stream->length}).front();
+    std::optional<std::size_t> beginning;
     bool proved = false;
     for (std::size_t at = 0; at < m_bytes.size() && !proved; ++at) {
+        if (m_bytes[at] != first)
+            continue;
         const Verdict verdict = judge(at, longestResponse, crcSize);
-        if (verdict == Verdict::Open)
-            open = open.value_or(at);
         proved = verdict == Verdict::Proved;
-        from = proved ? at : open.value_or(at + 1);
+        if (proved || (verdict == Verdict::Open && !beginning))
+            beginning = at;
     }
+    const std::size_t from = beginning.value_or(m_bytes.size());
     m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(from));
     m_old -= std::min(m_old, from);
     m_reused = m_old;

@@ -36,7 +36,7 @@ private:
     static constexpr std::size_t kMost = 32768;
     using End = std::array<std::uint8_t, 2>;
     struct Look {
-        std::size_t length = 0;
+        std::uint16_t length = 0;
         End end{};
         bool operator==(const Look &) const = default;
     };
