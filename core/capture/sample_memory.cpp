@@ -1,5 +1,7 @@
 #include "capture/sample_memory.h"
 
+#include "capture/large_pages.h"
+
 #include <new>
 
 namespace capture {
@@ -35,7 +37,9 @@ RangeSlice SampleMemory::takeRanges()
 std::shared_ptr<std::byte> SampleMemory::makeArena()
 {
     constexpr std::align_val_t kAlignment{kArenaBytes};
-    return {static_cast<std::byte *>(::operator new(kArenaBytes, kAlignment)),
+    void *const memory = ::operator new(kArenaBytes, kAlignment);
+    preferLargePages(memory, kArenaBytes);
+    return {static_cast<std::byte *>(memory),
         [](std::byte *arena) { ::operator delete(arena, kAlignment); }};
 }
 
