@@ -15,7 +15,7 @@ struct Band {
 };
 
 /// Paints bands so that none hides another: where several cover a pixel it has the colour of the one in whose slanting
-/// stripe it lies, or of the first of them if that one is not there. Beyond 16 bands the last ones hide the others.
+/// stripe it lies, or of the first of them if that one is not there. Beyond 32 bands the last ones hide the others.
 /// @param image  of 32 bits a pixel, as wide as the columns
 /// @param stripeWidth  pixels, at least 1
 /// @param first  number of the left column, from which stripes are counted: pictures of one axis have them where they

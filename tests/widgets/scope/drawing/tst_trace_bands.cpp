@@ -47,17 +47,17 @@ struct Picture {
     }
 };
 
-/// Bands with noisy edges, holes and peaks, partly outside of the picture.
+/// Bands with noisy or ragged edges, holes and peaks, partly outside of the picture.
 Picture randomPicture(std::mt19937 &random)
 {
     const auto below = [&random](int bound) { return int(random() % unsigned(bound)); };
     Picture picture{1 + below(90), 1 + below(70), 1 + below(6), {}, below(2000) - 1000};
-    const int count = 1 + below(9);
+    const int count = 1 + below(below(4) == 0 ? 32 : 9);
     for (int band = 0; band < count; ++band) {
         PixelColumns columns(picture.width);
         const int top = below(picture.height + 20) - 10;
         const int tall = below(picture.height + 10);
-        const int noise = 1 + below(4);
+        const int noise = 1 + below(below(3) == 0 ? picture.height : 4);
         const int holes = below(3) == 0 ? 5 : 1000;
         for (int x = 0; x < picture.width; ++x) {
             if (below(holes) != 0)
