@@ -101,8 +101,8 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
     // Copies: what the wide stores write might be the members, for all the compiler knows.
     std::int16_t *samples = m_filledSamples;
     CodeRange *ranges = m_filledRanges;
-    // Of a fixed size, and so without a call: two calls for the ends, which are less than a group, take longer than all
-    // between them where memcpy() is one of AVX-512.
+    // Of a fixed size, which makes no call. What begins and ends within a group used to be copied by two calls of
+    // memcpy(), which took longer than all between them where it is one of AVX-512.
     const auto copyGroup = [&](std::size_t at) {
         std::memcpy(samples + at, codes + (at - from), kFanOut * sizeof(std::int16_t));
     };

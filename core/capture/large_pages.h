@@ -6,7 +6,7 @@
 
 namespace capture {
 
-/// Asks the system for them; a hint, which may change nothing. Many systems give them only to who asks.
+/// Asks the system for them; a hint, which may change nothing. Many systems give them only where they are asked for.
 /// @param memory  aligned to a large page, nothing written yet
 void preferLargePages(void *memory, std::size_t bytes);
 
