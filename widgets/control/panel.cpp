@@ -205,7 +205,7 @@ ControlPanel::ControlPanel(
     connect(m_readouts, &ReadoutBox::watchedRegistersChanged, this,
         &ControlPanel::watchedRegistersChanged);
     connect(m_readouts, &ReadoutBox::updated, this, [this] {
-        m_setpoints->takeReference(m_motion.startTarget(m_device.motor()).rpm);
+        m_setpoints->offerReference(m_motion.startTarget(m_device.motor()).rpm);
         m_commands->follow();
     });
     connect(m_changeLimits, &QToolButton::clicked, this, &ControlPanel::limitsWanted);

@@ -81,7 +81,7 @@ public:
     /// Its page says why none can begin now: the sentence leaves that out.
     void leaveOutObstacle() { m_saysObstacle = false; }
     /// Whether its runs are nothing but steps of the speed, for which polled values do.
-    void takeSpeedSteps(bool only) { m_speedSteps = only; }
+    void setSpeedStepsOnly(bool only) { m_speedSteps = only; }
 
     void run(int which); ///< as its button does
     /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind

@@ -25,10 +25,10 @@ MathTable::MathTable(MathChannels &channels, const capture::Capture &capture,
     , m_scope(scope)
     , m_entries(channels.entries())
 {
-    connect(&channels, &MathChannels::changed, this, &MathTable::take);
+    connect(&channels, &MathChannels::changed, this, &MathTable::follow);
 }
 
-void MathTable::take()
+void MathTable::follow()
 {
     replace(m_entries, m_channels.entries(),
         [](const auto &one, const auto &other) { return one.formula.name == other.formula.name; });

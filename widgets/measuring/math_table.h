@@ -27,7 +27,7 @@ public:
 
 private:
     std::size_t rowsHeld() const override { return m_entries.size(); }
-    void take();
+    void follow();
     QString valueText(const MathChannels::Entry &entry) const;
 
     MathChannels &m_channels;

@@ -66,7 +66,7 @@ RegisterEdits::RegisterEdits(Device &device, RegisterModel &model, QObject *pare
 void RegisterEdits::keepBeforeWriting(KeepBeforeWriting &snapshots)
 {
     m_snapshots = &snapshots;
-    connect(&snapshots, &KeepBeforeWriting::taken, this, &RegisterEdits::kept);
+    connect(&snapshots, &KeepBeforeWriting::made, this, &RegisterEdits::kept);
     connect(&snapshots, &KeepBeforeWriting::broken, this, &RegisterEdits::notKept);
     connect(&snapshots, &KeepBeforeWriting::told, this, [this](const QString &sentence) {
         if (underWay())
@@ -222,7 +222,7 @@ void RegisterEdits::keepOrSend()
     m_stage = Stage::Keeping;
     m_disarmed = false;
     Q_EMIT changed();
-    m_snapshots->take();
+    m_snapshots->make();
 }
 
 void RegisterEdits::kept()

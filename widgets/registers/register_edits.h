@@ -22,10 +22,10 @@ class KeepBeforeWriting : public QObject {
 public:
     using QObject::QObject;
 
-    virtual void take() = 0; ///< taken() or broken() follows; nothing while one is under way
+    virtual void make() = 0; ///< made() or broken() follows; nothing while one is under way
 
 Q_SIGNALS:
-    void taken(); ///< it is in memory: writing may begin
+    void made(); ///< it is in memory: writing may begin
     void broken(const QString &sentence); ///< the board could not be read
     void told(const QString &sentence); ///< something is missing that does not stop a write
 };

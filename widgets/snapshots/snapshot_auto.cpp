@@ -38,7 +38,7 @@ AutoSnapshots::AutoSnapshots(Device &device, const QString &folder, QObject *par
         });
 }
 
-void AutoSnapshots::take() { m_reader.start(snapshots::Scope::Tunable); }
+void AutoSnapshots::make() { m_reader.start(snapshots::Scope::Tunable); }
 
 void AutoSnapshots::read(const BoardReading &reading)
 {
@@ -58,7 +58,7 @@ void AutoSnapshots::read(const BoardReading &reading)
     if (!reading.unanswered.isEmpty())
         Q_EMIT told(tr("The snapshot before the write is without: %1.", "list of registers")
                         .arg(reading.unanswered.join(QStringLiteral(", "))));
-    Q_EMIT taken();
+    Q_EMIT made();
 }
 
 } // namespace widgets

@@ -32,7 +32,7 @@ public:
     const session::SnapshotFolder &folder() const { return m_folder; }
     bool running() const { return m_reader.running(); }
 
-    void take() override;
+    void make() override;
 
 private:
     void read(const BoardReading &reading);

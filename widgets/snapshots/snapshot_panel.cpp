@@ -54,7 +54,7 @@ SnapshotPanel::SnapshotPanel(Device &device, RegisterEdits &edits, AutoSnapshots
     connect(&device, &Device::statusChanged, this, &SnapshotPanel::offer);
     connect(&edits, &RegisterEdits::changed, this, &SnapshotPanel::updateTexts);
     connect(&edits, &RegisterEdits::reported, this, &SnapshotPanel::restored);
-    connect(&automatic, &AutoSnapshots::taken, this, &SnapshotPanel::listSources);
+    connect(&automatic, &AutoSnapshots::made, this, &SnapshotPanel::listSources);
     connect(m_model, &SnapshotModel::chosenChanged, this, &SnapshotPanel::updateTexts);
     updateTexts();
 }

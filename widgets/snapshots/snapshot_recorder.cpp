@@ -27,7 +27,7 @@ SnapshotRecorder::SnapshotRecorder(Device &device, session::Recording &recording
         m_wanted = false;
         add("all registers", reading.snapshot);
     });
-    connect(&automatic, &AutoSnapshots::taken, this,
+    connect(&automatic, &AutoSnapshots::made, this,
         [this, &automatic] { add("before a write", *automatic.kept().front().snapshot); });
 }
 

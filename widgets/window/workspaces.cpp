@@ -140,7 +140,7 @@ bool Workspaces::open(const QString &path)
     m_folder = QFileInfo(path).path();
     const QString notes = m_parts.tools.notes();
     if (notes.trimmed().isEmpty() || notes == workspace->notes || notes == m_keptNotes)
-        take(path, *workspace);
+        adopt(path, *workspace);
     else
         askAboutNotes(path, std::move(*workspace));
     return true;
@@ -153,7 +153,7 @@ void Workspaces::askAboutNotes(const QString &path, Workspace workspace)
         return;
     const auto keep = [this, path, workspace]() mutable {
         workspace.notes = m_parts.tools.notes();
-        take(path, workspace);
+        adopt(path, workspace);
         m_keptNotes.clear(); // those that stay are still in no file
     };
     m_parts.prompt.ask({.name = "notesQuestion",
@@ -163,12 +163,12 @@ void Workspaces::askAboutNotes(const QString &path, Workspace workspace)
                     .arg(fileNameText(path)),
         .more = tr("They cannot be brought back."),
         .answers = {{Kind::Lose, tr("&Replace the notes"),
-                        [this, path, workspace] { take(path, workspace); }, "replaceNotes"},
+                        [this, path, workspace] { adopt(path, workspace); }, "replaceNotes"},
             {}, {Kind::Go, tr("&Keep these notes"), keep, "keepNotes"}},
         .usual = 1});
 }
 
-void Workspaces::take(const QString &path, const Workspace &workspace)
+void Workspaces::adopt(const QString &path, const Workspace &workspace)
 {
     apply(workspace);
     m_keptNotes = workspace.notes;

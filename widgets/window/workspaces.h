@@ -56,7 +56,7 @@ Q_SIGNALS:
 
 private:
     void askAboutNotes(const QString &path, Workspace workspace);
-    void take(const QString &path, const Workspace &workspace);
+    void adopt(const QString &path, const Workspace &workspace);
     void save(const QString &path);
     void showSpan(double seconds);
     void findTriggerSource();

@@ -160,7 +160,7 @@ private Q_SLOTS:
         auto *box = rig.panel.findChild<widgets::SetpointBox *>();
         auto *edit = rig.edit("speed");
         rig.edit("rampTime")->setFocus();
-        box->takeReference(1500.0);
+        box->offerReference(1500.0);
         QCOMPARE(edit->text(), QStringLiteral("1500"));
         if (way < 2)
             QTest::mouseClick(edit, Qt::LeftButton);
@@ -172,18 +172,18 @@ private Q_SLOTS:
             QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
         QCOMPARE(edit->selectedText(), QStringLiteral("1500"));
         for (int i = 0; i < 3; ++i) // the board is read again and again
-            box->takeReference(1500.0);
+            box->offerReference(1500.0);
         QCOMPARE(edit->selectedText(), QStringLiteral("1500"));
-        box->takeReference(900.0); // and may have another one
+        box->offerReference(900.0); // and may have another one
         QCOMPARE(edit->selectedText(), QStringLiteral("900"));
         QTest::keyClicks(edit, QStringLiteral("2600"));
         QCOMPARE(edit->text(), QStringLiteral("2600"));
-        box->takeReference(900.0); // not over what was typed
+        box->offerReference(900.0); // not over what was typed
         QCOMPARE(edit->text(), QStringLiteral("2600"));
         // What a stop leaves on the board is replaced as well.
         facts::feed(rig.device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
         QCOMPARE(edit->selectedText(), QStringLiteral("0"));
-        box->takeReference(2600.0);
+        box->offerReference(2600.0);
         QTest::keyClicks(edit, QStringLiteral("1200"));
         QCOMPARE(edit->text(), QStringLiteral("1200"));
     }

@@ -35,7 +35,7 @@ std::size_t setsIn(const EditBench &bench)
 /// A snapshot that takes as long as the test wants.
 struct SlowSnapshot : widgets::KeepBeforeWriting {
     int asked = 0;
-    void take() override { ++asked; }
+    void make() override { ++asked; }
 };
 
 struct Cells : widgets::RegisterDelegate {
@@ -172,7 +172,7 @@ private Q_SLOTS:
                 bench.device.setArmed(false);
                 bench.arm();
             }
-            Q_EMIT snapshot.taken();
+            Q_EMIT snapshot.made();
             QVERIFY(bench.settle());
             QCOMPARE(setsIn(bench) > before, !disarmed);
             if (disarmed)

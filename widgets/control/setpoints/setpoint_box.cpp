@@ -351,7 +351,7 @@ void SetpointBox::stopRamp()
 
 void SetpointBox::forget()
 {
-    m_takeReference = false;
+    m_expectsReference = false;
     for (NumberEdit *edit : {m_speed, m_torque, m_iq, m_id})
         edit->beginAnew();
     m_position->setText({}); // zero would be a place to go to, and Undo takes clear() back
@@ -359,17 +359,18 @@ void SetpointBox::forget()
 
 void SetpointBox::expectReference()
 {
-    m_takeReference = true;
-    m_taken = m_speed->text();
+    m_expectsReference = true;
+    m_offered = m_speed->text();
 }
 
-void SetpointBox::takeReference(std::optional<double> rpm)
+void SetpointBox::offerReference(std::optional<double> rpm)
 {
-    m_takeReference = m_takeReference && !m_speed->isModified() && m_speed->text() == m_taken;
-    if (!m_takeReference || !rpm)
+    m_expectsReference =
+        m_expectsReference && !m_speed->isModified() && m_speed->text() == m_offered;
+    if (!m_expectsReference || !rpm)
         return;
     m_speed->setValue(*rpm);
-    m_taken = m_speed->text();
+    m_offered = m_speed->text();
 }
 
 } // namespace widgets

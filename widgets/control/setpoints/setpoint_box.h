@@ -39,8 +39,8 @@ public Q_SLOTS:
     void follow(); ///< the device may allow something else now
     void forget(); ///< nothing of a set-point is left to be sent by accident
     /// The speed begins with what the board would do anyway, once and not over what the user has typed.
-    void takeReference(std::optional<double> rpm);
-    void expectReference(); ///< a board was met: takeReference() counts again
+    void offerReference(std::optional<double> rpm);
+    void expectReference(); ///< a board was met: offerReference() counts again
 
 private:
     NumberEdit *makeEdit(const char *name, const QString &accessible);
@@ -80,8 +80,8 @@ private:
     MotorButton *m_go;
     MotorButton *m_stopRamp;
     QCheckBox *m_cyclic;
-    bool m_takeReference = false;
-    QString m_taken; ///< of the board: any other text is the user's
+    bool m_expectsReference = false;
+    QString m_offered; ///< of the board: any other text is the user's
 };
 
 } // namespace widgets
