@@ -371,19 +371,19 @@ void ExperimentBar::progressed()
     m_sentence->setText(progress.words);
 }
 
-void ExperimentBar::accept(const Experiments::RunPtr &record)
+void ExperimentBar::accept(const Experiments::RunPtr &run)
 {
     if (!std::exchange(m_own, false))
         return refresh();
     m_progress->setValue(0);
-    m_told = endText(record->outcome);
-    m_swung = record->outcome.swings;
-    m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();
+    m_told = endText(run->outcome);
+    m_swung = run->outcome.swings;
+    m_left = run->outcome.leaves ? labSentence(run->outcome.reason) : QString();
     m_evaluating = true;
     refresh();
-    m_pool.start([this, record, evaluate = std::exchange(m_evaluate, {})] {
-        Show show = evaluate(*record);
-        const bool complete = record->outcome.end == lab::End::Complete;
+    m_pool.start([this, run, evaluate = std::exchange(m_evaluate, {})] {
+        Show show = evaluate(*run);
+        const bool complete = run->outcome.end == lab::End::Complete;
         QMetaObject::invokeMethod(
             this,
             [this, complete, show = std::move(show)] {

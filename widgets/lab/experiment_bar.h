@@ -120,7 +120,7 @@ private:
     void begin(int which, const Run &run);
     QString turning() const;
     void progressed();
-    void accept(const Experiments::RunPtr &record);
+    void accept(const Experiments::RunPtr &run);
     void shown(bool complete, const QStringList &more);
     QString hints() const;
 

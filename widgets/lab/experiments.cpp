@@ -80,9 +80,9 @@ void Experiments::begin(std::vector<Part> parts, double before_rpm)
 {
     if (running() || parts.empty())
         return;
-    m_record = std::make_shared<Run>();
-    m_record->startSeconds = m_tap->startSeconds();
-    m_restorer = std::make_unique<recorded::Restorer>(m_record->capture);
+    m_run = std::make_shared<Run>();
+    m_run->startSeconds = m_tap->startSeconds();
+    m_restorer = std::make_unique<recorded::Restorer>(m_run->capture);
     m_parts = std::move(parts);
     m_part = 0;
     m_before_rpm = before_rpm;
@@ -105,11 +105,11 @@ void Experiments::beginPart(TimePoint now)
 void Experiments::note(TimePoint at, const recorded::Happening &what)
 {
     const capture::Nanos nanos = at.time_since_epoch().count();
-    m_record->happenings.emplace_back(nanos, what);
+    m_run->happenings.emplace_back(nanos, what);
     auto told = std::make_shared<session::Told>();
     told->at = nanos;
     told->entries.emplace_back(what);
-    m_record->told.push_back(std::move(told));
+    m_run->told.push_back(std::move(told));
     Q_EMIT noted(nanos, what);
 }
 
@@ -118,10 +118,10 @@ void Experiments::accept(const session::ToldPtr &told)
     m_tap->release(told->bytes);
     if (!running() || told->recording != m_number)
         return;
-    m_record->told.push_back(told);
+    m_run->told.push_back(told);
     for (const recorded::Entry &entry : told->entries) {
         if (const auto *happening = std::get_if<recorded::Happening>(&entry))
-            m_record->happenings.emplace_back(told->at, *happening);
+            m_run->happenings.emplace_back(told->at, *happening);
         else
             m_restorer->accept(entry);
     }
@@ -143,11 +143,11 @@ void Experiments::end(const lab::Outcome &outcome)
         lab::addReason(m_soFar, "what comes next is not agreed to any more");
     }
     m_tap->switchOff();
-    m_record->outcome = m_soFar;
+    m_run->outcome = m_soFar;
     m_restorer.reset();
     m_parts.clear();
-    const RunPtr record = std::move(m_record);
-    Q_EMIT ended(record);
+    const RunPtr run = std::move(m_run);
+    Q_EMIT ended(run);
 }
 
 } // namespace widgets

@@ -54,9 +54,9 @@ public:
     /// To be called only for what was agreed to; one after the other, as long as each comes to its end, leaves all as
     /// it was and is agreed to. Nothing while one is running.
     void begin(std::vector<Part> parts, double before_rpm);
-    bool running() const { return m_record != nullptr; }
+    bool running() const { return m_run != nullptr; }
     std::size_t part() const { return m_part; } ///< the one that is running, from 0
-    const lab::Happenings &happenings() const { return m_record->happenings; } ///< while running()
+    const lab::Happenings &happenings() const { return m_run->happenings; } ///< while running()
 
 public Q_SLOTS:
     void accept(const session::ToldPtr &told);
@@ -68,7 +68,7 @@ Q_SIGNALS:
     void noted(qint64 at, const recorded::Happening &what);
     void began();
     void progressed();
-    void ended(const widgets::Experiments::RunPtr &record);
+    void ended(const widgets::Experiments::RunPtr &run);
     void agreementEnded();
 
 private:
@@ -84,7 +84,7 @@ private:
     std::size_t m_part = 0;
     double m_before_rpm = 0.0;
     lab::Outcome m_soFar; ///< of those that are over
-    std::shared_ptr<Run> m_record; ///< of what is running
+    std::shared_ptr<Run> m_run; ///< of what is running
     std::unique_ptr<recorded::Restorer> m_restorer;
     unsigned m_number = 0;
 };

@@ -34,9 +34,9 @@ ExperimentBar::Evaluate Identification::evaluation(int motor,
     Result<Found, std::string> (*evaluate)(const capture::Capture &, const lab::Happenings &))
 {
     return [this, motor, board = m_boards, evaluate](
-               const Experiments::Run &record) -> ExperimentBar::Show {
-        const auto found = evaluate(record.capture, record.happenings);
-        return [this, motor, board, found, end = record.outcome.end]() -> QStringList {
+               const Experiments::Run &run) -> ExperimentBar::Show {
+        const auto found = evaluate(run.capture, run.happenings);
+        return [this, motor, board, found, end = run.outcome.end]() -> QStringList {
             if (board != m_boards || motor != m_device.motor())
                 return {}; // the table is of another motor by now
             const bool complete = end == lab::End::Complete;

@@ -234,11 +234,11 @@ Result<ExperimentBar::Run, QString> StepPage::wanted()
 ExperimentBar::Evaluate StepPage::evaluation(const lab::Subject &subject)
 {
     return [this, bus = subject.nameOf(subject.registers.bus), &of = gains(),
-               with = gains().values()](const Experiments::Run &record) -> ExperimentBar::Show {
-        auto result = stepResult(record, bus);
+               with = gains().values()](const Experiments::Run &run) -> ExperimentBar::Show {
+        auto result = stepResult(run, bus);
         if (!result)
             return {};
-        const bool complete = record.outcome.end == lab::End::Complete;
+        const bool complete = run.outcome.end == lab::End::Complete;
         if (!result->told())
             return [words = complete ? wordsOf(result->series) : QStringList()] { return words; };
         return [this, &of, with, complete, result = std::move(*result)] {

@@ -117,50 +117,50 @@ StepKind StepResult::kind() const
 namespace {
 
 Result<StepResult, std::string> currentResult(
-    const Experiments::Run &record, const lab::Recorded<lab::CurrentStepPlan> &plan)
+    const Experiments::Run &run, const lab::Recorded<lab::CurrentStepPlan> &plan)
 {
-    auto found = lab::currentSteps(record.capture, record.happenings);
+    auto found = lab::currentSteps(run.capture, run.happenings);
     if (!found)
         return fail(found.error());
     StepResult result;
     static_cast<lab::MeasuredSteps &>(result.series) = std::move(*found);
     result.current = plan.plan;
     const capture::Channel *current =
-        lab::fastChannel(record.capture, plan.plan.flux != 0 ? plan.currentD : plan.current);
+        lab::fastChannel(run.capture, plan.plan.flux != 0 ? plan.currentD : plan.current);
     const Nanos hold = std::chrono::nanoseconds(plan.plan.hold).count();
-    for (const lab::StepRun &run : result.series.runs)
-        result.curves.append(curveOf(*current, run, hold)); // it is there: it was evaluated
+    for (const lab::StepRun &step : result.series.runs)
+        result.curves.append(curveOf(*current, step, hold)); // it is there: it was evaluated
     return result;
 }
 
-Result<StepResult, std::string> speedResult(const Experiments::Run &record)
+Result<StepResult, std::string> speedResult(const Experiments::Run &run)
 {
-    auto series = lab::stepSeries(record.capture, record.happenings);
+    auto series = lab::stepSeries(run.capture, run.happenings);
     if (!series)
         return fail(series.error());
     StepResult result;
     result.series = std::move(*series);
-    const auto plan = lab::recordedPlan<lab::StepPlan>(record.happenings.front().second);
+    const auto plan = lab::recordedPlan<lab::StepPlan>(run.happenings.front().second);
     const auto &runs = result.series.runs;
     if (!plan || runs.empty())
         return result;
-    for (const lab::StepRun &run : runs)
-        result.curves.append(curveOf(record.capture, *plan, run));
+    for (const lab::StepRun &step : runs)
+        result.curves.append(curveOf(run.capture, *plan, step));
     return result;
 }
 
 } // namespace
 
-Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus)
+Result<StepResult, std::string> stepResult(const Experiments::Run &run, const std::string &bus)
 {
-    const auto current = lab::recordedPlan<lab::CurrentStepPlan>(record.happenings.front().second);
-    auto result = current ? currentResult(record, *current) : speedResult(record);
+    const auto current = lab::recordedPlan<lab::CurrentStepPlan>(run.happenings.front().second);
+    auto result = current ? currentResult(run, *current) : speedResult(run);
     if (!result || result->series.runs.empty())
         return result;
     const auto &runs = result->series.runs;
     const Nanos hold =
         std::chrono::nanoseconds(current ? current->plan.hold : result->series.plan.hold).count();
-    result->bus_v = extremesOf(record.capture, bus, runs.front().at, runs.back().at + hold);
+    result->bus_v = extremesOf(run.capture, bus, runs.front().at, runs.back().at + hold);
     return result;
 }
 

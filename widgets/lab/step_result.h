@@ -1,5 +1,5 @@
-// A series of steps as its row and its curves show it. The numbers are those of core/lab, from the record of the
-// experiment alone; a curve is the speed, or the current, by which they were measured.
+// A series of steps as its row and its curves show it. The numbers are those of core/lab, from the run alone; a curve is
+// the speed, or the current, by which they were measured.
 #pragma once
 
 #include "lab/evaluation/step_series.h"
@@ -40,6 +40,6 @@ struct StepResult {
 
 /// @param bus  name of the register that tells the bus voltage; empty: there is none
 /// @return  why there is none, in a sentence without a full stop
-Result<StepResult, std::string> stepResult(const Experiments::Run &record, const std::string &bus);
+Result<StepResult, std::string> stepResult(const Experiments::Run &run, const std::string &bus);
 
 } // namespace widgets

@@ -38,31 +38,32 @@ void RunKeeper::setFolder(const QString &folder)
     Q_EMIT folderChanged();
 }
 
-void RunKeeper::ended(const Experiments::RunPtr &record)
+void RunKeeper::ended(const Experiments::RunPtr &run)
 {
     constexpr std::size_t kPlanAndEnd = 2;
-    if (m_folder.isEmpty() || record->told.size() <= kPlanAndEnd)
+    if (m_folder.isEmpty() || run->told.size() <= kPlanAndEnd)
         return; // one of which nothing was recorded never began
     m_reader.cancel();
-    auto run = std::make_shared<session::EndedRun>();
+    auto entry = std::make_shared<session::EndedRun>();
     const session::Endpoint &endpoint = m_device.endpoint();
     const bool simulated = endpoint.kind == session::Endpoint::Kind::Simulator;
-    run->begin = {record->startSeconds,
+    entry->begin = {run->startSeconds,
         QStringLiteral("Rotorscope %1").arg(QCoreApplication::applicationVersion()).toStdString(),
         simulated ? "simulated board" : endpoint.path.toStdString()};
-    run->told = record->told;
-    run->plan = record->happenings.front().second;
-    run->outcome = record->outcome;
-    run->motor = run->plan.number<int>("motor").value_or(m_device.motor()); // another may be shown
-    run->at = QDateTime::currentSecsSinceEpoch();
+    entry->told = run->told;
+    entry->plan = run->happenings.front().second;
+    entry->outcome = run->outcome;
+    entry->motor =
+        entry->plan.number<int>("motor").value_or(m_device.motor()); // another may be shown
+    entry->at = QDateTime::currentSecsSinceEpoch();
     if (const auto board = m_device.identified()) {
         const drive::Identity &identity = board->identity;
-        run->board = QString::fromStdString(identity.firmware);
-        const auto motor = static_cast<std::size_t>(run->motor);
+        entry->board = QString::fromStdString(identity.firmware);
+        const auto motor = static_cast<std::size_t>(entry->motor);
         if (motor >= 1 && motor <= identity.motorNames.size())
-            run->motorName = QString::fromStdString(identity.motorNames[motor - 1]);
+            entry->motorName = QString::fromStdString(identity.motorNames[motor - 1]);
     }
-    m_ended = std::move(run);
+    m_ended = std::move(entry);
     m_before.clear();
     m_reader.start(snapshots::Scope::Tunable);
 }

@@ -32,7 +32,7 @@ Q_SIGNALS:
     void failed(const QString &sentence);
 
 private:
-    void ended(const Experiments::RunPtr &record);
+    void ended(const Experiments::RunPtr &run);
     void noteWrites(const drive::Ended &ended);
     snapshots::Snapshot behindTheRun(const snapshots::Snapshot &read) const;
     void write(std::optional<snapshots::Snapshot> registers);

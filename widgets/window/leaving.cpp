@@ -32,10 +32,10 @@ Leaving::Leaving(
 void Leaving::watch(const Experiments &experiments)
 {
     m_experiments = &experiments;
-    connect(&experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &record) {
+    connect(&experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &run) {
         if (!std::exchange(m_ending, false))
             return;
-        m_left = record->outcome.leaves ? labSentence(record->outcome.reason) : QString();
+        m_left = run->outcome.leaves ? labSentence(run->outcome.reason) : QString();
         if (std::exchange(m_waits, false))
             go();
     });

@@ -214,9 +214,9 @@ void Workbench::connectExperiments()
         [this](qint64 at, const recorded::Happening &what) { m_recording.add(at, what); });
     connect(
         &m_experiments, &Experiments::began, &m_motion, [this] { m_motion.setExperiment(true); });
-    connect(&m_experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &record) {
+    connect(&m_experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &run) {
         m_motion.setExperiment(false);
-        m_recorder.noteExperiment(record->outcome.at, ExperimentBar::endText(record->outcome));
+        m_recorder.noteExperiment(run->outcome.at, ExperimentBar::endText(run->outcome));
     });
 }
 

@@ -241,10 +241,10 @@ private Q_SLOTS:
         const auto run = identification.electricalRun();
         QVERIFY(run);
         const auto toldOfEnd = [&](lab::End end) {
-            widgets::Experiments::Run record;
-            record.outcome.end = end;
-            record.outcome.reason = "the motor is not in speed control";
-            return run->evaluate(record)();
+            widgets::Experiments::Run ended;
+            ended.outcome.end = end;
+            ended.outcome.reason = "the motor is not in speed control";
+            return run->evaluate(ended)();
         };
         QVERIFY(toldOfEnd(lab::End::Refused).isEmpty());
         QCOMPARE(findings.measured().rs_ohm, std::optional(0.35));
@@ -269,11 +269,11 @@ private Q_SLOTS:
         const auto run = identification.electricalRun();
         QVERIFY(run);
         const auto shown = [&] { // of a run that tells nothing, which empties the rows
-            widgets::Experiments::Run record;
-            record.outcome.end = lab::End::Complete;
+            widgets::Experiments::Run ended;
+            ended.outcome.end = lab::End::Complete;
             lab::Electrics windings;
             windings.rs_ohm = {0.35, 0.34, 0.36};
-            const auto show = run->evaluate(record);
+            const auto show = run->evaluate(ended);
             findings.accept(windings);
             return !show().isEmpty();
         };

@@ -280,8 +280,8 @@ private Q_SLOTS:
     }
     void valuesThatWereReadAreDrawnAndToldWithTheirUncertainty()
     {
-        widgets::Experiments::Run record, quick;
-        const auto found = widgets::stepResult(readSteps(record, 0.04), {});
+        widgets::Experiments::Run slow, quick;
+        const auto found = widgets::stepResult(readSteps(slow, 0.04), {});
         QVERIFY2(found, found ? "" : found.error().c_str());
         QVERIFY(found->told());
         QCOMPARE(found->curves.size(), 2);

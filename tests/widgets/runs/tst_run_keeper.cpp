@@ -47,8 +47,8 @@ drive::Identified twoMotors()
 
 widgets::Experiments::RunPtr anEnd(const char *motor)
 {
-    auto record = std::make_shared<widgets::Experiments::Run>();
-    record->outcome.at = kEndsAt;
+    auto run = std::make_shared<widgets::Experiments::Run>();
+    run->outcome.at = kEndsAt;
     const recorded::Happening plan{
         "step plan", {{"motor", motor}, {"from rpm", "1000"}, {"to rpm", "1500"}}};
     const recorded::Happening end{"experiment ended", {{"outcome", "complete"}, {"reason", ""}}};
@@ -58,10 +58,10 @@ widgets::Experiments::RunPtr anEnd(const char *motor)
         auto told = std::make_shared<session::Told>();
         told->at = at++;
         told->entries.emplace_back(happening);
-        record->told.push_back(std::move(told));
-        record->happenings.emplace_back(at, happening);
+        run->told.push_back(std::move(told));
+        run->happenings.emplace_back(at, happening);
     }
-    return record;
+    return run;
 }
 
 /// A board that answers when the test says so.

@@ -23,12 +23,12 @@ LoopTuning::Measured measuredBy(
 }
 
 /// A proof is made with the same gains from the first sample of its response to the last one of its steps.
-Result<lab::StepSeries, std::string> proofStepsOf(const Experiments::Run &record, int motor)
+Result<lab::StepSeries, std::string> proofStepsOf(const Experiments::Run &run, int motor)
 {
-    if (std::ranges::any_of(record.happenings,
+    if (std::ranges::any_of(run.happenings,
             [motor](const auto &one) { return lab::changesGains(motor, one.second); }))
         return fail(std::string(lab::kGainsChanged));
-    return lab::stepSeries(record.capture, record.happenings);
+    return lab::stepSeries(run.capture, run.happenings);
 }
 
 QString gainsText(const LoopTuning::Gains &gains)
@@ -156,8 +156,8 @@ Result<ExperimentBar::Run, QString> LoopTuning::currentRun(std::chrono::millisec
     plan.length = length;
     const auto loop = m_facts.speedLoop(*subject);
     const auto evaluate = [this, board = m_boards](
-                              const Experiments::Run &record) -> ExperimentBar::Show {
-        const auto found = lab::evaluateCurrentResponse(record.capture, record.happenings);
+                              const Experiments::Run &run) -> ExperimentBar::Show {
+        const auto found = lab::evaluateCurrentResponse(run.capture, run.happenings);
         return [this, board, found]() -> QStringList {
             if (board != m_boards)
                 return {};
@@ -180,19 +180,19 @@ ExperimentBar::Run LoopTuning::responseRun(
     const double nominalAmps = subject.limits.nominalCurrentAmps;
     const auto evaluate = [this, board = m_boards, plan, loop, nominalAmps, toProve,
                               motor = subject.motor](
-                              const Experiments::Run &record) -> ExperimentBar::Show {
-        if (record.outcome.swings)
+                              const Experiments::Run &run) -> ExperimentBar::Show {
+        if (run.outcome.swings)
             return [this, plan, loop]() -> QStringList { return calm(plan, loop); };
-        if (toProve && record.outcome.end != lab::End::Complete)
+        if (toProve && run.outcome.end != lab::End::Complete)
             return []() -> QStringList {
                 return {tr("Nothing is proved: response and steps did not both come to their "
                            "end.")};
             };
-        const auto response = lab::evaluateResponse(record.capture, record.happenings);
+        const auto response = lab::evaluateResponse(run.capture, run.happenings);
         std::string why = response ? std::string() : response.error();
         std::optional<lab::StepSeries> steps;
         if (toProve && response) {
-            if (const auto found = proofStepsOf(record, motor))
+            if (const auto found = proofStepsOf(run, motor))
                 steps = *found;
             else
                 why = found.error();
