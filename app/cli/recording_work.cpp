@@ -12,8 +12,6 @@
 #include <QFileInfo>
 #include <QTimer>
 
-#include <array>
-
 namespace cli {
 
 using namespace std::chrono_literals;

@@ -15,7 +15,6 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
-#include <memory>
 #include <poll.h>
 #include <sched.h>
 #include <string>

@@ -8,7 +8,6 @@
 #include "catalog/register_info.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

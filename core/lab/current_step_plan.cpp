@@ -3,7 +3,6 @@
 #include "drive/motion_limits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

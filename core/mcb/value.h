@@ -7,7 +7,6 @@
 #include "mcb/frame.h"
 
 #include <optional>
-#include <string_view>
 
 namespace mcb {
 

@@ -1,7 +1,6 @@
 #include "mcp/datalog_decoder.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace mcp {
 namespace {

@@ -2,8 +2,6 @@
 
 #include "recorded/crc32.h"
 
-#include <algorithm>
-
 namespace recorded {
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <numbers>
-#include <utility>
 
 namespace scope {
 

@@ -7,7 +7,6 @@
 #include "widgets/base/value_text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 

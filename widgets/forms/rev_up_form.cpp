@@ -26,8 +26,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <limits>
-
 namespace widgets {
 namespace {
 

@@ -6,8 +6,6 @@
 #include "widgets/base/form.h"
 #include "widgets/measuring/measure_table.h"
 
-#include <optional>
-
 class QComboBox;
 class QPushButton;
 class QTreeView;

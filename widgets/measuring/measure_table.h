@@ -13,7 +13,6 @@
 #include <QThreadPool>
 
 #include <atomic>
-#include <memory>
 
 namespace widgets {
 

@@ -3,7 +3,6 @@
 #include "scope/unit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace widgets {

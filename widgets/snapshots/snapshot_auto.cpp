@@ -5,8 +5,6 @@
 #include <QDir>
 #include <QStandardPaths>
 
-#include <algorithm>
-
 namespace widgets {
 
 QString autoSnapshotFolder()

@@ -3,7 +3,6 @@
 #include "session/files/finding_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -29,7 +29,6 @@ constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course exci
 /// it was.
 constexpr double kCorrected_hz = 25.0, kObserved_hz = 10.0;
 constexpr int kLeastSegments = 4;
-constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
 enum Signal : std::size_t { Speed, Current, Reference, Sensed, kSignals };
 
 struct Edge {

@@ -8,7 +8,6 @@
 #include "lab/maths/statistics.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace lab {

@@ -2,7 +2,6 @@
 
 #include "lab/maths/least_squares.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

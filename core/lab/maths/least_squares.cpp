@@ -2,7 +2,6 @@
 
 #include "lab/maths/statistics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -10,7 +10,6 @@
 #include <QLockFile>
 #include <QString>
 
-#include <functional>
 #include <memory>
 
 namespace session {

@@ -5,7 +5,6 @@
 #include <QSocketNotifier>
 #include <QTimer>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>

@@ -4,7 +4,6 @@
 #include "simulation/maths/transforms.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace simulation {
 

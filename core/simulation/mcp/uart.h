@@ -8,7 +8,6 @@
 #include "base/time.h"
 #include "simulation/mcp/liars.h"
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>

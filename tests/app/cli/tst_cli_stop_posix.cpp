@@ -13,7 +13,6 @@ namespace {
 constexpr qint64 kSoon_ms = 500; ///< generous: the machine may stall; it takes about 25
 
 const QByteArray kMcpStop = QByteArray::fromHex("2100"); ///< payload of STOP_MOTOR, motor 1
-const QByteArray kMcpStopHeader = QByteArray::fromHex("29000020"); ///< of any payload of two bytes
 const QByteArray kOlderStop = QByteArray::fromHex("23010226"); ///< motor 1, EXECUTE, STOP, sum
 
 /// A terminal that swallows all and answers nothing: the receive wire is cut.

@@ -3,7 +3,6 @@
 #include "widgets/scope/view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace widgets {
