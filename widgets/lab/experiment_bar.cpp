@@ -93,27 +93,6 @@ void ExperimentBar::makeRow(const char *prefix)
     m_row->addWidget(m_sentence, 1);
 }
 
-QString ExperimentBar::endText(const lab::Outcome &outcome)
-{
-    const QString reason = labText(outcome.reason);
-    const std::string shown = lab::shownText(outcome);
-    const QString behind = shown.empty() ? QString() : QLatin1Char(' ') + labSentence(shown);
-    switch (outcome.end) {
-    case lab::End::Complete:
-        return (reason.isEmpty() ? tr("Done; the motor is as it was.")
-                                 : tr("Done; afterwards: %1.").arg(reason))
-            + behind;
-    case lab::End::Refused:
-        return tr("Not carried out: %1.").arg(reason) + behind;
-    case lab::End::Aborted:
-        return tr("Ended: %1.").arg(reason);
-    case lab::End::Interrupted:
-    case lab::End::Lost:
-        break;
-    }
-    return tr("Interrupted: %1.").arg(reason);
-}
-
 int ExperimentBar::add(Button button)
 {
     const int which = static_cast<int>(m_buttons.size());

@@ -67,8 +67,6 @@ public:
         std::chrono::milliseconds patience{500};
     };
 
-    static QString endText(const lab::Outcome &outcome); ///< a sentence
-
     /// @param prefix  of the names of what is in it: "step" makes "stepCancel", "stepProgress", "stepSentence"
     ExperimentBar(const Parts &parts, const char *prefix, QWidget *page);
 

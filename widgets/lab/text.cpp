@@ -1,5 +1,6 @@
 #include "widgets/lab/text.h"
 
+#include "lab/experiment.h"
 #include "widgets/base/messages.h"
 
 #include <QCoreApplication>
@@ -345,6 +346,11 @@ QString labWords(const QString &english)
         : labWords(english.left(end)) + QLatin1String("; ") + labWords(english.mid(end + 2));
 }
 
+/// In the context where its translations are.
+struct EndText {
+    Q_DECLARE_TR_FUNCTIONS(widgets::ExperimentBar)
+};
+
 } // namespace
 
 QString labText(const std::string &words) { return labWords(QString::fromStdString(words)); }
@@ -363,6 +369,27 @@ QStringList labSentences(const std::vector<std::string> &all)
     for (const std::string &words : all)
         sentences.append(labSentence(words));
     return sentences;
+}
+
+QString endText(const lab::Outcome &outcome)
+{
+    const QString reason = labText(outcome.reason);
+    const std::string shown = lab::shownText(outcome);
+    const QString behind = shown.empty() ? QString() : QLatin1Char(' ') + labSentence(shown);
+    switch (outcome.end) {
+    case lab::End::Complete:
+        return (reason.isEmpty() ? EndText::tr("Done; the motor is as it was.")
+                                 : EndText::tr("Done; afterwards: %1.").arg(reason))
+            + behind;
+    case lab::End::Refused:
+        return EndText::tr("Not carried out: %1.").arg(reason) + behind;
+    case lab::End::Aborted:
+        return EndText::tr("Ended: %1.").arg(reason);
+    case lab::End::Interrupted:
+    case lab::End::Lost:
+        break;
+    }
+    return EndText::tr("Interrupted: %1.").arg(reason);
 }
 
 } // namespace widgets

@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace lab {
+struct Outcome;
+}
+
 namespace widgets {
 
 /// The words as they stand within a sentence; those without a translation stay English.
@@ -16,5 +20,8 @@ QString labText(const std::string &words);
 /// The same as a sentence: begins with a capital, ends with a full stop.
 QString labSentence(const std::string &words);
 QStringList labSentences(const std::vector<std::string> &all);
+
+/// How an experiment ended: a sentence, or two.
+QString endText(const lab::Outcome &outcome);
 
 } // namespace widgets

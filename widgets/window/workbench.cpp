@@ -1,7 +1,7 @@
 #include "widgets/window/workbench.h"
 
 #include "widgets/files/open_recording.h"
-#include "widgets/lab/experiment_bar.h"
+#include "widgets/lab/text.h"
 
 #include <QCoreApplication>
 #include <QInputEvent>
@@ -216,7 +216,7 @@ void Workbench::connectExperiments()
         &m_experiments, &Experiments::began, &m_motion, [this] { m_motion.setExperiment(true); });
     connect(&m_experiments, &Experiments::ended, this, [this](const Experiments::RunPtr &run) {
         m_motion.setExperiment(false);
-        m_recorder.noteExperiment(run->outcome.at, ExperimentBar::endText(run->outcome));
+        m_recorder.noteExperiment(run->outcome.at, endText(run->outcome));
     });
 }
 

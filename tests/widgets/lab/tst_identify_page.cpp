@@ -9,6 +9,7 @@
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/identify_page.h"
 #include "widgets/lab/lab_window.h"
+#include "widgets/lab/text.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -310,7 +311,7 @@ private Q_SLOTS:
             + set.toStdString();
         auto *sentence = bench.find<widgets::SteadyLabel>("identifySentence");
         auto *bar = static_cast<widgets::ExperimentBar *>(sentence->parentWidget());
-        bar->tell(widgets::ExperimentBar::endText(outcome));
+        bar->tell(widgets::endText(outcome));
         QVERIFY2(sentence->text().startsWith(QLatin1String("Unterbrochen: ")),
             qPrintable(sentence->text()));
         const auto fits = [sentence] {

@@ -10,6 +10,7 @@
 #include "widgets/lab/plan_question.h"
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
+#include "widgets/lab/text.h"
 #include "widgets/scope/view.h"
 
 #include <QLineEdit>
@@ -204,20 +205,18 @@ private Q_SLOTS:
         outcome.shows = lab::ShownReference{"SPEED_REF", 1380.0, 996.0};
         const QString shows =
             QStringLiteral(" SPEED_REF shows 996 rpm until the next start, it showed 1380 rpm.");
-        using widgets::ExperimentBar;
-        QCOMPARE(ExperimentBar::endText(outcome),
-            QStringLiteral("Done; the motor is as it was.") + shows);
+        QCOMPARE(
+            widgets::endText(outcome), QStringLiteral("Done; the motor is as it was.") + shows);
         outcome.end = lab::End::Refused;
         outcome.reason = "the start: it was refused";
-        QCOMPARE(ExperimentBar::endText(outcome),
+        QCOMPARE(widgets::endText(outcome),
             QStringLiteral("Not carried out: the start: it was refused.") + shows);
     }
 
     /// Behind a fault nothing sends a Stop; where one was sent the reason says so.
     void onlyAStopThatWasSentIsSaid()
     {
-        QCOMPARE(widgets::ExperimentBar::endText(
-                     {lab::End::Aborted, "the board reports a fault: OVER_CURR", {}}),
+        QCOMPARE(widgets::endText({lab::End::Aborted, "the board reports a fault: OVER_CURR", {}}),
             QStringLiteral("Ended: the board reports a fault: OVER_CURR."));
     }
 
