@@ -202,7 +202,7 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     m_answered = ended.outcome == drive::Outcome::Ok;
     m_answeredAt = now;
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
-    if (std::holds_alternative<drive::SpeedRamp>(m_asked)) { // behind a fault it ends unheard
+    if (std::holds_alternative<drive::SpeedRamp>(m_asked)) { // a fault may end it unanswered
         if (m_asked_rpm && mayHaveHappened)
             m_target_rpm = *m_asked_rpm;
         m_byTorque = m_byTorque && !m_answered;

@@ -256,7 +256,7 @@ void TourPage::began(int which)
     m_steps.set(m_next, State::Runs);
 }
 
-/// From the first station, or from a response: with gentler gains, which nobody has agreed to yet, if those stand with
+/// From the first station, or from a response: with gentler gains, which are still to be agreed to, if those stand with
 /// which the speed swung.
 void TourPage::waitAt(Step next)
 {
