@@ -1,5 +1,5 @@
-// A series of steps as its row and its curves show it. The numbers are those of core/lab, from the run alone; a curve is
-// the speed, or the current, by which they were measured.
+// A series of steps as its row and its curves show it. The numbers are those of core/lab, from the run alone; a curve
+// is the speed, or the current, by which they were measured.
 #pragma once
 
 #include "lab/evaluation/step_series.h"

@@ -53,8 +53,8 @@ void RunKeeper::ended(const Experiments::RunPtr &run)
     entry->told = run->told;
     entry->plan = run->happenings.front().second;
     entry->outcome = run->outcome;
-    entry->motor =
-        entry->plan.number<int>("motor").value_or(m_device.motor()); // another may be shown
+    // Another may be shown by now.
+    entry->motor = entry->plan.number<int>("motor").value_or(m_device.motor());
     entry->at = QDateTime::currentSecsSinceEpoch();
     if (const auto board = m_device.identified()) {
         const drive::Identity &identity = board->identity;
