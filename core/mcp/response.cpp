@@ -9,14 +9,20 @@ Result<Response, CodecError> decodeResponse(ByteView payload)
     return Response{payload.back(), payload.first(payload.size() - 1)};
 }
 
-Result<GetAnswer, CodecError> decodeGetAnswer(std::span<const RegisterId> ids, ByteView payload)
+std::optional<std::uint8_t> statusOf(const Response &response)
 {
-    const auto response = decodeResponse(payload);
-    if (!response)
-        return fail(response.error());
+    if (response.data.size() > 1)
+        return std::nullopt;
+    return response.data.empty() ? response.status : response.data.front();
+}
+
+Result<GetAnswer, CodecError> decodeGetAnswer(
+    std::span<const RegisterId> ids, const Response &response)
+{
     GetAnswer answer;
-    answer.status = response->status;
-    ByteReader reader(response->data);
+    answer.status = response.status;
+    answer.values.reserve(ids.size());
+    ByteReader reader(response.data);
     for (const RegisterId id : ids) {
         if (reader.left() == 0)
             break;
@@ -27,26 +33,27 @@ Result<GetAnswer, CodecError> decodeGetAnswer(std::span<const RegisterId> ids, B
     }
     if (reader.left() > 0)
         return fail(CodecError::Leftover);
-    if (response->ok() && answer.values.size() < ids.size())
+    const bool all = answer.values.size() == ids.size();
+    if (response.ok() && !all)
         return fail(CodecError::TooShort);
+    if (!response.ok() && all && !ids.empty()) // an empty list is refused as it is
+        return fail(CodecError::Leftover);
     return answer;
 }
 
-Result<SetAnswer, CodecError> decodeSetAnswer(std::size_t count, ByteView payload)
+Result<SetAnswer, CodecError> decodeSetAnswer(std::size_t count, const Response &response)
 {
-    const auto response = decodeResponse(payload);
-    if (!response)
-        return fail(response.error());
     SetAnswer answer;
-    answer.status = response->status;
-    if (response->data.empty()) {
-        if (response->ok() || count == 1)
-            answer.registers.assign(count, response->status);
+    answer.status = response.status;
+    if (response.data.empty()) {
+        if (response.ok() || count == 1)
+            answer.registers.assign(count, response.status);
         return answer;
     }
-    if (response->data.size() > count)
+    const bool closed = count == 1 || response.status == static_cast<std::uint8_t>(Status::Nok);
+    if (response.data.size() > count || !closed)
         return fail(CodecError::Leftover);
-    answer.registers.assign(response->data.begin(), response->data.end());
+    answer.registers.assign(response.data.begin(), response.data.end());
     return answer;
 }
 

@@ -192,13 +192,13 @@ TraceItem TraceDecoder::response(ByteView payload)
     item.statusName = statusName(decoded->status);
     item.data = Bytes(decoded->data.begin(), decoded->data.end());
     if (is(m_command, CommandId::GetRegister)) {
-        if (const auto answer = decodeGetAnswer(m_asked, payload)) {
+        if (const auto answer = decodeGetAnswer(m_asked, *decoded)) {
             item.values.emplace();
             for (std::size_t i = 0; i < answer->values.size(); ++i)
                 item.values->push_back(meant(m_asked[i], answer->values[i]));
         }
     } else if (is(m_command, CommandId::SetRegister)) {
-        const auto answer = decodeSetAnswer(m_written, payload);
+        const auto answer = decodeSetAnswer(m_written, *decoded);
         if (answer && payload.size() > 1)
             item.registerStatus = answer->registers;
         if (m_pending && decoded->ok())

@@ -27,12 +27,15 @@ void readResponse(ByteView bytes)
     // The first half names the registers, the second answers.
     const auto ids = mcp::decodeGetList(bytes.first(bytes.size() / 4 * 2));
     const ByteView answer = bytes.subspan(bytes.size() / 4 * 2);
-    if (const auto values = mcp::decodeGetAnswer(*ids, answer))
+    const auto response = mcp::decodeResponse(answer);
+    if (!response)
+        return;
+    if (const auto values = mcp::decodeGetAnswer(*ids, *response))
         fuzz::require(values->values.size() <= ids->size());
-    if (const auto statuses = mcp::decodeSetAnswer(ids->size(), answer))
+    if (const auto statuses = mcp::decodeSetAnswer(ids->size(), *response))
         fuzz::require(statuses->registers.size() <= ids->size());
-    if (const auto response = mcp::decodeResponse(answer))
-        (void)mcp::versionOf(*response);
+    (void)mcp::versionOf(*response);
+    (void)mcp::statusOf(*response);
 }
 
 void readStructure(ByteView bytes)

@@ -23,6 +23,8 @@ private Q_SLOTS:
     void aGetAnswerThatDoesNotFitIsRefused();
     void rawAndTextValuesAreBounded();
     void setAnswersComeInFourShapes();
+    void aListOfStatusesEndsWithANok();
+    void aCommandHasOneStatus();
     void onlyTheLowByteOfTheVersionCounts();
 };
 
@@ -34,6 +36,20 @@ const RegisterId kSpeedRef1{0x0099};
 const RegisterId kFwName{0x0020};
 const RegisterId kGlobalConfig{0x0028};
 constexpr std::size_t kRoom = 256;
+
+Result<GetAnswer, CodecError> getAnswer(const std::vector<RegisterId> &ids, const char *bytes)
+{
+    const Bytes payload = hex(bytes);
+    return decodeResponse(payload).and_then(
+        [&](const Response &response) { return decodeGetAnswer(ids, response); });
+}
+
+Result<SetAnswer, CodecError> setAnswer(std::size_t count, const char *bytes)
+{
+    const Bytes payload = hex(bytes);
+    return decodeResponse(payload).and_then(
+        [&](const Response &response) { return decodeSetAnswer(count, response); });
+}
 
 } // namespace
 
@@ -155,50 +171,71 @@ void TestMcpCodec::aBrokenSetListIsReadAsFarAsItGoes()
 void TestMcpCodec::aGetAnswerHoldsTheValuesBeforeTheFailure()
 {
     const std::vector<RegisterId> ids{kSpeedRef1, kStatus1, {0xE111}, kSpeedKp1};
-    const auto answer = decodeGetAnswer(ids, hex("8C 0A 00 00 06 05"));
+    const auto answer = getAnswer(ids, "8C 0A 00 00 06 05");
     QVERIFY(answer.has_value());
     QCOMPARE(int(answer->status), 5);
     QVERIFY((answer->values == std::vector<Value>{2700U, 6U}));
-    QVERIFY(decodeGetAnswer(ids, hex("05"))->values.empty());
+    QVERIFY(getAnswer(ids, "05")->values.empty());
 }
 
 void TestMcpCodec::aGetAnswerThatDoesNotFitIsRefused()
 {
     const std::vector<RegisterId> ids{kSpeedRef1, kStatus1};
-    QCOMPARE(decodeGetAnswer(ids, {}).error(), CodecError::Empty);
+    QCOMPARE(getAnswer(ids, "").error(), CodecError::Empty);
     // OK, but one is missing.
-    QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00 00 00")).error(), CodecError::TooShort);
-    QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00 00 06 07 00")).error(), CodecError::Leftover);
-    QCOMPARE(decodeGetAnswer(ids, hex("8C 0A 00")).error(), CodecError::TooShort);
+    QCOMPARE(getAnswer(ids, "8C 0A 00 00 00").error(), CodecError::TooShort);
+    QCOMPARE(getAnswer(ids, "8C 0A 00 00 06 07 00").error(), CodecError::Leftover);
+    QCOMPARE(getAnswer(ids, "8C 0A 00").error(), CodecError::TooShort);
+    // Both are there, so none has failed. An empty list is refused (mcp-aspep, 4.5).
+    QCOMPARE(getAnswer(ids, "8C 0A 00 00 06 05").error(), CodecError::Leftover);
+    QVERIFY(getAnswer({}, "01")->values.empty());
 }
 
 void TestMcpCodec::rawAndTextValuesAreBounded()
 {
     const std::vector<RegisterId> ids{kFwName, kGlobalConfig};
-    const auto answer =
-        decodeGetAnswer(ids, hex("41 42 00 0A 00 00 02 03 06 01 02 0A 00 00 00 00"));
+    const auto answer = getAnswer(ids, "41 42 00 0A 00 00 02 03 06 01 02 0A 00 00 00 00");
     QVERIFY(answer.has_value());
     QVERIFY((answer->values
         == std::vector<Value>{std::string("AB"), hex("00 02 03 06 01 02 0A 00 00 00")}));
     // The zero is the status.
-    QCOMPARE(decodeGetAnswer(ids, hex("41 42 43 00")).error(), CodecError::NoTerminator);
-    QCOMPARE(decodeGetAnswer(ids, hex("41 00 FF FF 01 02 00")).error(), CodecError::TooShort);
+    QCOMPARE(getAnswer(ids, "41 42 43 00").error(), CodecError::NoTerminator);
+    QCOMPARE(getAnswer(ids, "41 00 FF FF 01 02 00").error(), CodecError::TooShort);
 }
 
 void TestMcpCodec::setAnswersComeInFourShapes()
 {
     using Statuses = std::vector<std::uint8_t>;
-    QVERIFY((decodeSetAnswer(3, hex("00"))->registers == Statuses{0, 0, 0}));
-    QVERIFY((decodeSetAnswer(1, hex("04"))->registers == Statuses{4}));
-    QVERIFY(
-        (decodeSetAnswer(6, hex("00 04 00 05 04 00 01"))->registers == Statuses{0, 4, 0, 5, 4, 0}));
-    QVERIFY((decodeSetAnswer(1, hex("0A 01"))->registers == Statuses{0x0A}));
-    QVERIFY((decodeSetAnswer(1, hex("07 01"))->registers == Statuses{0x07}));
+    QVERIFY((setAnswer(3, "00")->registers == Statuses{0, 0, 0}));
+    QVERIFY((setAnswer(1, "04")->registers == Statuses{4}));
+    QVERIFY((setAnswer(6, "00 04 00 05 04 00 01")->registers == Statuses{0, 4, 0, 5, 4, 0}));
+    QVERIFY((setAnswer(1, "0A 01")->registers == Statuses{0x0A}));
+    QVERIFY((setAnswer(1, "07 01")->registers == Statuses{0x07}));
     // It stopped there.
-    QVERIFY((decodeSetAnswer(3, hex("00 0A 01"))->registers == Statuses{0, 0x0A}));
-    QVERIFY(decodeSetAnswer(3, hex("01"))->registers.empty()); // motor above the number of motors
-    QCOMPARE(decodeSetAnswer(1, hex("00 00 01")).error(), CodecError::Leftover);
-    QCOMPARE(decodeSetAnswer(1, {}).error(), CodecError::Empty);
+    QVERIFY((setAnswer(3, "00 0A 01")->registers == Statuses{0, 0x0A}));
+    QVERIFY(setAnswer(3, "01")->registers.empty()); // motor above the number of motors
+    QCOMPARE(setAnswer(1, "00 00 01").error(), CodecError::Leftover);
+    QCOMPARE(setAnswer(1, "").error(), CodecError::Empty);
+}
+
+/// If some of a list failed the last byte is 01, and if all are good there is one byte (mcp-aspep, 4.4).
+void TestMcpCodec::aListOfStatusesEndsWithANok()
+{
+    for (const char *bytes : {"00 05 00", "00 00 00", "00 05 05", "00 00"})
+        QCOMPARE(setAnswer(2, bytes).error(), CodecError::Leftover);
+}
+
+void TestMcpCodec::aCommandHasOneStatus()
+{
+    const auto status = [](const char *bytes) {
+        const Bytes payload = hex(bytes);
+        return decodeResponse(payload).map(statusOf).value_or(std::nullopt);
+    };
+    QVERIFY(status("00") == std::uint8_t{0});
+    QVERIFY(status("01") == std::uint8_t{1});
+    QVERIFY(status("0A 01") == std::uint8_t{0x0A}); // of a SET that was not parsed to its end
+    QVERIFY(!status("00 00 01"));
+    QVERIFY(!status(""));
 }
 
 void TestMcpCodec::onlyTheLowByteOfTheVersionCounts()
