@@ -181,7 +181,7 @@ void McpDrive::on(const Link::Response &event, TimePoint now)
     if (m_task == &m_identification
         && m_identification.phase() == McpIdentification::Phase::StopDatalog)
         m_stream.stopSent();
-    passAnswer(event.payload, now);
+    passAnswer(mcp::decodeResponse(event.payload), now);
 }
 
 void McpDrive::onIdentified(TimePoint)

@@ -45,11 +45,9 @@ std::optional<McpRequest> McpHeartbeat::nextRequest(TimePoint now)
         ByteWriter().u16(static_cast<std::uint32_t>(m_board.identity.watchdog->count())).take()};
 }
 
-void McpHeartbeat::onResponse(const ByteView &response, TimePoint)
+void McpHeartbeat::onResponse(const McpAnswer &answer, TimePoint)
 {
-    const bool ok =
-        response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
-    m_refused = ok ? 0 : m_refused + 1;
+    m_refused = answer && answer->ok() && answer->data.empty() ? 0 : m_refused + 1;
 }
 
 } // namespace drive

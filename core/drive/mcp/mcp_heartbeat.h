@@ -38,7 +38,7 @@ public:
     bool givenUp() const { return m_refused >= kRefusals; }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void onResponse(const ByteView &response, TimePoint now) override;
+    void onResponse(const McpAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
 
 private:

@@ -76,11 +76,11 @@ std::optional<McpRequest> McpIdentification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void McpIdentification::onResponse(const ByteView &response, TimePoint now)
+void McpIdentification::onResponse(const McpAnswer &answer, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped
-    onReadings(m_reader.onResponse(response, now));
+    onReadings(m_reader.onResponse(answer, now));
     if (m_reader.finished())
         afterRound();
 }

@@ -31,7 +31,7 @@ public:
     void statesRead() { m_phase = Phase::StopDatalog; }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void onResponse(const ByteView &response, TimePoint now) override;
+    void onResponse(const McpAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

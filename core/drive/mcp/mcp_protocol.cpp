@@ -107,13 +107,14 @@ std::string statusWord(std::uint8_t status)
     return "status 0x" + hexDigits(status, 2);
 }
 
-AnswerEnd McpProtocol::endIn(ByteView response)
+AnswerEnd McpProtocol::endIn(const McpAnswer &answer)
 {
-    if (response.empty() || response.size() > 2)
+    const auto status = answer ? mcp::statusOf(*answer) : std::nullopt;
+    if (!status)
         return {Outcome::Unknown, "an answer that fits nothing"};
-    if (response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok))
+    if (answer->ok() && answer->data.empty())
         return {Outcome::Ok, {}};
-    return {Outcome::Refused, statusWord(response.front())};
+    return {Outcome::Refused, statusWord(*status)};
 }
 
 void McpReads::begin(std::vector<RegisterId> &ids)
@@ -150,38 +151,38 @@ McpRequest McpReads::request(std::span<const RegisterId> ids, std::size_t &count
 }
 
 std::optional<std::vector<Reading>> McpReads::readings(
-    std::span<const RegisterId> ids, ByteView answer, TimePoint now)
+    std::span<const RegisterId> ids, const McpAnswer &answer, TimePoint now)
 {
-    std::vector<Reading> readings;
-    if (answer.empty() || ids.empty())
+    if (!answer || ids.empty())
         return std::nullopt;
-    const std::uint8_t status = answer.back();
-    ByteReader values(answer.first(answer.size() - kStatusBytes));
-    while (readings.size() < ids.size() && values.left() > 0) {
+    std::vector<Reading> readings;
+    if (ids.size() == 1 && answer->ok() && answer->data.empty()) { // a stub without a value
+        readings.push_back({ids.front(), ReadStatus::NotSupported, {}, now});
+        return readings;
+    }
+    std::vector<mcp::RegisterId> onWire;
+    onWire.reserve(ids.size());
+    for (const RegisterId id : ids)
+        onWire.push_back({static_cast<std::uint16_t>(id)});
+    const auto told = mcp::decodeGetAnswer(onWire, *answer);
+    if (!told)
+        return std::nullopt;
+    for (const mcp::Value &bits : told->values) {
         const RegisterId id = ids[readings.size()];
-        const mcp::RegisterId onWire{static_cast<std::uint16_t>(id)};
+        const mcp::RegisterId which = onWire[readings.size()];
         const auto *info = m_board.catalog->find(id);
-        const auto bits = mcp::decodeValue(onWire, values);
-        if (!bits)
-            break;
         // The catalogue's word for how it is stored, or unsigned of the width that the id itself tells.
-        Value value = mcp::interpret(*bits, info != nullptr ? info->type : mcp::plainType(onWire));
+        Value value = mcp::interpret(bits, info != nullptr ? info->type : mcp::plainType(which));
         if (!sizeFits(m_board, id, value))
             return std::nullopt;
-        putInOrder(m_board, onWire, value);
+        putInOrder(m_board, which, value);
         readings.push_back({id, ReadStatus::Ok, std::move(value), now});
     }
-    const bool ok = status == static_cast<std::uint8_t>(mcp::Status::Ok);
-    // A stub without a value.
-    const bool silent = ok && ids.size() == 1 && answer.size() == kStatusBytes;
-    const bool all = readings.size() == ids.size();
-    if (!values.ok() || values.left() > 0 || (ok ? !all && !silent : all))
-        return std::nullopt;
-    if (!all) {
+    if (readings.size() < ids.size()) {
         const bool unknown =
-            silent || status == static_cast<std::uint8_t>(mcp::Status::UnknownRegister);
+            told->status == static_cast<std::uint8_t>(mcp::Status::UnknownRegister);
         const RegisterId failed = ids[readings.size()];
-        if (silent || m_doubted == failed)
+        if (m_doubted == failed)
             readings.push_back(
                 {failed, unknown ? ReadStatus::NotSupported : ReadStatus::Refused, {}, now});
         m_doubted = failed;

@@ -1,6 +1,6 @@
-// What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a
-// status. Register values between the wire's bytes and the neutral Value, with the range checks that keep nonsense from
-// being encoded, and how registers are read. Reasons are short words for the Ended event.
+// What the tasks of an MCP drive ask and are answered, as the codec has it. Register values between the wire's bytes
+// and the neutral Value, with the range checks that keep nonsense from being encoded, and how registers are read.
+// Reasons are short words for the Ended event.
 #pragma once
 
 #include "base/result.h"
@@ -9,6 +9,7 @@
 #include "drive/task.h"
 #include "drive/values.h"
 #include "mcp/request.h"
+#include "mcp/response.h"
 
 #include <map>
 #include <optional>
@@ -56,6 +57,7 @@ struct McpAct {
     Bytes content{};
 };
 using McpRequest = std::variant<McpGet, McpSet, McpAct>;
+using McpAnswer = Result<mcp::Response, mcp::CodecError>; ///< an error: it has no status
 
 /// Fails for what firmware mishandles. @param room  what the board takes
 Result<Bytes, mcp::CodecError> encode(const McpRequest &request, std::size_t room);
@@ -67,7 +69,7 @@ inline McpSet mcpSet(mcp::RegisterId id, int motor, mcp::Value value)
 
 struct McpProtocol {
     using Request = McpRequest;
-    using Answer = ByteView;
+    using Answer = McpAnswer;
     using Facts = McpFacts;
     using Link = aspep::Controller;
     using Identification = McpIdentification;
@@ -77,7 +79,7 @@ struct McpProtocol {
     using Reads = McpReads;
     static constexpr int kAttempts = 4;
     static std::vector<StateStep> stateSteps();
-    static AnswerEnd endIn(ByteView response);
+    static AnswerEnd endIn(const McpAnswer &answer);
 };
 
 /// The register of one motor.
@@ -101,7 +103,7 @@ std::string statusWord(std::uint8_t status);
 /// in a request of their own. The room for answers is computed here, because the board does not check it for every
 /// register. A failing id ends an answer early: the values before it tell which one it was, the rest is asked again.
 /// A refusal is believed when it comes twice: the id may have been damaged on its way, and payloads are not protected.
-/// An answer whose length fits nothing counts as lost.
+/// An answer that the codec refuses counts as lost.
 class McpReads : public PlainReads<McpFacts> {
 public:
     using PlainReads::PlainReads;
@@ -109,7 +111,7 @@ public:
     void begin(std::vector<RegisterId> &ids);
     McpRequest request(std::span<const RegisterId> ids, std::size_t &count) const;
     std::optional<std::vector<Reading>> readings(
-        std::span<const RegisterId> ids, ByteView answer, TimePoint now);
+        std::span<const RegisterId> ids, const McpAnswer &answer, TimePoint now);
 
 private:
     std::optional<RegisterId> m_doubted; ///< refused once

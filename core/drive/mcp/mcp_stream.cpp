@@ -241,17 +241,18 @@ std::optional<McpRequest> McpStreamTask::nextRequest(TimePoint)
     return datalogRequest(m_control.m_board.linkId, m_config);
 }
 
-void McpStreamTask::onResponse(const ByteView &response, TimePoint now)
+void McpStreamTask::onResponse(const McpAnswer &answer, TimePoint now)
 {
-    if (response.empty() || response.size() > 2)
+    const auto status = answer ? mcp::statusOf(*answer) : std::nullopt;
+    if (!status)
         return onNoResponse(std::nullopt, now);
-    const bool ok = response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
+    const bool ok = *status == static_cast<std::uint8_t>(mcp::Status::Ok);
     if (m_config.stops())
         m_control.stopSent();
     if (m_stopping)
         return; // the configuration is next, whatever the board said to the stop
     if (!ok && std::exchange(m_refusedOnce, true))
-        return end(Outcome::Refused, statusWord(response.front()));
+        return end(Outcome::Refused, statusWord(*status));
     if (!ok)
         return; // it may have been damaged on its way
     m_control.agreed(m_stream, m_config, now);

@@ -85,7 +85,7 @@ public:
     McpStreamTask(WishId id, const Stream &stream, McpStreamControl &control);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void onResponse(const ByteView &response, TimePoint now) override;
+    void onResponse(const McpAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

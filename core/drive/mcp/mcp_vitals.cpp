@@ -20,7 +20,7 @@ constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
 // Of the line time that the stream leaves, polling takes no more than this part: commands and keep-alive need some,
 // and a line that is full to the brim makes the board drop samples.
 constexpr double kSharePolling = 0.5;
-constexpr std::size_t kPacketOverhead = 5; // header and status of an answer
+constexpr std::size_t kPacketOverhead = 6; // header and status of an answer, and one to spare
 // So that even on a full line values get older, but never dead.
 constexpr double kLeastBytesPerSecond = 100.0;
 
@@ -74,12 +74,12 @@ std::optional<MotorStatus> McpVitals::statusOf(int motor) const
     return status;
 }
 
-void McpWatch::onResponse(const ByteView &response, TimePoint now)
+void McpWatch::onResponse(const McpAnswer &answer, TimePoint now)
 {
     if (std::exchange(m_counted, m_begun) != m_begun)
         m_roundBytes = 0;
-    m_roundBytes += response.size() + kPacketOverhead;
-    RegisterWatch::onResponse(response, now);
+    m_roundBytes += (answer ? answer->data.size() : 0) + kPacketOverhead;
+    RegisterWatch::onResponse(answer, now);
 }
 
 Duration McpWatch::leastPeriod(TimePoint) const

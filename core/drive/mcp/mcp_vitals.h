@@ -25,7 +25,7 @@ public:
     /// Bytes a second that the stream takes of the line from the board; the rest is there to be used.
     void setStreamLoad(double bytesPerSecond) { m_streamLoad = bytesPerSecond; }
 
-    void onResponse(const ByteView &response, TimePoint now) override;
+    void onResponse(const McpAnswer &answer, TimePoint now) override;
 
 private:
     Duration leastPeriod(TimePoint now) const override;

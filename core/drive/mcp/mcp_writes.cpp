@@ -196,9 +196,9 @@ std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint now)
 }
 
 void McpWriteTask::onAnswers(
-    std::optional<Value> WriteResult::*where, ByteView response, TimePoint now)
+    std::optional<Value> WriteResult::*where, const McpAnswer &answer, TimePoint now)
 {
-    for (Reading &reading : m_reader.onResponse(response, now)) {
+    for (Reading &reading : m_reader.onResponse(answer, now)) {
         for (Item &item : m_items)
             if (item.write.id == reading.id && reading.status == ReadStatus::Ok)
                 item.result.*where = reading.value;
@@ -208,16 +208,16 @@ void McpWriteTask::onAnswers(
     }
 }
 
-void McpWriteTask::onResponse(const ByteView &response, TimePoint now)
+void McpWriteTask::onResponse(const McpAnswer &answer, TimePoint now)
 {
     if (m_phase == Phase::Before) {
-        onAnswers(&WriteResult::before, response, now);
+        onAnswers(&WriteResult::before, answer, now);
     } else if (m_phase == Phase::After) {
-        onAnswers(&WriteResult::readBack, response, now);
+        onAnswers(&WriteResult::readBack, answer, now);
         if (m_reader.finished())
             finish();
     } else {
-        onStatuses(open(), response);
+        onStatuses(answer);
     }
 }
 
@@ -229,26 +229,24 @@ void McpWriteTask::settle(Item &item, std::uint8_t status)
         endItem(item, Outcome::Refused, statusWord(status));
 }
 
-/// One register: its status, or two where a value was not parsed to its end; the first is the register's.
-/// Several: one OK for all, or a status for each that was looked at and a NOK at the end. What comes behind a value
-/// that cannot be parsed is not looked at. A NOK inside the list is a good one as the protocol is printed.
-void McpWriteTask::onStatuses(const std::vector<Item *> &items, ByteView response)
+/// Behind a value that cannot be parsed nothing is looked at. A NOK inside a list is a good one as the protocol is
+/// printed.
+void McpWriteTask::onStatuses(const McpAnswer &answer)
 {
-    constexpr auto kOk = static_cast<std::uint8_t>(mcp::Status::Ok);
-    constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
-    const std::size_t count = items.size(), size = response.size();
-    const bool ofOne = count == 1 && (size == 1 || size == 2);
-    const bool allOk = count > 1 && size == 1 && response.front() == kOk;
-    const bool ofEach = count > 1 && size > 1 && size <= count + 1 && response.back() == kNok;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (ofOne || allOk)
-            settle(*items[i], response.front());
-        else if (ofEach && i + 1 >= size)
-            items[i]->state = State::Waiting;
-        else if (ofEach && response[i] != kNok)
-            settle(*items[i], response[i]);
-        else
+    const std::vector<Item *> items = open();
+    const auto told = answer.and_then([&](const mcp::Response &response) {
+        return mcp::decodeSetAnswer(items.size(), response);
+    });
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!told || told->registers.empty())
             items[i]->state = State::Doubtful;
+        else if (i >= told->registers.size())
+            items[i]->state = State::Waiting;
+        else if (const std::uint8_t status = told->registers[i];
+                 items.size() > 1 && status == static_cast<std::uint8_t>(mcp::Status::Nok))
+            items[i]->state = State::Doubtful;
+        else
+            settle(*items[i], status);
     }
 }
 

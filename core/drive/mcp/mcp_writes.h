@@ -18,7 +18,7 @@ public:
     using WriteTask::WriteTask;
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void onResponse(const ByteView &response, TimePoint now) override;
+    void onResponse(const McpAnswer &answer, TimePoint now) override;
     void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
@@ -46,7 +46,7 @@ private:
     }
     std::vector<Item *> open();
     void settle(Item &item, std::uint8_t status);
-    void onStatuses(const std::vector<Item *> &items, ByteView response);
+    void onStatuses(const McpAnswer &answer);
     std::vector<RegisterId> idsToRead(bool after) const;
     void enter(Phase phase)
     {
@@ -54,7 +54,8 @@ private:
         if (phase != Phase::Setting)
             m_reader.start(idsToRead(phase == Phase::After));
     }
-    void onAnswers(std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
+    void onAnswers(
+        std::optional<Value> WriteResult::*where, const McpAnswer &answer, TimePoint now);
 
     std::vector<mcp::Value> m_encoded; ///< of the items
     Reader<McpProtocol> m_reader{m_board};
