@@ -3,6 +3,7 @@
 // the link decides when.
 #pragma once
 
+#include "catalog/names.h"
 #include "drive/reader.h"
 #include "drive/stop_sequence.h"
 #include "drive/task.h"
@@ -23,18 +24,31 @@ inline constexpr Duration kVitalsPause = std::chrono::milliseconds(250); ///< at
 /// A round that took longer is of two times.
 inline constexpr Duration kVitalsRound = std::chrono::milliseconds(500);
 
+inline constexpr std::int64_t kInrushWait = 12; ///< the state ICLWAIT, in all of ST's firmware
+
 /// A step of a run, by the numbers that firmware has for the states that it covers.
 struct NumberedStep {
     MotorState state = MotorState::Unknown;
     std::initializer_list<std::int64_t> numbers;
 };
-inline MotorState stateIn(std::span<const NumberedStep> steps, std::int64_t number)
+/// As ST's firmware tells it. @param state  nothing: it is refused
+/// @param faults  those that are present in its upper half, those that have been in the lower one
+inline MotorStatus numberedStatus(std::span<const NumberedStep> steps,
+    std::string (*nameOf)(std::int64_t), std::optional<double> state, std::optional<double> faults)
 {
-    const auto covers = [number](const NumberedStep &step) {
-        return std::ranges::find(step.numbers, number) != step.numbers.end();
-    };
-    const auto at = std::ranges::find_if(steps, covers);
-    return at == steps.end() ? MotorState::Unknown : at->state;
+    MotorStatus status;
+    if (state) {
+        status.rawState = static_cast<std::int64_t>(*state);
+        for (const NumberedStep &step : steps)
+            if (std::ranges::find(step.numbers, status.rawState) != step.numbers.end())
+                status.state = step.state;
+        status.stateName = nameOf(status.rawState);
+        status.waitsForBus = status.rawState == kInrushWait;
+    }
+    const auto bits = static_cast<std::uint32_t>(faults.value_or(0.0));
+    status.faultsNow = catalog::faultNames(static_cast<std::uint16_t>(bits >> 16));
+    status.faultsPast = catalog::faultNames(static_cast<std::uint16_t>(bits));
+    return status;
 }
 inline std::vector<StateStep> namedSteps(
     std::span<const NumberedStep> steps, std::string (*nameOf)(std::int64_t))

@@ -1,7 +1,5 @@
 #include "drive/fcp/fcp_vitals.h"
 
-#include "catalog/names.h"
-
 #include <algorithm>
 
 namespace drive {
@@ -10,7 +8,6 @@ namespace {
 
 using namespace fcp::number;
 
-constexpr std::int64_t kInrushWait = 12;
 constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
     {MotorState::Starting, {2, 1, 3, kInrushWait, 13, 14, 15, 16, 17, 18}},
     {MotorState::Starting, {4}}, {MotorState::Starting, {19, 5}}, {MotorState::Running, {6}},
@@ -47,16 +44,9 @@ std::optional<MotorStatus> FcpVitals::statusOf(int motor) const
     const auto state = number(kStatus);
     if (!state)
         return std::nullopt;
-    MotorStatus status;
-    status.rawState = static_cast<std::int64_t>(*state);
-    status.state = stateIn(kSteps, status.rawState);
-    status.stateName = nameOf(status.rawState);
-    status.waitsForBus = status.rawState == kInrushWait;
+    MotorStatus status = numberedStatus(kSteps, nameOf, state, number(kFlags));
     status.speedRpm = number(kSpeedMeas);
     status.speedMeasured = m_board.measuresSpeed(motor); // no board tells that it has a sensor
-    const auto flags = static_cast<std::uint32_t>(number(kFlags).value_or(0.0));
-    status.faultsNow = catalog::faultNames(static_cast<std::uint16_t>(flags >> 16));
-    status.faultsPast = catalog::faultNames(static_cast<std::uint16_t>(flags));
     return status;
 }
 

@@ -1,6 +1,5 @@
 #include "drive/mcp/mcp_vitals.h"
 
-#include "catalog/names.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
@@ -9,7 +8,6 @@ namespace drive {
 
 namespace {
 
-constexpr std::int64_t kInrushWait = 12;
 constexpr NumberedStep kSteps[] = {{MotorState::Idle, {0}},
     // ALIGNMENT, OFFSET_CALIB, CHARGE_BOOT_CAP, ICLWAIT, OTF_DETECTION, OTF_BRAKE, a resistance estimate; START;
     // SWITCH_OVER
@@ -24,14 +22,12 @@ constexpr std::size_t kPacketOverhead = 6; // header and status of an answer, an
 // So that even on a full line values get older, but never dead.
 constexpr double kLeastBytesPerSecond = 100.0;
 
+std::string nameOf(std::int64_t state) { return catalog::valueName("STATUS", state); }
+
 } // namespace
 
 /// Those before the start, and those that are rare, share a step.
-std::vector<StateStep> McpProtocol::stateSteps()
-{
-    return namedSteps(
-        kSteps, [](std::int64_t number) { return catalog::valueName("STATUS", number); });
-}
+std::vector<StateStep> McpProtocol::stateSteps() { return namedSteps(kSteps, nameOf); }
 
 std::vector<RegisterId> McpVitals::idsToRead()
 {
@@ -53,21 +49,11 @@ std::vector<RegisterId> McpVitals::idsToRead()
 
 std::optional<MotorStatus> McpVitals::statusOf(int motor) const
 {
-    const Value *state = valueOf(idOf(mcp::reg::kStatus, motor));
-    if (state == nullptr && !m_refused.contains(idOf(mcp::reg::kStatus, motor)))
+    const auto state = numberOf(idOf(mcp::reg::kStatus, motor));
+    if (!state && !m_refused.contains(idOf(mcp::reg::kStatus, motor)))
         return std::nullopt;
-    MotorStatus status;
-    if (state != nullptr) {
-        status.rawState = std::get<std::int64_t>(*state);
-        status.state = stateIn(kSteps, status.rawState);
-        status.waitsForBus = status.rawState == kInrushWait;
-        status.stateName = catalog::valueName("STATUS", status.rawState);
-    }
-    if (const Value *faults = valueOf(idOf(mcp::reg::kFaultsFlags, motor))) {
-        const auto bits = static_cast<std::uint32_t>(std::get<std::int64_t>(*faults));
-        status.faultsNow = catalog::faultNames(static_cast<std::uint16_t>(bits >> 16));
-        status.faultsPast = catalog::faultNames(static_cast<std::uint16_t>(bits));
-    }
+    MotorStatus status =
+        numberedStatus(kSteps, nameOf, state, numberOf(idOf(mcp::reg::kFaultsFlags, motor)));
     if (const auto *speed = m_board.catalog->find("SPEED_MEAS"))
         status.speedRpm = numberOf(m_board.catalog->withMotor(*speed, motor));
     status.speedMeasured = m_board.measuresSpeed(motor);
