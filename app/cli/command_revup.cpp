@@ -140,14 +140,14 @@ void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
     out.line(QStringLiteral("Total: %1 s").arg(QString::number(duration_s)));
 }
 
-void printRounding(Output &out, const RevUp &wanted)
+void printRounding(Output &out, const RevUp &wanted, double step_rpm)
 {
-    const RevUp kept = motor::keptByFirmware(wanted);
+    const RevUp kept = motor::keptByFirmware(wanted, step_rpm);
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (kept[i].speed_rpm != wanted[i].speed_rpm)
-            out.line(QStringLiteral("Note: stage %1: %2 rpm became %3; boards keep steps of 6 rpm")
+            out.line(QStringLiteral("Note: stage %1: %2 rpm became %3; boards keep steps of %4 rpm")
                          .arg(QString::number(i + 1), QString::number(wanted[i].speed_rpm),
-                             QString::number(kept[i].speed_rpm)));
+                             QString::number(kept[i].speed_rpm), QString::number(step_rpm)));
 }
 
 Outcome<int> writeStages(
@@ -162,11 +162,12 @@ Outcome<int> writeStages(
                         QString::number(finding.stage + 1),
                         QString::number(finding.limit) + QLatin1String(current ? " A" : " rpm")));
     }
-    const RevUp all = motor::keptByFirmware(motor::completed(stages));
+    const double step_rpm = facts.limits.speedStepRpm;
+    const RevUp all = motor::keptByFirmware(motor::completed(stages), step_rpm);
     const drive::Write write{{{id, motor::bytesOf(all)}}, drive::Reach::Parameters};
     const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
     if (written && !desk.out.json()) {
-        printRounding(desk.out, stages);
+        printRounding(desk.out, stages, step_rpm);
         print(desk.out, all, facts); // bytes alone say little
     }
     return written;

@@ -1,7 +1,6 @@
 #include "motor/rev_up.h"
 
 #include "motor/constants.h"
-#include "motor/ramp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,11 +101,13 @@ RevUp withSwapped(const RevUp &stages, std::size_t a, std::size_t b)
     return completed(all);
 }
 
-RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit)
+RevUpBounds revUpBounds(
+    double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit, double speedStep_rpm)
 {
-    RevUpBounds bounds;
+    RevUpBounds bounds{.speedStep_rpm = speedStep_rpm};
     if (maxSpeed_rpm > 0.0 && maxSpeed_rpm < bounds.speed_rpm)
-        bounds.speed_rpm = static_cast<std::int32_t>(quantisedSpeed_rpm(maxSpeed_rpm));
+        bounds.speed_rpm =
+            static_cast<std::int32_t>(quantisedSpeed_rpm(maxSpeed_rpm, speedStep_rpm));
     constexpr double kRounding = 1e-6; // 5 A of 5 A / 2723 are 2723 digits
     const double digits = std::floor(maxCurrent_a / ampsPerDigit + kRounding);
     if (maxCurrent_a > 0.0 && ampsPerDigit > 0.0 && digits < bounds.digits)
@@ -120,11 +121,12 @@ RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, d
     const auto fitted = [](double value, double least, double most, double otherwise) {
         return std::isfinite(value) ? std::clamp(std::round(value), least, most) : otherwise;
     };
-    const double steps = std::floor(bounds.speed_rpm / kSpeedStep_rpm), digitsMost = bounds.digits;
+    const double step = bounds.speedStep_rpm, steps = std::floor(bounds.speed_rpm / step),
+                 digitsMost = bounds.digits;
     RevUpStage stage = old;
     if (std::isfinite(speed_rpm))
-        stage.speed_rpm = static_cast<std::int32_t>(
-            kSpeedStep_rpm * fitted(speed_rpm / kSpeedStep_rpm, -steps, steps, 0.0));
+        stage.speed_rpm =
+            static_cast<std::int32_t>(step * fitted(speed_rpm / step, -steps, steps, 0.0));
     stage.current_digits = static_cast<std::int16_t>(
         fitted(digits, bounds.pulse ? 0.0 : -digitsMost, digitsMost, old.current_digits));
     stage.duration_ms =
@@ -132,10 +134,11 @@ RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, d
     return stage;
 }
 
-RevUp keptByFirmware(RevUp stages)
+RevUp keptByFirmware(RevUp stages, double speedStep_rpm)
 {
     for (RevUpStage &stage : stages)
-        stage.speed_rpm = static_cast<std::int32_t>(quantisedSpeed_rpm(stage.speed_rpm));
+        stage.speed_rpm =
+            static_cast<std::int32_t>(quantisedSpeed_rpm(stage.speed_rpm, speedStep_rpm));
     return stages;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
+#include "motor/ramp.h"
 
 #include <cstdint>
 #include <vector>
@@ -55,17 +56,18 @@ struct RevUpBounds {
     std::int16_t digits = 32767; ///< largest magnitude
     bool pulse = false; ///< six-step: no negative currents
     std::uint16_t duration_ms = 65535; ///< longest
+    double speedStep_rpm = kSpeedStep_rpm; ///< what the drive keeps of a speed
 };
 /// @param maxSpeed_rpm, maxCurrent_a  0: not known, only the register bounds
-RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit);
+RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit,
+    double speedStep_rpm = kSpeedStep_rpm);
 
-/// The nearest that the register holds, speeds in whole steps of 0.1 Hz, within the bounds; what is not a number leaves
-/// `old`'s.
+/// The nearest that the register holds, speeds in whole steps, within the bounds; what is not a number leaves `old`'s.
 RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, double duration_ms,
     const RevUpBounds &bounds);
 
-/// What the firmware keeps of it: each speed cut to whole steps of 0.1 Hz.
-RevUp keptByFirmware(RevUp stages);
+/// What the firmware keeps of it: each speed cut to whole steps.
+RevUp keptByFirmware(RevUp stages, double speedStep_rpm = kSpeedStep_rpm);
 
 /// ST's start values: 2 s of half the nominal current at rest, then 3 s to 30 % of the highest speed.
 RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit);

@@ -236,7 +236,7 @@ void RampForm::ended(const drive::Ended &ended)
     Milliseconds duration{};
     if (const auto *speed = std::get_if<drive::SpeedRamp>(&wish.what)) {
         m_running = RampKind::Speed;
-        target = speedsInStairs(m_device) ? motor::quantisedSpeed_rpm(speed->rpm) : speed->rpm;
+        target = motor::quantisedSpeed_rpm(speed->rpm, speedStair_rpm(m_device));
         duration = speed->duration;
         step = m_device.limits(m_device.motor()).speedStepRpm;
     } else if (const auto *torque = std::get_if<drive::TorqueRamp>(&wish.what)) {
@@ -265,7 +265,7 @@ void RampForm::ended(const drive::Ended &ended)
 void RampForm::drawRunning()
 {
     m_runningPicture = plannedRamp(m_running, m_progress.from(), m_progress.target(),
-        double(m_progress.duration().count()) / 1000.0, speedsInStairs(m_device));
+        double(m_progress.duration().count()) / 1000.0, speedStair_rpm(m_device));
 }
 
 RampProgress::Sight RampForm::sight() const

@@ -41,10 +41,11 @@ QString signedRate(double rate, const QString &unit)
 
 } // namespace
 
-/// Other drives have a set-point as fine as it is typed.
-bool speedsInStairs(const Device &device)
+/// What a drive tells that has no steps is what people ask for.
+double speedStair_rpm(const Device &device)
 {
-    return device.limits(device.motor()).speedStepRpm >= motor::kSpeedStep_rpm;
+    const double step = device.limits(device.motor()).speedStepRpm;
+    return step > drive::MotorLimits().speedStepRpm ? step : 0.0;
 }
 
 RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &registers,
@@ -186,7 +187,7 @@ RampPicture RampLine::picture() const
         return {};
     const double seconds = m_kind == RampKind::Current ? 0.0 : *m_second->sentValue() / 1000.0;
     return plannedRamp(m_kind, reference().value_or(0.0), *m_first->sentValue(), seconds,
-        speedsInStairs(m_device));
+        speedStair_rpm(m_device));
 }
 
 RampPreset RampLine::preset(const QString &name) const
@@ -245,10 +246,11 @@ QString RampLine::speedNote() const
     const auto from = reference();
     QStringList parts{m_first->echo()};
     if (from) {
-        const double step = m_device.limits(m_device.motor()).speedStepRpm;
+        const double step = speedStair_rpm(m_device);
         const double stairs =
-            speedsInStairs(m_device) ? std::abs(to - motor::quantisedSpeed_rpm(*from)) / step : 0.0;
-        parts.append(signedRate(motor::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
+            step > 0.0 ? std::abs(to - motor::quantisedSpeed_rpm(*from, step)) / step : 0.0;
+        parts.append(
+            signedRate(motor::rampAcceleration_rpmps(*from, to, seconds, step), rpmUnit()));
         if (seconds > 0.0 && stairs >= 1.0)
             parts.append(tr("%n step(s) of %1 rpm", nullptr, static_cast<int>(stairs))
                              .arg(plainNumberText(step, 4)));

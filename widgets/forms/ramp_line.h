@@ -21,8 +21,8 @@ class MotorButton;
 class NumberEdit;
 class RegisterModel;
 
-/// The board counts speeds in steps of 0.1 Hz.
-bool speedsInStairs(const Device &device);
+/// The step in which the drive counts speeds [rpm]; 0: a set-point is as fine as it is typed.
+double speedStair_rpm(const Device &device);
 
 class RampLine : public QObject {
     Q_OBJECT

@@ -21,18 +21,18 @@ constexpr int kPathPoints = 100;
 
 } // namespace
 
-RampPicture plannedRamp(RampKind kind, double from, double to, double seconds, bool inStairs)
+RampPicture plannedRamp(RampKind kind, double from, double to, double seconds, double stair_rpm)
 {
     RampPicture picture;
     switch (kind) {
     case RampKind::Speed:
         picture.label = RampPreview::tr("Speed [rpm]");
-        picture.stairs = inStairs;
-        if (!inStairs) {
+        picture.stairs = stair_rpm > 0.0;
+        if (!picture.stairs) {
             picture.plan = {{0.0, from}, {seconds, to}};
             return picture;
         }
-        for (const auto &point : motor::rampPreview(from, to, seconds))
+        for (const auto &point : motor::rampPreview(from, to, seconds, stair_rpm))
             picture.plan.push_back({point.time_s, point.speed_rpm});
         return picture;
     case RampKind::Position:

@@ -25,9 +25,8 @@ struct RampPicture {
 };
 
 /// What a board makes of a ramp, in the unit of its kind.
-/// @param inStairs  it counts speeds in steps of 0.1 Hz
-RampPicture plannedRamp(
-    RampKind kind, double from, double to, double seconds, bool inStairs = true);
+/// @param stair_rpm  the step in which it counts speeds; 0: none
+RampPicture plannedRamp(RampKind kind, double from, double to, double seconds, double stair_rpm);
 
 class RampPreview : public QWidget {
     Q_OBJECT

@@ -1,6 +1,5 @@
 #include "widgets/forms/rev_up_chart.h"
 
-#include "motor/ramp.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_start.h"
@@ -407,10 +406,10 @@ bool RevUpChart::nudge(const QKeyEvent &key)
     const double keep = std::numeric_limits<double>::quiet_NaN();
     const bool speed = m_selected->quantity == Quantity::Speed;
     const double ms = std::max(old.duration_ms + right * steps, old.duration_ms > 0 ? 1.0 : 0.0);
+    const motor::RevUpBounds bounds = m_model.bounds();
     const RevUpStage wanted = motor::fittedStage(old,
-        up != 0 && speed ? old.speed_rpm + up * steps * motor::kSpeedStep_rpm : keep,
-        up != 0 && !speed ? old.current_digits + up * steps : keep, right != 0 ? ms : keep,
-        m_model.bounds());
+        up != 0 && speed ? old.speed_rpm + up * steps * bounds.speedStep_rpm : keep,
+        up != 0 && !speed ? old.current_digits + up * steps : keep, right != 0 ? ms : keep, bounds);
     if (wanted != old)
         m_model.setStage(m_selected->stage, wanted);
     announce();

@@ -344,6 +344,7 @@ void RevUpForm::adoptFacts()
         facts.angleSensor = valueNameText(motor.angleSensor);
         const drive::UserLimits &own = m_device.userLimits();
         facts.boardSpeed_rpm = limits.maxSpeedRpm;
+        facts.speedStep_rpm = limits.speedStepRpm;
         facts.limits.maxSpeed_rpm = lowerLimit(limits.maxSpeedRpm, own.maxSpeedRpm);
         facts.limits.minimumSpeed_rpm = motor::minimumStartSpeed_rpm(limits.maxSpeedRpm);
         facts.limits.nominalCurrent_a = limits.nominalCurrentAmps;

@@ -165,8 +165,8 @@ motor::RevUpBounds RevUpModel::bounds() const
     const double nominal = m_facts.limits.nominalCurrent_a;
     if (nominal > 0.0 && (!(amps > 0.0) || nominal < amps))
         amps = nominal;
-    motor::RevUpBounds bounds = motor::revUpBounds(
-        m_facts.limits.maxSpeed_rpm, m_facts.sixStep ? 0.0 : amps, m_facts.ampsPerDigit);
+    motor::RevUpBounds bounds = motor::revUpBounds(m_facts.limits.maxSpeed_rpm,
+        m_facts.sixStep ? 0.0 : amps, m_facts.ampsPerDigit, m_facts.speedStep_rpm);
     bounds.pulse = m_facts.sixStep;
     return bounds;
 }
@@ -447,8 +447,9 @@ bool RevUpModel::setData(const QModelIndex &index, const QVariant &value, int ro
         return false;
     if (speed && stage.speed_rpm != *whole)
         Q_EMIT adjusted(
-            tr("%1\u202frpm became %2\u202frpm: drives count speeds in steps of 6\u202frpm.")
-                .arg(QString::number(*whole), QString::number(stage.speed_rpm)));
+            tr("%1\u202frpm became %2\u202frpm: drives count speeds in steps of %3\u202frpm.")
+                .arg(QString::number(*whole), QString::number(stage.speed_rpm),
+                    QString::number(m_facts.speedStep_rpm)));
     return true;
 }
 

@@ -15,6 +15,7 @@ struct RevUpFacts {
     double ampsPerDigit = 0.0; ///< 0: not known, currents are shown in digits only
     bool sixStep = false; ///< a pulse stands where the current does
     double boardSpeed_rpm = 0.0; ///< its highest; the user's own limit may be lower
+    double speedStep_rpm = 1.0; ///< what the drive keeps of a speed
     QString angleSensor; ///< the drive starts by it and runs no stages; empty: it does
     motor::RevUpLimits limits;
     bool operator==(const RevUpFacts &) const = default;

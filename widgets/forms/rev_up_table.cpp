@@ -1,6 +1,5 @@
 #include "widgets/forms/rev_up_table.h"
 
-#include "motor/ramp.h"
 #include "widgets/forms/rev_up_model.h"
 #include "widgets/registers/entry_edit.h"
 
@@ -29,7 +28,7 @@ QWidget *RevUpDelegate::createEditor(
         EntryEdit::As::Shown, parent);
     edit->setMaxLength(kLongestEntry);
     if (column == RevUpModel::SpeedColumn)
-        edit->setStep(static_cast<int>(motor::kSpeedStep_rpm));
+        edit->setStep(static_cast<int>(m_model.bounds().speedStep_rpm));
     edit->setObjectName(QStringLiteral("revUpEntry"));
     edit->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
     return edit;

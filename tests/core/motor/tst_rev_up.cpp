@@ -26,6 +26,7 @@ private Q_SLOTS:
     void startValuesAreThoseOfTheBook();
     void speedsComeInStepsOfSix();
     void aRampIsAStaircaseThatEndsOnItsTarget();
+    void anotherDrivesStepsAreItsOwn();
     void aLongStaircaseIsThinnedOut();
 };
 
@@ -232,7 +233,7 @@ void TestRevUp::speedsComeInStepsOfSix()
 
 void TestRevUp::aRampIsAStaircaseThatEndsOnItsTarget()
 {
-    const auto ramp = rampPreview(1000.0, 1030.0, 2.0); // 996 -> 1026
+    const auto ramp = rampPreview(1000.0, 1030.0, 2.0, 6.0); // 996 -> 1026
     QCOMPARE(ramp.size(), 6U);
     QVERIFY((ramp.front() == RampPoint{0.0, 996.0}));
     QVERIFY((ramp.back() == RampPoint{2.0, 1026.0}));
@@ -240,16 +241,34 @@ void TestRevUp::aRampIsAStaircaseThatEndsOnItsTarget()
         QVERIFY(near(ramp[i].speed_rpm - ramp[i - 1].speed_rpm, 6.0));
         QVERIFY(near(ramp[i].time_s - ramp[i - 1].time_s, 0.4));
     }
-    QCOMPARE(rampPreview(1200.0, -1200.0, 0.0).size(), 2U);
-    QCOMPARE(rampPreview(1200.0, 1203.0, 5.0).size(), 2U);
-    QVERIFY(near(rampAcceleration_rpmps(0.0, 3001.0, 1.5), 2000.0));
-    QVERIFY(std::isinf(rampAcceleration_rpmps(0.0, 3000.0, 0.0)));
-    QCOMPARE(rampAcceleration_rpmps(3000.0, 3001.0, 0.0), 0.0);
+    QCOMPARE(rampPreview(1200.0, -1200.0, 0.0, 6.0).size(), 2U);
+    QCOMPARE(rampPreview(1200.0, 1203.0, 5.0, 6.0).size(), 2U);
+    QVERIFY(near(rampAcceleration_rpmps(0.0, 3001.0, 1.5, 6.0), 2000.0));
+    QVERIFY(std::isinf(rampAcceleration_rpmps(0.0, 3000.0, 0.0, 6.0)));
+    QCOMPARE(rampAcceleration_rpmps(3000.0, 3001.0, 0.0, 6.0), 0.0);
+}
+
+void TestRevUp::anotherDrivesStepsAreItsOwn()
+{
+    QCOMPARE(quantisedSpeed_rpm(1009.0, 10.0), 1000.0);
+    QCOMPARE(quantisedSpeed_rpm(1e9, 10.0), 327670.0);
+    QCOMPARE(quantisedSpeed_rpm(-1009.5, 0.0), -1009.5); // it has none
+    const auto ramp = rampPreview(1000.0, 1039.0, 3.0, 10.0);
+    QCOMPARE(ramp.size(), 4U);
+    for (std::size_t i = 0; i < ramp.size(); ++i)
+        QVERIFY(near(ramp[i].speed_rpm, 1000.0 + 10.0 * double(i)));
+    QVERIFY(near(rampAcceleration_rpmps(0.0, 3009.0, 1.5, 10.0), 2000.0));
+    QVERIFY(near(rampAcceleration_rpmps(0.0, 3001.5, 1.5, 0.0), 2001.0));
+    const RevUpBounds bounds = revUpBounds(1609.0, 5.0, kAmps, 10.0);
+    QCOMPARE(bounds.speed_rpm, 1600);
+    QVERIFY((fittedStage({}, 1003.1, 0.0, 0.0, bounds) == RevUpStage{1000, 0, 0}));
+    QVERIFY((fittedStage({}, -9e9, 0.0, 0.0, bounds) == RevUpStage{-1600, 0, 0}));
+    QVERIFY((keptByFirmware({{1009, 1, 1}}, 10.0) == RevUp{{1000, 1, 1}}));
 }
 
 void TestRevUp::aLongStaircaseIsThinnedOut()
 {
-    const auto ramp = rampPreview(-30000.0, 30000.0, 10.0, 100);
+    const auto ramp = rampPreview(-30000.0, 30000.0, 10.0, 6.0, 100);
     QCOMPARE(ramp.size(), 100U);
     for (std::size_t i = 1; i < ramp.size(); ++i) {
         QVERIFY(ramp[i].time_s > ramp[i - 1].time_s);

@@ -152,6 +152,29 @@ private Q_SLOTS:
         QVERIFY(bench.sent.empty());
     }
 
+    void theStairsAreThoseThatTheDriveTells()
+    {
+        RampBench bench;
+        drive::Identified board = *bench.link.identified;
+        const auto planFor = [&](double step) {
+            board.limits.front().speedStepRpm = step;
+            facts::feed(bench.device, {board});
+            bench.type("rampSpeed", QStringLiteral("1003"));
+            bench.type("rampSpeedTime", QStringLiteral("500"));
+            return bench.picture();
+        };
+        const auto stairs = planFor(10.0);
+        QVERIFY(stairs.stairs);
+        QVERIFY(stairs.plan.size() > 50);
+        QCOMPARE(stairs.plan.back().value, 1000.0);
+        for (const auto &point : stairs.plan)
+            QCOMPARE(std::fmod(point.value, 10.0), 0.0);
+        // One that tells none has a set-point as fine as it is typed.
+        const auto line = planFor(drive::MotorLimits().speedStepRpm);
+        QVERIFY(!line.stairs);
+        QCOMPARE(line.plan.back().value, 1003.0);
+    }
+
     void unarmedNothingIsSentAndTheReasonIsSaid()
     {
         RampBench bench;

@@ -168,10 +168,27 @@ private Q_SLOTS:
         QCOMPARE(rig.stages()[2].speed_rpm, 1002);
         QCOMPARE(said.size(), 1);
         QVERIFY(said[0].contains(QStringLiteral("1002")));
+        QVERIFY2(said[0].endsWith(QStringLiteral("steps of 6\u202frpm.")), qPrintable(said[0]));
         QVERIFY(rig.type(2, Column::SpeedColumn, QStringLiteral("1200")));
         QVERIFY(rig.type(2, Column::DurationColumn, QStringLiteral("1001")));
         QCOMPARE(said.size(), 1);
         QVERIFY(!rig.type(2, Column::SpeedColumn, QStringLiteral("4002")));
+    }
+
+    void theStepOfASpeedIsTheOneThatTheDriveTells()
+    {
+        RevUpBench rig;
+        drive::Identified board = *rig.bench.link.identified;
+        board.limits.front().speedStepRpm = 10.0;
+        facts::feed(rig.bench.device, {board});
+        rig.readWatched();
+        QStringList said;
+        connect(&rig.model, &widgets::RevUpModel::adjusted, &rig.form,
+            [&said](const QString &sentence) { said.append(sentence); });
+        QVERIFY(rig.type(2, Column::SpeedColumn, QStringLiteral("1003")));
+        QCOMPARE(rig.stages()[2].speed_rpm, 1000);
+        QCOMPARE(said.size(), 1);
+        QVERIFY2(said[0].endsWith(QStringLiteral("steps of 10\u202frpm.")), qPrintable(said[0]));
     }
 
     void aPersonsOwnLimitsBoundItToo()
