@@ -1,6 +1,4 @@
-// A capture as one array of structures in NumPy's file format: `tick`, `seconds`, then a field for each signal in its
-// unit. A row is an instant at which any of the signals has a sample; NaN where a signal has none. Where samples of a
-// fast signal were lost, a row of NaN stands at the first lost instant, so that no line is drawn across. Source of the
+// A capture as one array of structures in NumPy's file format; docs/npy.md describes its fields and rows. Source of the
 // layout: numpy/lib/format.py, versions 1.0 and 3.0.
 #pragma once
 
