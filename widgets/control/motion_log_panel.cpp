@@ -1,10 +1,10 @@
 #include "widgets/control/motion_log_panel.h"
 
 #include "session/files/whole_file.h"
-#include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/messages.h"
 #include "widgets/control/motion_log_model.h"
 
 #include <QClipboard>
@@ -104,8 +104,7 @@ void MotionLogPanel::save()
         if (wrong.isEmpty())
             Q_EMIT saved(path);
         else
-            Q_EMIT failed(tr("%1 cannot be written (%2). Choose another folder.")
-                              .arg(deviceText(path), wrong));
+            Q_EMIT failed(exportFileErrorText({session::FileError::CannotOpen, wrong}, path));
     });
 }
 

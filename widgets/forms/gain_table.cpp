@@ -53,19 +53,14 @@ struct Physical {
 };
 
 Physical unknown(const QString &why) { return {GainTexts::tr("unit not known"), why}; }
-
-QString scaleMissing()
-{
-    return GainTexts::tr("The board does not say its bus voltage or what a digit of current is "
-                         "worth.");
-}
+Physical unknown(motor::GainWarning why) { return unknown(gainFindingText({why, std::nullopt})); }
 
 Physical loopGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
     const auto id = static_cast<motor::GainId>(kind);
     const auto physical = motor::physicalGain(id, digits, plant);
     if (!physical)
-        return unknown(scaleMissing());
+        return unknown(motor::GainWarning::ScaleMissing);
     return {gainWithUnit(*physical, gainUnit(id)),
         kind == SpeedKp || kind == SpeedKi ? GainTexts::tr("Amperes of Iq for radians per second.")
                                            : GainTexts::tr("What it makes at the motor."),
@@ -75,7 +70,7 @@ Physical loopGain(GainKind kind, double digits, const motor::GainPlant &plant)
 Physical weakeningGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
     if (!(plant.stage.realOhms() > 0.0) || !(plant.speedPeriod_s > 0.0))
-        return unknown(scaleMissing());
+        return unknown(motor::GainWarning::ScaleMissing);
     const auto gains =
         motor::fluxWeakeningGains({digits, digits}, plant.stage, plant.speedPeriod_s);
     const QString hint = GainTexts::tr("Amperes of Id for volts that are missing.");
@@ -87,7 +82,7 @@ Physical weakeningGain(GainKind kind, double digits, const motor::GainPlant &pla
 Physical positionGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
     if (!(plant.stage.digitsPerAmp > 0.0) || !(plant.speedPeriod_s > 0.0))
-        return unknown(scaleMissing());
+        return unknown(motor::GainWarning::ScaleMissing);
     const auto gains =
         motor::positionGains({digits, digits, digits}, plant.stage, plant.speedPeriod_s);
     const QString hint = GainTexts::tr("Amperes of Iq for radians of the shaft.");
@@ -295,7 +290,7 @@ void GainTable::updatePhysical()
     constexpr auto kPllKi = static_cast<std::size_t>(PllKi);
     const auto pll = [&]() -> Physical {
         if (!digits[kPllKp] || !digits[kPllKi] || !(plant.stage.controlPeriod_s > 0.0))
-            return unknown(tr("The board does not say its control rate."));
+            return unknown(motor::GainWarning::PeriodMissing);
         const auto loop = motor::pllForecast(
             {*digits[kPllKp], *digits[kPllKi]}, plant.stage.controlPeriod_s, kPllShare);
         return {tr("\u2248 %1 rad/s, damping %2")
