@@ -5,6 +5,7 @@
 #include "drive/motion_limits.h"
 #include "drive/set_point_check.h"
 #include "drive/stop_sequence.h"
+#include "lab/lent.h"
 #include "sentences.h"
 #include "session/transports/port_list.h"
 
@@ -65,9 +66,8 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
 {
     QObject::connect(m_lentNote.get(), &session::LentNote::left, this, [](const QString &texts) {
         if (!texts.isEmpty())
-            Output::error(QStringLiteral("An experiment was cut off before it gave back what it "
-                                         "had borrowed: %1.")
-                              .arg(texts));
+            Output::error(
+                QString::fromStdString(lab::cutOffText(texts.toStdString())) + QLatin1Char('.'));
     });
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::onBatch);

@@ -49,4 +49,9 @@ std::vector<std::string> leftTexts(const std::vector<Lent> &lent)
     return texts;
 }
 
+std::string cutOffText(const std::string &texts)
+{
+    return "An experiment was cut off before it gave back what it had borrowed: " + texts;
+}
+
 } // namespace lab

@@ -25,4 +25,7 @@ std::optional<catalog::Value> typedValue(const std::string &text, catalog::Value
 /// What is to be said of those that were not given back, and how all of it comes back; without full stops.
 std::vector<std::string> leftTexts(const std::vector<Lent> &lent);
 
+/// Where another program left them. @param texts  those, in a row
+std::string cutOffText(const std::string &texts);
+
 } // namespace lab

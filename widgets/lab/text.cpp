@@ -83,6 +83,9 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm or %2 rpm now, it was %3 rpm"),
     QT_TRANSLATE_NOOP("Lab", "the set-point may be %1 rpm now, it was %2 rpm"),
     QT_TRANSLATE_NOOP("Lab", "%1 shows %2 rpm until the next start, it showed %3 rpm"),
+    // Before what stands behind its colon.
+    QT_TRANSLATE_NOOP(
+        "Lab", "An experiment was cut off before it gave back what it had borrowed: %1"),
     QT_TRANSLATE_NOOP("Lab", "%1 may hold what the experiment wrote"),
     QT_TRANSLATE_NOOP("Lab", "what it held before comes back with: rotorscope-cli set %1"),
     QT_TRANSLATE_NOOP("Lab",

@@ -1,5 +1,6 @@
 #include "widgets/window/main_window.h"
 
+#include "lab/lent.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/device.h"
 #include "widgets/base/device_text.h"
@@ -408,10 +409,8 @@ void MainWindow::connectFlows()
     connect(&m_workbench.lentNote(), &session::LentNote::left, m_news,
         [this, giveBack](const QString &texts, const std::vector<drive::RegisterWrite> &back) {
             giveBack->offer(back);
-            m_news->setLeft(texts.isEmpty()
-                    ? QString()
-                    : tr("An experiment was cut off before it gave back what it had borrowed: %1.")
-                          .arg(labText(texts.toStdString())),
+            m_news->setLeft(
+                texts.isEmpty() ? QString() : labSentence(lab::cutOffText(texts.toStdString())),
                 back.empty() ? nullptr : giveBack);
         });
     connect(m_scales, &CurrentScales::told, m_news, tell);

@@ -202,6 +202,14 @@ void TestLabText::theyAreGerman_data()
         << QStringLiteral("SPEED_KP enthält vielleicht, was der Versuch geschrieben hat; was "
                           "vorher darin stand, kommt zurück mit: rotorscope-cli set SPEED_KP=500 "
                           "SPEED_KI=30");
+    QTest::newRow("what another program left")
+        << "An experiment was cut off before it gave back what it had borrowed: SPEED_KP may hold "
+           "what the experiment wrote; what it held before comes back with: rotorscope-cli set "
+           "SPEED_KP=500"
+        << QStringLiteral("Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen "
+                          "hatte: SPEED_KP enthält vielleicht, was der Versuch geschrieben hat; "
+                          "was vorher darin stand, kommt zurück mit: rotorscope-cli set "
+                          "SPEED_KP=500");
     QTest::newRow("three numbers")
         << "keep both speeds at 1284 rpm or above: this motor has no sensor, and a step to 1200 "
            "rpm goes on below the 1200 rpm that are needed to see its rotor"

@@ -364,8 +364,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(board.cli("info").out.contains(QStringLiteral("IDLE")),
             kPatience_ms); // by the guardian
         static const QRegularExpression way(QStringLiteral(
-            "REVUP_DATA may hold what the experiment wrote; what it held before comes back with: "
-            "rotorscope-cli set REVUP_DATA=\"([0-9A-F ]+)\""));
+            "An experiment was cut off before it gave back what it had borrowed: REVUP_DATA may "
+            "hold what the experiment wrote; what it held before comes back with: rotorscope-cli "
+            "set REVUP_DATA=\"([0-9A-F ]+)\"\\."));
         const CliRun met = board.cli("info");
         const auto told = way.match(met.err);
         QVERIFY2(told.hasMatch(), qPrintable(met.err));
