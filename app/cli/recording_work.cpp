@@ -43,20 +43,6 @@ QString roomText(const capture::Capture &capture)
         .arg(QString::number(capture.released()), numberText(span->from), session::archiveFolder());
 }
 
-/// What the disk was too slow for, e.g. "120 samples, 4096 bytes of the line".
-QString lostText(const recorded::Lost &lost)
-{
-    QStringList parts;
-    const auto add = [&parts](std::uint64_t count, const char *one, const char *many) {
-        if (count > 0)
-            parts.append(
-                QString::number(count) + QLatin1Char(' ') + QLatin1String(count == 1 ? one : many));
-    };
-    add(lost.samples, "sample", "samples");
-    add(lost.linkBytes, "byte of the line", "bytes of the line");
-    add(lost.others, "other entry", "other entries");
-    return parts.join(QStringLiteral(", "));
-}
 } // namespace
 
 Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
@@ -119,7 +105,7 @@ QString lackText(const OpenedRecording &recording)
     }
     if (report.lost != recorded::Lost{})
         lacks.append(QStringLiteral("it lacks %1, because the disk was too slow")
-                         .arg(lostText(report.lost)));
+                         .arg(session::lostText(report.lost)));
     if (report.leftOut > 0)
         lacks.append(
             QStringLiteral("%1 events, snapshots and notes are left out, because they take "
@@ -224,7 +210,7 @@ Outcome<int> ConversationRecording::finish()
     if (m_last.lost != recorded::Lost{})
         return failure(kDataLost,
             QStringLiteral("%1 lacks %2, because the disk was too slow.")
-                .arg(name, lostText(m_last.lost)));
+                .arg(name, session::lostText(m_last.lost)));
     return kDone;
 }
 

@@ -1,6 +1,8 @@
 #include "widgets/files/open_recording.h"
 
+#include "session/files/file_problems.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
 #include "widgets/files/file_job.h"
 #include "widgets/files/happening_text.h"
@@ -86,19 +88,6 @@ QString releasedText(const capture::Capture &capture)
             numberText(span->from, 1));
 }
 
-QString lostText(const recorded::Lost &lost)
-{
-    QStringList parts;
-    const auto add = [&parts](const QString &text, std::uint64_t count) {
-        if (count > 0)
-            parts.append(text.arg(count));
-    };
-    add(Opening::tr("%1 samples"), lost.samples);
-    add(Opening::tr("%1 bytes of the line"), lost.linkBytes);
-    add(Opening::tr("%1 other entries"), lost.others);
-    return parts.join(QStringLiteral(", "));
-}
-
 QString openedText(const OpenedRecording &opened, bool &whole)
 {
     const session::RecordingReport &report = opened.report;
@@ -109,7 +98,7 @@ QString openedText(const OpenedRecording &opened, bool &whole)
         sentences.append(
             Opening::tr("%n place(s) in it are damaged; what lies before and after is shown.",
                 nullptr, static_cast<int>(report.damagedPlaces)));
-    if (const QString lost = lostText(report.lost); !lost.isEmpty())
+    if (const QString lost = session::lostText(report.lost, translatedFileProblem); !lost.isEmpty())
         sentences.append(Opening::tr("It lacks %1, because the disk was too slow.").arg(lost));
     if (report.leftOut > 0)
         sentences.append(

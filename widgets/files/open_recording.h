@@ -33,9 +33,6 @@ FileJob *openRecording(const QString &path, QWidget *window,
 /// One sentence: what was opened and what is missing from it. True in `whole` if nothing is.
 QString openedText(const OpenedRecording &opened, bool &whole);
 
-/// What did not get into a recording, e.g. "120 samples, 4096 bytes of the line"; empty: nothing.
-QString lostText(const recorded::Lost &lost);
-
 /// That the oldest samples of a file had no room in memory; empty if all are there.
 QString releasedText(const capture::Capture &capture);
 

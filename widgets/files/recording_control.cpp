@@ -1,13 +1,14 @@
 #include "widgets/files/recording_control.h"
 
+#include "session/files/file_problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/spacing.h"
+#include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/open_recording.h"
 #include "widgets/scope/events/event_log.h"
 
 #include <QAction>
@@ -160,7 +161,8 @@ void RecordingControl::progressed(const session::RecordingProgress &progress)
                     .arg(numberText(static_cast<double>(progress.freeBytes) / 1e9, 1));
     const bool lost = progress.lost != recorded::Lost{};
     if (lost)
-        text += tr(", %1 lost", "samples and more").arg(lostText(progress.lost));
+        text += tr(", %1 lost", "samples and more")
+                    .arg(session::lostText(progress.lost, translatedFileProblem));
     m_line->show(progress.lowSpace || lost ? Lamp::Light::Waiting : Lamp::Light::On,
         m_name + QStringLiteral(": ") + text);
 }
@@ -198,7 +200,8 @@ void RecordingControl::finished(const session::RecordingResult &result)
         else
             Q_EMIT said(Banner::Kind::Warning,
                 tr("Recorded to %1: %2 MB, without %3, because the disk was too slow.")
-                    .arg(deviceText(result.path), size, lostText(result.last.lost)));
+                    .arg(deviceText(result.path), size,
+                        session::lostText(result.last.lost, translatedFileProblem)));
         break;
     case RecordingOutcome::DiskFull:
         m_line->show(Lamp::Light::Bad, m_name + QStringLiteral(": ") + tr("ended, disk full"));

@@ -97,4 +97,20 @@ QString revUpProblemText(const QString &file, const RevUpFileError &error, Probl
     return wordsOf(QT_TRANSLATE_NOOP("FileProblem", "%1 is no rev-up: %2.")).arg(file, what);
 }
 
+QString lostText(const recorded::Lost &lost, ProblemWords wordsOf)
+{
+    QStringList parts;
+    const auto add = [&](std::uint64_t count, const char *one, const char *many) {
+        if (count > 0)
+            parts.append(wordsOf(count == 1 ? one : many).arg(count));
+    };
+    add(lost.samples, QT_TRANSLATE_NOOP("FileProblem", "%1 sample"),
+        QT_TRANSLATE_NOOP("FileProblem", "%1 samples"));
+    add(lost.linkBytes, QT_TRANSLATE_NOOP("FileProblem", "%1 byte of the line"),
+        QT_TRANSLATE_NOOP("FileProblem", "%1 bytes of the line"));
+    add(lost.others, QT_TRANSLATE_NOOP("FileProblem", "%1 other entry"),
+        QT_TRANSLATE_NOOP("FileProblem", "%1 other entries"));
+    return parts.join(QStringLiteral(", "));
+}
+
 } // namespace session

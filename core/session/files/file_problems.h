@@ -1,8 +1,10 @@
-// What is wrong with a file that is read, and why an export wrote none: once, for the window and the command line.
-// English; the window translates its pieces, in the context "FileProblem", those of snapshots in "Snapshot".
+// What is wrong with a file that is read, what is not in it, and why an export wrote none: once, for the window and the
+// command line. English; the window translates its pieces, in the context "FileProblem", those of snapshots in
+// "Snapshot".
 #pragma once
 
 #include "capture/csv_import.h"
+#include "recorded/entry.h"
 #include "session/files/export_formats.h"
 #include "session/files/problem_words.h"
 #include "session/files/rev_up_json.h"
@@ -21,5 +23,7 @@ QString snapshotProblemText(
     const QString &file, const SnapshotFileError &error, ProblemWords wordsOf = englishWords);
 QString revUpProblemText(
     const QString &file, const RevUpFileError &error, ProblemWords wordsOf = englishWords);
+/// What did not get into a recording, e.g. "120 samples, 1 byte of the line"; empty: nothing.
+QString lostText(const recorded::Lost &lost, ProblemWords wordsOf = englishWords);
 
 } // namespace session

@@ -478,6 +478,9 @@ private Q_SLOTS:
         opened.report.lost = {120, 0, 2};
         const QString both = widgets::openedText(opened, whole);
         QVERIFY2(both.contains(QLatin1String("120 samples, 2 other entries")), qPrintable(both));
+        opened.report.lost = {1, 0, 0};
+        const QString one = widgets::openedText(opened, whole);
+        QVERIFY2(one.contains(QLatin1String("It lacks 1 sample, because")), qPrintable(one));
     }
 
     void whatADiskIsTooSlowForIsNamedMeanwhile()

@@ -13,6 +13,7 @@ private Q_SLOTS:
     void anExportProblemNamesTheFormatAndWhatFits();
     void aSnapshotProblemNamesItsLineAndRegister();
     void aRevUpProblemNamesItsStage();
+    void whatIsNotInARecordingIsCounted();
     void eachPieceCanBeTranslated();
 };
 
@@ -66,6 +67,16 @@ void TestFileProblems::aRevUpProblemNamesItsStage()
         QStringLiteral("%2.json is no rev-up: it has no stages, or more than five."));
     QCOMPARE(revUpProblemText(file, {Kind::BadStage, 2}),
         QStringLiteral("%2.json is no rev-up: the numbers of its stage 2 do not fit."));
+}
+
+void TestFileProblems::whatIsNotInARecordingIsCounted()
+{
+    QCOMPARE(lostText({}), QString());
+    QCOMPARE(
+        lostText({120, 1, 2}), QStringLiteral("120 samples, 1 byte of the line, 2 other entries"));
+    QCOMPARE(
+        lostText({1, 4096, 1}), QStringLiteral("1 sample, 4096 bytes of the line, 1 other entry"));
+    QCOMPARE(lostText({0, 2, 0}, shouted), QStringLiteral("2 BYTES OF THE LINE"));
 }
 
 void TestFileProblems::eachPieceCanBeTranslated()
