@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "recording_work.h"
 #include "sentences.h"
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 
 #include <QFileInfo>
 #include <QJsonObject>

@@ -1,8 +1,8 @@
 // revup: the stages of the start-up, what is wrong with them, and others in their place.
 #include "motor/rev_up.h"
 #include "motor_facts.h"
-#include "session/files/file_problems.h"
 #include "session/files/json_text.h"
+#include "session/files/problems.h"
 #include "snapshot_work.h"
 #include "write_report.h"
 

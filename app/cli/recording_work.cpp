@@ -2,7 +2,7 @@
 
 #include "output.h"
 #include "session/archive/disk_archive.h"
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "session/files/snapshot_json.h"
 
 #include <QCoreApplication>

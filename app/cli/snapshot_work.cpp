@@ -2,7 +2,7 @@
 
 #include "sentences.h"
 
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "session/files/whole_file.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "support/window_rig.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 
 #include <qcustomplot.h>

@@ -7,7 +7,7 @@
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/measure_panel.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 
 #include <QAction>

@@ -36,7 +36,7 @@ SEEDS = [
     ('core/attic/seed.h', '#include "base/result.h"\n', '.ci/layers.py has no row for core/attic'),
     ('core/drive/seed_space.h', 'namespace capture {\nint seeds();\n}\n',
      'core/drive/seed_space.h: in namespace capture, not drive'),
-    ('widgets/files/files_seed.h', '#pragma once\n', 'widgets/files/files_seed.h: its name repeats the folder'),
+    ('widgets/files/file_seed.h', '#pragma once\n', 'widgets/files/file_seed.h: its name repeats the folder'),
     *[(f'widgets/registers/seed_{number}.h', '#pragma once\n', 'widgets/registers: ') for number in range(51)],
     # ARCHITECTURE.md and the folders.
     ('core/cellar/seed.h', '#pragma once\n', 'ARCHITECTURE.md has no row for core/cellar'),

@@ -115,10 +115,10 @@ DEFECTS = [
         ("core/capture/capture.cpp", "(!best || kind == Kind::Polled || entry.touched >= best->touched))",
          "(!best || kind == Kind::Polled || entry.channel != nullptr))")]),
     ("values stay unmarked when the link is silent or closed", "tst_monkey@9-9", "untrue", [
-        ("widgets/registers/register_model.cpp", "    if (std::exchange(m_believed, believed) != believed)\n", "    believed = believed || !m_rows.empty();\n    if (std::exchange(m_believed, believed) != believed)\n"),
-        ("widgets/registers/register_model.cpp", "holds = m_believed && now", "holds = m_believed || now")]),
+        ("widgets/registers/model.cpp", "    if (std::exchange(m_believed, believed) != believed)\n", "    believed = believed || !m_rows.empty();\n    if (std::exchange(m_believed, believed) != believed)\n"),
+        ("widgets/registers/model.cpp", "holds = m_believed && now", "holds = m_believed || now")]),
     ("fields of forms do not mark old values", "tst_register_field", "untrue|FAIL", [
-        ("widgets/registers/register_field.cpp", "} else if (index.data(RegisterModel::StaleRole).toBool()) {", "} else if (index.data(RegisterModel::StaleRole).isNull()) {")]),
+        ("widgets/registers/field.cpp", "} else if (index.data(RegisterModel::StaleRole).toBool()) {", "} else if (index.data(RegisterModel::StaleRole).isNull()) {")]),
     ("the trigger misses faults", "tst_monkey@6-36", "untrue", [
         ("widgets/window/workbench.cpp", "kind == EventKind::Fault ? Kind::Fault : Kind::StateChange", "kind == EventKind::Fault ? Kind::RegisterWrite : Kind::StateChange")]),
     ("the trigger misses set-points", "tst_monkey@6-36", "untrue", [
@@ -173,7 +173,7 @@ DEFECTS = [
     ("what an experiment has borrowed is written over", "tst_session_experiment", "FAIL", [
         ("core/session/link/session.cpp", "if (m_experiment && writesLent(", "if (m_experiment && false && writesLent(")]),
     ("what was not read back is told as verified", "tst_register_edits", "FAIL", [
-        ("widgets/registers/register_model_edits.cpp", "result.verified ? EditState::Verified", "true ? EditState::Verified")]),
+        ("widgets/registers/model_edits.cpp", "result.verified ? EditState::Verified", "true ? EditState::Verified")]),
     ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [
         ("app/cli/command_capture.cpp", 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())', 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks() / 1000)')]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [

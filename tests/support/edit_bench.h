@@ -3,8 +3,8 @@
 
 #include "support/link_pair.h"
 #include "support/window_facts.h"
-#include "widgets/registers/register_edits.h"
-#include "widgets/registers/register_panel.h"
+#include "widgets/registers/edits.h"
+#include "widgets/registers/panel.h"
 
 #include <QCoreApplication>
 #include <QObject>

@@ -51,7 +51,7 @@ QString failureText(const QString &action, const drive::Ended &ended);
 /// Why a file was not written, and what to do; empty for None.
 QString exportFileErrorText(const session::FileResult &result, const QString &path);
 
-/// A piece of what session/files/file_problems.h says.
+/// A piece of what session/files/problems.h says.
 QString translatedFileProblem(const char *english);
 
 } // namespace widgets

@@ -1,8 +1,8 @@
 // FaultPicture: what was recorded around a fault, as traces, with the values at the instant at which it was told.
 #pragma once
 
-#include "widgets/scope/events/event_log.h"
 #include "widgets/scope/events/fault_records.h"
+#include "widgets/scope/events/log.h"
 
 #include <QWidget>
 

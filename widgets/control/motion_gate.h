@@ -11,7 +11,7 @@
 #include "drive/motion_caution.h"
 #include "drive/start_target.h"
 #include "widgets/base/device.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QMap>
 #include <QObject>

@@ -10,7 +10,7 @@
 #include "widgets/control/jog_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/readout_box.h"
-#include "widgets/control/setpoints/setpoint_box.h"
+#include "widgets/control/setpoints/box.h"
 #include "widgets/control/state_box.h"
 #include "widgets/control/stop_words.h"
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "drive/set_points/set_point_times.h"
+#include "drive/set_points/times.h"
 #include "widgets/base/device.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 
 #include <functional>
 #include <map>

@@ -1,7 +1,7 @@
 #include "widgets/files/export_order.h"
 
 #include "capture/csv_export.h"
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 

@@ -1,9 +1,9 @@
 #include "widgets/files/import_csv.h"
 
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
-#include "widgets/files/file_job.h"
+#include "widgets/files/job.h"
 #include "widgets/files/open_recording.h"
 
 #include <QCoreApplication>

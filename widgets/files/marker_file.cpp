@@ -4,9 +4,9 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
-#include "widgets/files/file_job.h"
+#include "widgets/files/job.h"
 #include "widgets/files/recording_control.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 
 #include <QAction>
 #include <QFileInfo>

@@ -4,7 +4,7 @@
 
 #include "session/recording/notes.h"
 #include "widgets/base/banner.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 
 #include <QObject>
 

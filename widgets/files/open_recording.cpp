@@ -1,12 +1,12 @@
 #include "widgets/files/open_recording.h"
 
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/file_job.h"
 #include "widgets/files/happening_text.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/files/job.h"
+#include "widgets/scope/events/log.h"
 
 #include <QCoreApplication>
 

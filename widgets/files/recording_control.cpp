@@ -1,6 +1,6 @@
 #include "widgets/files/recording_control.h"
 
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
@@ -9,7 +9,7 @@
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -5,7 +5,7 @@
 #include "session/recording/recording.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/device.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 
 #include <QObject>
 

@@ -5,7 +5,7 @@
 
 #include "drive/motor_view.h"
 #include "widgets/forms/gain_plan_table.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QWidget>
 

@@ -4,7 +4,7 @@
 
 #include "catalog/gain_rows.h"
 #include "drive/motor_view.h"
-#include "widgets/registers/register_field.h"
+#include "widgets/registers/field.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -2,7 +2,7 @@
 
 #include "catalog/gain_rows.h"
 #include "widgets/base/si_text.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QCoreApplication>
 

@@ -6,7 +6,7 @@
 #include "widgets/base/form.h"
 #include "widgets/base/motor_description.h"
 #include "widgets/forms/motor_model.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 class QLabel;
 class QPushButton;

@@ -13,7 +13,7 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoints/shaft_move.h"
 #include "widgets/forms/ramp_preview.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QComboBox>
 #include <QGridLayout>

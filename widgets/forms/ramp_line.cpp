@@ -9,7 +9,7 @@
 #include "widgets/control/command_box.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoints/shaft_move.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -1,7 +1,7 @@
 #include "widgets/forms/rev_up_form.h"
 
 #include "drive/motor_view.h"
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"

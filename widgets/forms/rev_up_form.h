@@ -6,7 +6,7 @@
 #include "widgets/base/form.h"
 #include "widgets/base/motor_description.h"
 #include "widgets/forms/rev_up_model.h"
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 class QAction;
 class QLabel;

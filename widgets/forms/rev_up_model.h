@@ -4,7 +4,7 @@
 #pragma once
 
 #include "motor/rev_up.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QAbstractTableModel>
 

@@ -2,7 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/lab/experiments.h"
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 #include <algorithm>
 

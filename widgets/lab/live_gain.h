@@ -4,8 +4,8 @@
 // next one.
 #pragma once
 
+#include "widgets/registers/edits.h"
 #include "widgets/registers/entry_edit.h"
-#include "widgets/registers/register_edits.h"
 
 #include <optional>
 

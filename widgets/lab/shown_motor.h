@@ -3,7 +3,7 @@
 
 #include "drive/motor_view.h"
 #include "lab/evaluation/speed_loop.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "motor/gain_plan.h"
 #include "widgets/lab/shown_motor.h"
 #include "widgets/lab/step_result.h"
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 #include <QWidget>
 

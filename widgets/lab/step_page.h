@@ -9,7 +9,7 @@
 #include "widgets/base/form.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/speed_gains.h"
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 #include <array>
 

@@ -7,7 +7,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/trace_box.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/view.h"
 

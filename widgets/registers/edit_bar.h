@@ -3,7 +3,7 @@
 // and always as high: a link that is lost has something to say, too, and nothing is to move for it.
 #pragma once
 
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 #include <QWidget>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/base/fields/stepped_edit.h"
-#include "widgets/registers/register_entry.h"
+#include "widgets/registers/entry.h"
 
 #include <functional>
 #include <optional>

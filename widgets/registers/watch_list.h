@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/base/device.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <QTimer>
 

@@ -1,7 +1,7 @@
 // The question before a write that can move or harm something: which motor, which register, from what to what.
 #pragma once
 
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 class QWidget;
 

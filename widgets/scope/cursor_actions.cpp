@@ -1,7 +1,7 @@
 #include "widgets/scope/cursor_actions.h"
 
 #include "capture/capture.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 #include "widgets/scope/mouse.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/time_window.h"

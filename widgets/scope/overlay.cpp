@@ -4,7 +4,7 @@
 #include "widgets/base/reading_text.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/cursors.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 #include "widgets/scope/plot_stack.h"
 
 #include <QEvent>

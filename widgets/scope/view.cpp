@@ -8,7 +8,7 @@
 #include "widgets/scope/drawing/scope_canvas.h"
 #include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/drop.h"
-#include "widgets/scope/events/event_lane.h"
+#include "widgets/scope/events/lane.h"
 #include "widgets/scope/ghosts.h"
 #include "widgets/scope/hover.h"
 #include "widgets/scope/mouse.h"

@@ -5,7 +5,7 @@
 #include "capture/capture.h"
 #include "widgets/scope/cursors.h"
 #include "widgets/scope/drawing/marks.h"
-#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/log.h"
 #include "widgets/scope/time_window.h"
 
 #include <QElapsedTimer>

@@ -4,7 +4,7 @@
 
 #include "widgets/base/banner.h"
 #include "widgets/base/question.h"
-#include "widgets/files/file_job.h"
+#include "widgets/files/job.h"
 
 #include <QPointer>
 

@@ -4,7 +4,7 @@
 
 #include "capture/capture.h"
 #include "widgets/base/banner.h"
-#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/snapshots/panel.h"
 
 #include <QObject>
 

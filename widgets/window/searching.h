@@ -5,7 +5,7 @@
 #include "capture/capture.h"
 #include "scope/trigger_search.h"
 #include "widgets/base/banner.h"
-#include "widgets/files/file_job.h"
+#include "widgets/files/job.h"
 
 #include <QPointer>
 

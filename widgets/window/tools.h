@@ -5,7 +5,7 @@
 #include "widgets/base/motor_description.h"
 #include "widgets/lab/identification.h"
 #include "widgets/lab/loop/tuning.h"
-#include "widgets/registers/register_panel.h"
+#include "widgets/registers/panel.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/tool_docks.h"
 

@@ -19,15 +19,15 @@
 #include "widgets/files/event_recorder.h"
 #include "widgets/lab/experiments.h"
 #include "widgets/measuring/math_channels.h"
-#include "widgets/registers/register_edits.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/edits.h"
+#include "widgets/registers/model.h"
 #include "widgets/registers/watch_list.h"
-#include "widgets/scope/events/event_log.h"
 #include "widgets/scope/events/fault_records.h"
-#include "widgets/scope/signals/signal_plan.h"
+#include "widgets/scope/events/log.h"
+#include "widgets/scope/signals/plan.h"
 #include "widgets/scope/trigger/trigger.h"
-#include "widgets/snapshots/snapshot_auto.h"
-#include "widgets/snapshots/snapshot_recorder.h"
+#include "widgets/snapshots/auto.h"
+#include "widgets/snapshots/recorder.h"
 
 #include <QElapsedTimer>
 #include <QObject>

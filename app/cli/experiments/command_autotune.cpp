@@ -1,9 +1,9 @@
 // autotune: measures the response of the speed, proposes gains from it, and with --apply writes them and proves them by
 // a fresh response and a step; where they miss what was predicted, once more from that response. The motor is
 // afterwards as it was, but for its gains.
-#include "experiments/experiment_run.h"
 #include "experiments/plan_entry.h"
 #include "experiments/reports.h"
+#include "experiments/run.h"
 #include "lab/evaluation/speed_loop.h"
 #include "lab/evaluation/step_series.h"
 #include "session/files/json_text.h"

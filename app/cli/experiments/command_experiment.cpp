@@ -1,5 +1,5 @@
 // experiment: carries out the plan in a file. Afterwards the motor is as it was.
-#include "experiments/experiment_run.h"
+#include "experiments/run.h"
 #include "lab/plan_file.h"
 
 #include <QFile>

@@ -1,6 +1,6 @@
 // identify: measures the motor itself: its inertia and its friction, or what its windings and its magnets are.
 // Afterwards the motor is as it was.
-#include "experiments/experiment_run.h"
+#include "experiments/run.h"
 
 namespace cli {
 

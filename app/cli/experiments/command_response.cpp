@@ -1,6 +1,6 @@
 // response: lets the speed go to and fro, and says how motor and speed loop, or the current loop, follow each
 // frequency. Afterwards the motor is as it was.
-#include "experiments/experiment_run.h"
+#include "experiments/run.h"
 
 namespace cli {
 

@@ -1,6 +1,6 @@
 // step: lets a speed, a torque or the current along the magnets jump to and fro, and says how its loop followed.
 // Afterwards the motor is as it was.
-#include "experiments/experiment_run.h"
+#include "experiments/run.h"
 
 #include <cmath>
 

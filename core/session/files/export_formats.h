@@ -31,7 +31,7 @@ struct ExportFormat {
     /// Of the file, without a point. The first row of a suffix is the usual one, a further one has a decimal comma.
     const char *suffix = "";
     const char *title = ""; ///< for a choice; can be translated, in the context "ExportFormat"
-    const char *mostText = ""; ///< how much fits: a piece of exportProblemText() (file_problems.h)
+    const char *mostText = ""; ///< how much fits: a piece of exportProblemText() (problems.h)
     Holds holds = Holds::EverySample;
     /// Writes the whole file, or none. @param proceed  told 0..1; false cancels
     ExportOutcome (*write)(const QString &path, const ExportWanted &wanted,

@@ -2,7 +2,7 @@
 // the session's thread, never waits and changes nothing. SetPointTap is the one of them that tells set-points alone.
 #pragma once
 
-#include "drive/set_points/set_point_times.h"
+#include "drive/set_points/times.h"
 #include "recorded/entry.h"
 #include "session/link/session.h"
 

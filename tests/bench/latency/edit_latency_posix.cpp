@@ -5,8 +5,8 @@
 #include "bench/latency/tapped_line_posix.h"
 #include "bench/latency/time_row.h"
 #include "support/window_rig.h"
-#include "widgets/registers/register_panel.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/registers/panel.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAbstractProxyModel>

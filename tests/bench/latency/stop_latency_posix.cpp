@@ -8,7 +8,7 @@
 #include "bench/latency/time_row.h"
 #include "mcp/protocol.h"
 #include "support/window_rig.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/window/application.h"
 
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/window_rig.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 
 #include <QApplication>

@@ -3,7 +3,7 @@
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/control/panel.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QComboBox>

@@ -4,8 +4,8 @@
 #include "widgets/control/motion_log_model.h"
 #include "widgets/control/motion_log_panel.h"
 #include "widgets/files/export_dialog.h"
-#include "widgets/files/file_job.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/files/job.h"
+#include "widgets/scope/signals/selection.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>

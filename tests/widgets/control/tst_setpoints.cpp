@@ -6,7 +6,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/panel.h"
-#include "widgets/control/setpoints/setpoint_box.h"
+#include "widgets/control/setpoints/box.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -5,8 +5,8 @@
 #include "widgets/base/banner.h"
 #include "widgets/base/look/theme.h"
 #include "widgets/files/export_order.h"
-#include "widgets/files/file_job.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/files/job.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 
 #include <QAction>

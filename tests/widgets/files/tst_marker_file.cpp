@@ -3,7 +3,7 @@
 #include "session/recording/reader.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
-#include "widgets/files/file_job.h"
+#include "widgets/files/job.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/exporting.h"

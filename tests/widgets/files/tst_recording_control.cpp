@@ -10,7 +10,7 @@
 #include "widgets/files/recording_control.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/ghosts.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 

@@ -4,7 +4,7 @@
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/trigger/control.h"
 
 #include <QAbstractItemModelTester>

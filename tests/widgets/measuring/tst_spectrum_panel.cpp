@@ -7,7 +7,7 @@
 #include "widgets/measuring/spectrum_panel.h"
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>

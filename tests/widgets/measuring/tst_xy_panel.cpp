@@ -2,7 +2,7 @@
 // scope.
 #include "support/scope_window.h"
 #include "widgets/measuring/xy_panel.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/trigger/control.h"
 
 #include <QCheckBox>

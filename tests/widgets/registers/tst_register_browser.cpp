@@ -3,7 +3,7 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 
-#include "widgets/registers/register_delegate.h"
+#include "widgets/registers/delegate.h"
 #include "widgets/scope/view.h"
 
 #include <QAbstractProxyModel>

@@ -1,6 +1,6 @@
 // Editing registers: pending, written, read back, taken back, on a simulated board in virtual time.
 #include "support/edit_bench.h"
-#include "widgets/registers/register_delegate.h"
+#include "widgets/registers/delegate.h"
 #include "widgets/registers/write_question.h"
 
 #include <QAbstractItemModelTester>

@@ -1,8 +1,8 @@
 // What the user types into a register, strictly read, and the editors it is typed into.
 #include "catalog/names.h"
 #include "support/edit_bench.h"
+#include "widgets/registers/delegate.h"
 #include "widgets/registers/entry_edit.h"
-#include "widgets/registers/register_delegate.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractProxyModel>

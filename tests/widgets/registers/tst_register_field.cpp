@@ -1,6 +1,6 @@
 // A field of a form: what it says of the register's value.
 #include "support/window_facts.h"
-#include "widgets/registers/register_field.h"
+#include "widgets/registers/field.h"
 
 #include <QApplication>
 #include <QLabel>

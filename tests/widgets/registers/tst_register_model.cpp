@@ -1,6 +1,6 @@
 #include "support/window_facts.h"
 #include "widgets/base/register_texts.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 #include "widgets/scope/view.h"
 
 #include <QAbstractItemModelTester>

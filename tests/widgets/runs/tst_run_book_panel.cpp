@@ -6,10 +6,10 @@
 #include "widgets/lab/experiments.h"
 #include "widgets/lab/live_gain.h"
 #include "widgets/lab/step_runs.h"
-#include "widgets/runs/run_book_model.h"
+#include "widgets/runs/book_model.h"
 #include "widgets/scope/ghosts.h"
 #include "widgets/scope/view.h"
-#include "widgets/snapshots/snapshot_model.h"
+#include "widgets/snapshots/model.h"
 
 #include <QCheckBox>
 #include <QDialog>

@@ -4,7 +4,7 @@
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
 #include "support/window_facts.h"
-#include "widgets/runs/run_keeper.h"
+#include "widgets/runs/keeper.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

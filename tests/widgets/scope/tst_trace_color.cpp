@@ -2,7 +2,7 @@
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/scope/colors.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 
 #include <QContextMenuEvent>
 #include <QMenu>

@@ -2,7 +2,7 @@
 #include "session/files/snapshot_json.h"
 #include "session/files/whole_file.h"
 #include "support/edit_bench.h"
-#include "widgets/snapshots/snapshot_auto.h"
+#include "widgets/snapshots/auto.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

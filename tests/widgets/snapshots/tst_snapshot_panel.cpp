@@ -4,8 +4,8 @@
 #include "session/files/whole_file.h"
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
-#include "widgets/snapshots/snapshot_actions.h"
-#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/snapshots/actions.h"
+#include "widgets/snapshots/panel.h"
 #include "widgets/window/shortcut_guard.h"
 
 #include <QAbstractItemModelTester>

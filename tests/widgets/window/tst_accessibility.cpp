@@ -2,7 +2,7 @@
 #include "widgets/base/look/theme.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/time_window.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/about_dialog.h"

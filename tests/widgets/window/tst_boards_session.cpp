@@ -5,7 +5,7 @@
 #include "support/window_rig.h"
 #include "widgets/base/fields/number_edit.h"
 #include "widgets/control/panel.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 

@@ -5,8 +5,8 @@
 #include "widgets/control/panel.h"
 #include "widgets/control/readout_box.h"
 #include "widgets/control/stop_words.h"
-#include "widgets/registers/register_panel.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/registers/panel.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/connect_bar.h"
 

@@ -5,7 +5,7 @@
 #include "widgets/files/export_order.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/recording_control.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/view.h"
 #include "widgets/window/exporting.h"
 #include "widgets/window/leaving.h"

@@ -2,7 +2,7 @@
 // makes models change: connecting, editing, refusal, another motor, another board, a cable that is pulled.
 #include "support/places.h"
 #include "support/window_rig.h"
-#include "widgets/registers/register_panel.h"
+#include "widgets/registers/panel.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/view.h"
 

@@ -2,7 +2,7 @@
 #include "support/scope_window.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/fields/value_edit.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/trigger/control.h"
 #include "widgets/window/searching.h"
 

@@ -5,7 +5,7 @@
 #include "support/window_rig.h"
 #include "widgets/measuring/measure_panel.h"
 #include "widgets/scope/ghosts.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/trigger/control.h"
 #include "widgets/scope/view.h"
 

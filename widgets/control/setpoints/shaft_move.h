@@ -4,7 +4,7 @@
 
 #include "drive/wish.h"
 #include "widgets/base/device.h"
-#include "widgets/registers/register_model.h"
+#include "widgets/registers/model.h"
 
 #include <optional>
 

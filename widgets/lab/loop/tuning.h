@@ -7,7 +7,7 @@
 #include "lab/evaluation/step_series.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/shown_motor.h"
-#include "widgets/registers/register_edits.h"
+#include "widgets/registers/edits.h"
 
 #include <QObject>
 

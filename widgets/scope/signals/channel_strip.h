@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/scope/signals/polled_rates.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 
 #include <QWidget>
 

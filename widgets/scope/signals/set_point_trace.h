@@ -9,7 +9,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "drive/set_points/set_point_times.h"
+#include "drive/set_points/times.h"
 
 #include <QObject>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "drive/set_points/set_point_times.h"
+#include "drive/set_points/times.h"
 #include "widgets/scope/trigger/setup.h"
 
 #include <QObject>

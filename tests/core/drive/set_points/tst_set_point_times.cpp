@@ -1,5 +1,5 @@
 // When a set-point left, told from outside a drive: by the bytes around it and the packets of samples before it.
-#include "drive/set_points/set_point_times.h"
+#include "drive/set_points/times.h"
 
 #include <QTest>
 

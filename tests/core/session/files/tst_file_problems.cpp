@@ -1,5 +1,5 @@
 // What files are refused with, as the command line says it and the window translates it.
-#include "session/files/file_problems.h"
+#include "session/files/problems.h"
 
 #include <QtTest>
 

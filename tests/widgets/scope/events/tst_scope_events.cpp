@@ -4,10 +4,10 @@
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/open_recording.h"
 #include "widgets/scope/cursor_actions.h"
-#include "widgets/scope/events/event_icon.h"
-#include "widgets/scope/events/event_lane.h"
-#include "widgets/scope/events/event_log.h"
-#include "widgets/scope/events/event_panel.h"
+#include "widgets/scope/events/icon.h"
+#include "widgets/scope/events/lane.h"
+#include "widgets/scope/events/log.h"
+#include "widgets/scope/events/panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 // measured.
 #include "support/scope_window.h"
 #include "widgets/scope/signals/channel_strip.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 
 #include <QLabel>
 #include <QSignalSpy>

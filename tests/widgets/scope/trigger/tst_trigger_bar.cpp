@@ -5,7 +5,7 @@
 #include "widgets/files/event_recorder.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/ghosts.h"
-#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/signals/selection.h"
 #include "widgets/scope/trigger/record_table.h"
 
 #include <QAbstractItemModelTester>
