@@ -574,16 +574,36 @@
         <source>%1 is no rev-up: %2.</source>
         <translation>%1 ist kein Anlauf: %2.</translation>
     </message>
+    <message>
+        <source>%1 sample</source>
+        <translation>%1 Abtastwert</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1 byte of the line</source>
+        <translation>%1 Byte der Leitung</translation>
+    </message>
+    <message>
+        <source>%1 bytes of the line</source>
+        <translation>%1 Bytes der Leitung</translation>
+    </message>
+    <message>
+        <source>%1 other entry</source>
+        <translation>%1 anderer Eintrag</translation>
+    </message>
+    <message>
+        <source>%1 other entries</source>
+        <translation>%1 andere Einträge</translation>
+    </message>
 </context>
 <context>
     <name>GainTexts</name>
     <message>
         <source>unit not known</source>
         <translation>Einheit unbekannt</translation>
-    </message>
-    <message>
-        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
-        <translation>Das Board nennt weder seine Zwischenkreisspannung noch, was ein Digit Strom bedeutet.</translation>
     </message>
     <message>
         <source>Amperes of Iq for radians per second.</source>
@@ -1564,6 +1584,10 @@
     <message>
         <source>%1 of %2 steps rise in less than three times the time between two of their values: nothing is told of them</source>
         <translation>%1 von %2 Sprüngen steigen in weniger als dem Dreifachen der Zeit zwischen zwei ihrer Werte: über sie wird nichts gesagt</translation>
+    </message>
+    <message>
+        <source>An experiment was cut off before it gave back what it had borrowed: %1</source>
+        <translation>Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen hatte: %1</translation>
     </message>
 </context>
 <context>
@@ -2738,18 +2762,6 @@
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
         <translation>Sie ist größer als die %1 GB Platz dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
-    </message>
-    <message>
-        <source>%1 samples</source>
-        <translation>%1 Abtastwerte</translation>
-    </message>
-    <message>
-        <source>%1 bytes of the line</source>
-        <translation>%1 Bytes der Leitung</translation>
-    </message>
-    <message>
-        <source>%1 other entries</source>
-        <translation>%1 andere Einträge</translation>
     </message>
     <message>
         <source>It lacks %1, because the disk was too slow.</source>
@@ -5037,10 +5049,6 @@
         <translation>Die Firmware dieses Boards hat keine einstellbaren Verstärkungen.</translation>
     </message>
     <message>
-        <source>The board does not say its control rate.</source>
-        <translation>Das Board nennt seinen Regeltakt nicht.</translation>
-    </message>
-    <message>
         <source>≈ %1 rad/s, damping %2</source>
         <translation>≈ %1 rad/s, Dämpfung %2</translation>
     </message>
@@ -5718,10 +5726,6 @@
         <translation>Als &amp;Referenz öffnen …</translation>
     </message>
     <message>
-        <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
-        <translation>Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen hatte: %1.</translation>
-    </message>
-    <message>
         <source>Open recen&amp;t</source>
         <translation>Z&amp;uletzt verwendet</translation>
     </message>
@@ -6118,10 +6122,6 @@
     <message>
         <source>CSV files (*.csv)</source>
         <translation>CSV-Dateien (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written (%2). Choose another folder.</source>
-        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>%1 earlier acts are left out.</source>
@@ -8314,8 +8314,8 @@ mN·m</translation>
         <translation>Moment gebraucht / gegeben, mN·m</translation>
     </message>
     <message>
-        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
-        <translation>Aus %1&#x202f;rpm wurden %2&#x202f;rpm: Antriebe zählen Drehzahlen in Schritten von 6&#x202f;rpm.</translation>
+        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of %3&#x202f;rpm.</source>
+        <translation>Aus %1&#x202f;rpm wurden %2&#x202f;rpm: Antriebe zählen Drehzahlen in Schritten von %3&#x202f;rpm.</translation>
     </message>
 </context>
 <context>

@@ -574,15 +574,35 @@
         <source>%1 is no rev-up: %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 byte of the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes of the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 other entry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 other entries</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GainTexts</name>
     <message>
         <source>unit not known</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1563,6 +1583,10 @@
     </message>
     <message>
         <source>%1 of %2 steps rise in less than three times the time between two of their values: nothing is told of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An experiment was cut off before it gave back what it had borrowed: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2737,18 +2761,6 @@
     </message>
     <message>
         <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 bytes of the line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 other entries</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5036,10 +5048,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The board does not say its control rate.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>≈ %1 rad/s, damping %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5717,10 +5725,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An experiment was cut off before it gave back what it had borrowed: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open recen&amp;t</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6116,10 +6120,6 @@
     </message>
     <message>
         <source>CSV files (*.csv)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be written (%2). Choose another folder.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8307,7 +8307,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
+        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of %3&#x202f;rpm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
