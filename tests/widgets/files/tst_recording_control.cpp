@@ -168,7 +168,7 @@ private Q_SLOTS:
         const QString path = m_folder.filePath(QStringLiteral("registers.pcapng"));
         record(path);
         QTRY_COMPARE(snapshotsIn(path).size(), 1U); // without the user's asking
-        m_rig->workbench.snapshots().take(); // as before a list of writes
+        m_rig->workbench.snapshots().make(); // as before a list of writes
         QTRY_COMPARE(m_rig->workbench.snapshots().kept().size(), 1U);
         QTest::keyClick(&m_rig->window, Qt::Key_R, Qt::ControlModifier);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
