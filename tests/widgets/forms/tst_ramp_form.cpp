@@ -548,8 +548,10 @@ private Q_SLOTS:
 
         QStringList reached;
         for (int i = 0; i < 100; ++i) {
-            reached.append(QApplication::focusWidget()->objectName());
-            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QWidget *const at = QApplication::focusWidget();
+            QVERIFY2(at != nullptr, qPrintable(reached.join(QLatin1Char(' '))));
+            reached.append(at->objectName());
+            QTest::keyClick(at, Qt::Key_Tab);
         }
         for (const char *name : {"rampSpeed", "rampSpeedTime", "rampSpeedSend", "rampTorque",
                  "rampTorqueTime", "rampCurrent", "rampCurrentId", "rampPreset", "rampStop"})
