@@ -233,20 +233,19 @@ void McpWriteTask::settle(Item &item, std::uint8_t status)
 /// printed.
 void McpWriteTask::onStatuses(const McpAnswer &answer)
 {
+    constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
     const std::vector<Item *> items = open();
     const auto told = answer.and_then([&](const mcp::Response &response) {
         return mcp::decodeSetAnswer(items.size(), response);
     });
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (!told || told->registers.empty())
-            items[i]->state = State::Doubtful;
-        else if (i >= told->registers.size())
+        const bool known = told && !told->registers.empty();
+        if (known && i >= told->registers.size())
             items[i]->state = State::Waiting;
-        else if (const std::uint8_t status = told->registers[i];
-                 items.size() > 1 && status == static_cast<std::uint8_t>(mcp::Status::Nok))
+        else if (!known || (items.size() > 1 && told->registers[i] == kNok))
             items[i]->state = State::Doubtful;
         else
-            settle(*items[i], status);
+            settle(*items[i], told->registers[i]);
     }
 }
 
