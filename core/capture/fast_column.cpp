@@ -101,14 +101,14 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
     // Copies: what the wide stores write might be the members, for all the compiler knows.
     std::int16_t *samples = m_filledSamples;
     CodeRange *ranges = m_filledRanges;
-    // Of a fixed size, which makes no call. What begins and ends within a group used to be copied by two calls of
-    // memcpy(), which took longer than all between them where it is one of AVX-512.
-    const auto copyGroup = [&](std::size_t at) {
-        std::memcpy(samples + at, codes + (at - from), kFanOut * sizeof(std::int16_t));
-    };
     std::size_t i = (from + kFanOut - 1) / kFanOut;
 #ifdef __SSE2__
     if (high >= i + kTogether) {
+        // Of a fixed size, which makes no call: two of memcpy() for what is less than a group at both ends take longer
+        // than all between them where it is one of AVX-512.
+        const auto copyGroup = [&](std::size_t at) {
+            std::memcpy(samples + at, codes + (at - from), kFanOut * sizeof(std::int16_t));
+        };
         const bool opened = i != low;
         copyGroup(from);
         for (; i + kTogether <= high; i += kTogether)
