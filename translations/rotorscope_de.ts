@@ -1589,6 +1589,30 @@
         <source>An experiment was cut off before it gave back what it had borrowed: %1</source>
         <translation>Ein Versuch wurde abgebrochen, bevor er zurückgab, was er geliehen hatte: %1</translation>
     </message>
+    <message>
+        <source>the inertia that its two directions tell is %1 % apart: perhaps its load is another one backwards</source>
+        <translation>die Trägheiten aus beiden Richtungen liegen %1 % auseinander: vielleicht ist seine Last rückwärts eine andere</translation>
+    </message>
+    <message>
+        <source>a torque of %1 N m is always there and drives it backwards</source>
+        <translation>ein Drehmoment von %1 N m ist immer da und treibt ihn rückwärts an</translation>
+    </message>
+    <message>
+        <source>a torque of %1 N m is always there and drives it forwards</source>
+        <translation>ein Drehmoment von %1 N m ist immer da und treibt ihn vorwärts an</translation>
+    </message>
+    <message>
+        <source>the motor turns the other way: stop it first</source>
+        <translation>der Motor dreht sich andersherum: erst anhalten</translation>
+    </message>
+    <message>
+        <source>it was driven in one of its two directions only</source>
+        <translation>er wurde nur in einer seiner beiden Richtungen angetrieben</translation>
+    </message>
+    <message>
+        <source>the motor still turns the other way</source>
+        <translation>der Motor dreht sich noch andersherum</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2946,6 +2970,10 @@
         <source>While it starts, only %1 bound it.</source>
         <comment>a speed</comment>
         <translation>Während er anläuft, begrenzen ihn nur %1.</translation>
+    </message>
+    <message>
+        <source>Backwards, for %1: its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
+        <translation>Rückwärts, %1 lang: Sein Drehmoment treibt ihn an oder lässt ihn auslaufen, zwischen %2 und %3; gebremst wird er nie.</translation>
     </message>
 </context>
 <context>
@@ -4476,6 +4504,10 @@
         <source>Ended: %1.</source>
         <translation>Beendet: %1.</translation>
     </message>
+    <message>
+        <source>Both directions begin at rest: stop the motor first.</source>
+        <translation>Beide Richtungen beginnen im Stillstand: erst den Motor anhalten.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Experiments</name>
@@ -5202,6 +5234,14 @@
     <message>
         <source>Measures what goes into the motor and what its shaft gives, at the speed that it has.</source>
         <translation>Misst, was in den Motor hineingeht und was seine Welle abgibt, bei der Drehzahl, die er hat.</translation>
+    </message>
+    <message>
+        <source>In both di&amp;rections</source>
+        <translation>In beide &amp;Richtungen</translation>
+    </message>
+    <message>
+        <source>The mechanics backwards, too, from rest: only that tells friction from a torque that is always there. Not for loads that must not turn backwards, or that turn the motor by themselves.</source>
+        <translation>Die Mechanik auch rückwärts, aus dem Stillstand: Nur das unterscheidet Reibung von einem Drehmoment, das immer da ist. Nicht für Lasten, die sich nicht rückwärts drehen dürfen oder den Motor von selbst drehen.</translation>
     </message>
 </context>
 <context>
@@ -6310,6 +6350,11 @@
     <message>
         <source>Voltage of dead times</source>
         <translation>Spannung der Totzeiten</translation>
+    </message>
+    <message>
+        <source>%1 forwards, %2 backwards.</source>
+        <comment>inertia</comment>
+        <translation>%1 vorwärts, %2 rückwärts.</translation>
     </message>
 </context>
 <context>

@@ -1589,6 +1589,30 @@
         <source>An experiment was cut off before it gave back what it had borrowed: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the inertia that its two directions tell is %1 % apart: perhaps its load is another one backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a torque of %1 N m is always there and drives it backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a torque of %1 N m is always there and drives it forwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor turns the other way: stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was driven in one of its two directions only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor still turns the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -2945,6 +2969,10 @@
     <message>
         <source>While it starts, only %1 bound it.</source>
         <comment>a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backwards, for %1: its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4475,6 +4503,10 @@
         <source>Ended: %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Both directions begin at rest: stop the motor first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Experiments</name>
@@ -5200,6 +5232,14 @@
     </message>
     <message>
         <source>Measures what goes into the motor and what its shaft gives, at the speed that it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In both di&amp;rections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mechanics backwards, too, from rest: only that tells friction from a torque that is always there. Not for loads that must not turn backwards, or that turn the motor by themselves.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6308,6 +6348,11 @@
     </message>
     <message>
         <source>Voltage of dead times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 forwards, %2 backwards.</source>
+        <comment>inertia</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

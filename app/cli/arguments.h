@@ -104,6 +104,7 @@ struct Arguments {
     StepArguments step;
     ResponseArguments response;
     AutotuneArguments autotune;
+    bool bothDirections = false; ///< of identify mechanical
     QString runFile; ///< the recording of an experiment; empty: none is kept
     int runNumber = 0; ///< of evaluate: the one that is meant, from 1; 0: all
     drive::UserLimits limits; ///< --max-rpm and --max-amps

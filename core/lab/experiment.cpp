@@ -68,6 +68,29 @@ std::string objectionTo(const Experiment &experiment)
     return generalObjection(conditionsOf(experiment), experiment.subject);
 }
 
+bool inBothDirections(const std::vector<Experiment> &all)
+{
+    const auto any = [&](auto meant) {
+        return std::ranges::any_of(
+            all, [&](const Experiment &one) { return meant(conditionsOf(one).firstRpm); });
+    };
+    return any([](int rpm) { return rpm > 0; }) && any([](int rpm) { return rpm < 0; });
+}
+
+std::string objectionWhileTurning(const Experiment &experiment, double before_rpm)
+{
+    const Conditions conditions = conditionsOf(experiment);
+    if (conditions.beginning != Beginning::AtSpeed)
+        return "the motor turns, and this is measured while it rests: stop it first";
+    if (!conditions.lent.empty())
+        return "the motor turns, and its gains are written while it rests: stop it first";
+    // A ramp through 0 loses a rotor that is not seen there, and brakes all that turns with it.
+    const bool steps = std::holds_alternative<StepPlan>(experiment.plan);
+    if (before_rpm * conditions.firstRpm < 0.0 && !(steps && experiment.subject.seesRotor()))
+        return "the motor turns the other way: stop it first";
+    return {};
+}
+
 Conditions conditionsOf(const Experiment &experiment)
 {
     return std::visit(

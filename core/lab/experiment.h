@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace lab {
 
@@ -28,6 +29,11 @@ struct Experiment {
 
 /// Why it cannot be carried out as it stands, in a sentence without a full stop; empty if it can.
 std::string objectionTo(const Experiment &experiment);
+/// Why it does not begin with a motor that turns; empty: it may.
+/// @param before_rpm  its set-point
+std::string objectionWhileTurning(const Experiment &experiment, double before_rpm);
+/// Some turn it forwards, others backwards: each begins at rest.
+bool inBothDirections(const std::vector<Experiment> &all);
 Conditions conditionsOf(const Experiment &experiment);
 /// The whole time that it takes at most, the start of the motor left out.
 milliseconds lengthOf(const Experiment &experiment);

@@ -57,6 +57,20 @@ std::string noRestText(const drive::MotorStatus &status)
     return drive::hasFault(status.state) ? faultText(status) : "the motor was started meanwhile";
 }
 
+/// As far as a sensor sees it.
+bool stands(const drive::MotorStatus &status, const Experiment &experiment)
+{
+    const Subject &subject = experiment.subject;
+    return subject.seesRotor() && isStill(status.speedRpm, allowedRpm(experiment), subject.limits);
+}
+
+/// The same: a start would brake it onto the bus.
+bool turnsBack(const drive::MotorStatus &status, const Experiment &experiment)
+{
+    return experiment.subject.seesRotor()
+        && status.speedRpm.value_or(0.0) * conditionsOf(experiment).firstRpm < 0.0;
+}
+
 /// A start-up as an experiment at rest writes it. No motor that starts without a sensor has such a one of its own.
 bool turnsNothing(const catalog::Value &startUp)
 {
@@ -279,7 +293,7 @@ void Runner::advance(TimePoint now)
     case Phase::Coasting:
         if (m_status->state != MotorState::Idle)
             return giveUp(End::Refused, noRestText(*m_status), now);
-        if (late || stands())
+        if (stands(*m_status, m_experiment) || (late && !turnsBack(*m_status, m_experiment)))
             return lend(now);
         break;
     case Phase::Lending:
@@ -363,6 +377,8 @@ void Runner::onLate(TimePoint now)
     case Phase::Returning:
         return abort(m_ran ? "the speed did not come back to " + rpmText(m_before_rpm)
                            : std::string(kNotSeenToStop));
+    case Phase::Coasting:
+        return giveUp(End::Refused, "the motor still turns the other way", now);
     default:
         return giveUp(
             End::Refused, m_cut && m_answered ? kNotSeenToStop : "no answer came in time", now);
@@ -384,10 +400,10 @@ void Runner::onRead(TimePoint now)
                                                                : m_status->faultsPast)
                         + "): acknowledge the fault first"
                                                 : ""));
-    if (m_ran && m_conditions.beginning != Beginning::AtSpeed)
-        return refuse("the motor turns, and this is measured while it rests: stop it first");
-    if (m_ran && !m_conditions.lent.empty())
-        return refuse("the motor turns, and its gains are written while it rests: stop it first");
+    const drive::StartTarget target = startTarget();
+    if (const std::string why = objectionWhileTurning(m_experiment, target.rpm.value_or(0.0));
+        m_ran && !why.empty())
+        return refuse(why);
     for (const drive::RegisterWrite &lent : m_conditions.lent) {
         const auto old = m_values.find(lent.id);
         if (old == m_values.end())
@@ -399,7 +415,6 @@ void Runner::onRead(TimePoint now)
                   "write the motor's own stages first");
         m_old.push_back({lent.id, old->second});
     }
-    const drive::StartTarget target = startTarget();
     if (target.control != catalog::ControlMode::Speed || !target.rpm)
         return refuse("the motor is not in speed control: ask for a speed first");
     m_before_rpm = *target.rpm;
@@ -516,14 +531,6 @@ void Runner::coast(TimePoint now)
         std::max(Duration::zero(), m_ranAt.value_or(now - kCoastsUnseen) + kCoastsUnseen - now);
     enter(Phase::Coasting, m_experiment.subject.seesRotor() ? kCoastsSeen : unseen, now);
     advance(now);
-}
-
-/// As far as a sensor sees it.
-bool Runner::stands() const
-{
-    const Subject &subject = m_experiment.subject;
-    return subject.seesRotor()
-        && isStill(m_status->speedRpm, allowedRpm(m_experiment), subject.limits);
 }
 
 void Runner::lend(TimePoint now)

@@ -77,7 +77,6 @@ private:
     void ramp(int rpm, milliseconds duration, TimePoint now);
     void enter(Phase phase, Duration within, TimePoint now);
     void coast(TimePoint now);
-    bool stands() const;
     void lend(TimePoint now);
     void aim(TimePoint now);
     void start(TimePoint now);

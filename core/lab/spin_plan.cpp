@@ -207,6 +207,13 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
         .caps = caps};
 }
 
+SpinPlan otherWay(SpinPlan plan)
+{
+    plan.lowRpm = -plan.lowRpm;
+    plan.highRpm = -plan.highRpm;
+    return plan;
+}
+
 SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
     SpinPlan plan = spinPlanFor(subject, caps);

@@ -29,6 +29,10 @@ struct SpinPlan {
 /// Between 0.25 and 0.7 of what is allowed, forwards; without a sensor from 0.4 on.
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
+/// The same in the other direction. Behind it, it measures with it what one direction does not tell: a torque that is
+/// always there.
+SpinPlan otherWay(SpinPlan plan);
+
 /// Faster, and with currents along the magnets: what inductances are measured by.
 SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps);
 

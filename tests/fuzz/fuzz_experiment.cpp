@@ -126,10 +126,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             {steps->rise_s, steps->overshoot_pct, steps->settling_s, steps->peakIq_a})
             check(mean);
     }
-    if (const auto found = lab::evaluateMechanics(capture, happenings))
+    if (const auto found = lab::evaluateMechanics(capture, happenings)) {
         for (const auto &number :
             {found->inertia_kgm2, found->viscous_nms, found->dry_nm, found->fan_nms2})
             check(number);
+        if (const auto &both = found->both)
+            for (const auto &number : {both->forwards_kgm2, both->backwards_kgm2, both->always_nm})
+                check(number);
+    }
     if (const auto found = lab::evaluateElectrics(capture, happenings))
         for (const auto &number :
             {found->rs_ohm, found->deadTime_v, found->ld_h, found->lq_h, found->flux_wb})

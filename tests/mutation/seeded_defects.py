@@ -168,6 +168,10 @@ DEFECTS = [
         ("core/lab/runner.cpp", "m_byTorque = m_byTorque || torque;", "m_byTorque = (m_byTorque || torque) && !m_asked_rpm;")]),
     ("a torque outlives its experiment", "tst_experiment_faults@1-600", "MS28", [
         ("core/lab/runner.cpp", "m_stop = needsEnvelope();", "m_stop = false;")]),
+    ("a rotor that turns the other way is started", "tst_mechanical", "FAIL", [
+        ("core/lab/runner.cpp", "(late && !turnsBack(*m_status, m_experiment))", "late")]),
+    ("a running motor is taken through zero", "tst_mechanical", "FAIL", [
+        ("core/lab/experiment.cpp", "if (before_rpm * conditions.firstRpm < 0.0 &&", "if (before_rpm * conditions.firstRpm < -1e9 &&")]),
     ("an experiment is left to itself when its port goes", "tst_session_experiment_faults@1-100", "MS29|MS32", [
         ("core/session/link/session.cpp", 'm_experiment->lose("the port was lost");', 'm_experiment->interrupt("the port was lost");')]),
     ("what an experiment has borrowed is written over", "tst_session_experiment", "FAIL", [

@@ -192,15 +192,17 @@ Result<ExperimentBar::Run, QString> ExperimentBar::wanted(int which) const
     if (!run)
         return run;
     const bool runs = before().runs;
+    if (runs && lab::inBothDirections(run->experiments))
+        return fail(tr("Both directions begin at rest: stop the motor first."));
     for (const lab::Experiment &experiment : allOf(*run)) {
         if (const std::string why = lab::objectionTo(experiment); !why.empty())
             return fail(labSentence(why));
         if (runs && lab::conditionsOf(experiment).beginning != lab::Beginning::AtSpeed)
             return fail(tr("%1 is measured at rest: stop the motor first.", "Resistance")
                             .arg(experimentName(experiment)));
-        if (runs && !lab::conditionsOf(experiment).lent.empty())
-            return fail(labSentence(
-                "the motor turns, and its gains are written while it rests: stop it first"));
+        if (const std::string why = lab::objectionWhileTurning(experiment, before().rpm);
+            runs && !why.empty())
+            return fail(labSentence(why));
     }
     const drive::StartTarget target = m_parts.motion.startTarget(m_parts.device.motor());
     if (target.control == catalog::ControlMode::Torque) // Other may be one that is not known

@@ -69,13 +69,17 @@ Result<ExperimentBar::Run, QString> Identification::electricalRun()
         evaluation<lab::Electrics>(subject->motor, &lab::evaluateElectrics)};
 }
 
-Result<ExperimentBar::Run, QString> Identification::mechanicalRun()
+Result<ExperimentBar::Run, QString> Identification::mechanicalRun(bool bothWays)
 {
     const auto subject = m_experiments.subject();
     if (!subject)
         return fail(subject.error());
-    return ExperimentBar::Run{{{lab::spinPlanFor(*subject, m_device.userLimits()), *subject}},
-        evaluation<lab::Mechanics>(subject->motor, &lab::evaluateMechanics)};
+    const lab::SpinPlan plan = lab::spinPlanFor(*subject, m_device.userLimits());
+    ExperimentBar::Run run{
+        {{plan, *subject}}, evaluation<lab::Mechanics>(subject->motor, &lab::evaluateMechanics)};
+    if (bothWays)
+        run.experiments.push_back({lab::otherWay(plan), *subject});
+    return run;
 }
 
 Result<ExperimentBar::Run, QString> Identification::powerRun()

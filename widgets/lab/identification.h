@@ -15,7 +15,8 @@ public:
     Identification(const Device &device, const Experiments &experiments, QObject *parent = nullptr);
 
     Result<ExperimentBar::Run, QString> electricalRun(); ///< windings and magnets
-    Result<ExperimentBar::Run, QString> mechanicalRun(); ///< inertia and friction
+    /// Inertia and friction. @param bothWays  backwards, too, each from rest
+    Result<ExperimentBar::Run, QString> mechanicalRun(bool bothWays = false);
     Result<ExperimentBar::Run, QString> powerRun(); ///< at the speed that the motor has, if it runs
     MotorFindings &findings() { return m_findings; }
 

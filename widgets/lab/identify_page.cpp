@@ -4,6 +4,7 @@
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 
+#include <QCheckBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -43,10 +44,16 @@ void IdentifyPage::makeBar()
     m_bar->add({tr("Mecha&nical"), "mechanicalRun",
         tr("Measures inertia and friction while the motor is driven and coasts; then it is as it "
            "was."),
-        [this] { return m_parts.identification.mechanicalRun(); }});
+        [this] { return m_parts.identification.mechanicalRun(m_bothWays->isChecked()); }});
     m_bar->add({tr("Po&wer"), "powerRun",
         tr("Measures what goes into the motor and what its shaft gives, at the speed that it has."),
         [this] { return m_parts.identification.powerRun(); }});
+    m_bothWays = named(new QCheckBox(tr("In both di&rections"), m_bar), "identifyBothWays");
+    m_bothWays->setToolTip(tr("The mechanics backwards, too, from rest: only that tells friction "
+                              "from a torque that is always there. Not for loads that must not "
+                              "turn backwards, or that turn the motor by themselves."));
+    connect(m_bothWays, &QCheckBox::toggled, m_bar, &ExperimentBar::refresh);
+    m_bar->addAside(m_bothWays);
     m_use = named(new QPushButton(tr("&Use in motor file"), m_bar), "identifyUse");
     m_use->setToolTip(tr("Puts the measured figures into the description beside the board's, in "
                          "Motor and drive; nothing is written to the board."));

@@ -8,6 +8,7 @@
 #include "widgets/lab/identification.h"
 #include "widgets/lab/shown_motor.h"
 
+class QCheckBox;
 class QPushButton;
 class QTreeView;
 
@@ -44,6 +45,7 @@ private:
     ShownMotor m_facts;
     QTreeView *m_table;
     ExperimentBar *m_bar;
+    QCheckBox *m_bothWays = nullptr;
     QPushButton *m_use = nullptr, *m_back = nullptr;
 };
 

@@ -87,9 +87,17 @@ void MotorFindings::accept(const lab::Mechanics &found, bool /*complete*/)
     constexpr double kPercent = 100.0;
     const QString model =
         found.fan ? tr("viscous and dry friction and a fan") : tr("viscous and dry friction");
-    set(Inertia, found.inertia_kgm2,
-        tr("Model: %1; it leaves %2 % of the torque.")
-            .arg(model, plainNumberText(found.share * kPercent, 2)));
+    QString note = tr("Model: %1; it leaves %2 % of the torque.")
+                       .arg(model, plainNumberText(found.share * kPercent, 2));
+    if (found.both) {
+        const auto inertia = [](const lab::Estimate &one) {
+            return figure(Inertia, one.value, lab::lastPlaceOf(one));
+        };
+        note = tr("%1 forwards, %2 backwards.", "inertia")
+                   .arg(inertia(found.both->forwards_kgm2), inertia(found.both->backwards_kgm2))
+            + QLatin1Char(' ') + note;
+    }
+    set(Inertia, found.inertia_kgm2, note);
     set(Viscous, found.viscous_nms, {});
     set(Dry, found.dry_nm, {});
     set(Fan, found.fan ? std::optional(found.fan_nms2) : std::nullopt,

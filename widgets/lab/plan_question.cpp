@@ -45,6 +45,10 @@ QString spinWords(const lab::SpinPlan &plan)
 {
     const QString length = secondsText(plan.length);
     const QString low = rpmText(plan.lowRpm), high = rpmText(plan.highRpm);
+    if (plan.highRpm < 0 && !(plan.fluxAmps > 0.0))
+        return PlanQuestion::tr("Backwards, for %1: its torque drives it or lets it coast, between "
+                                "%2 and %3; it is never braked.")
+            .arg(length, low, high);
     return plan.fluxAmps > 0.0
         ? PlanQuestion::tr("For %1 its torque jumps and drives it or lets it coast, between %2 and "
                            "%3; the current along the magnets jumps within \u00b1%4.")

@@ -204,6 +204,12 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "by what its currents do to its speed, the board takes its rotor for more than 60 "
         "electrical degrees beside where it is: its flux is not told"),
+    QT_TRANSLATE_NOOP("Lab",
+        "the inertia that its two directions tell is %1 % apart: perhaps its load is another one "
+        "backwards"),
+    QT_TRANSLATE_NOOP("Lab", "it was driven in one of its two directions only"),
+    QT_TRANSLATE_NOOP("Lab", "a torque of %1 N m is always there and drives it backwards"),
+    QT_TRANSLATE_NOOP("Lab", "a torque of %1 N m is always there and drives it forwards"),
     QT_TRANSLATE_NOOP("Lab", "the rotor nearly stood still for %1 s: that time was left out"),
     QT_TRANSLATE_NOOP("Lab", "%1 % of the samples do not fit the others and count for nothing"),
     QT_TRANSLATE_NOOP("Lab",
@@ -215,6 +221,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "gains are 0 to %1 digits"),
     QT_TRANSLATE_NOOP(
         "Lab", "the motor turns, and its gains are written while it rests: stop it first"),
+    QT_TRANSLATE_NOOP("Lab", "the motor turns the other way: stop it first"),
+    QT_TRANSLATE_NOOP("Lab", "the motor still turns the other way"),
     QT_TRANSLATE_NOOP("Lab", "the motor was started meanwhile"),
     QT_TRANSLATE_NOOP("Lab", "at rest no two different currents were held for long enough"),
     QT_TRANSLATE_NOOP("Lab", "at rest no resistance follows from the voltages"),

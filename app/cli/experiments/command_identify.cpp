@@ -15,13 +15,22 @@ Outcome<int> runIdentify(Desk &desk)
     if (!subject)
         return tl::make_unexpected(subject.error());
     const drive::UserLimits &limits = desk.arguments.limits;
-    if (desk.arguments.words.first() == kMechanical)
-        return run.run(*subject, {lab::spinPlanFor(*subject, limits)});
+    if (desk.arguments.words.first() == kMechanical) {
+        const lab::SpinPlan plan = lab::spinPlanFor(*subject, limits);
+        return desk.arguments.bothDirections ? run.run(*subject, {plan, lab::otherWay(plan)})
+                                             : run.run(*subject, {plan});
+    }
     return run.run(
         *subject, {lab::restPlanFor(*subject, limits), lab::fluxPlanFor(*subject, limits)});
 }
 
-constexpr OptionText kIdentifyOptions[] = {kRunOption};
+constexpr const char *kBothDirections = "both-directions";
+constexpr OptionText kIdentifyOptions[] = {
+    {kBothDirections, "",
+        "Of mechanical: backwards, too, each from rest, which tells friction from a torque that is "
+        "always there."},
+    kRunOption,
+};
 
 Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
 {
@@ -30,6 +39,9 @@ Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
         return usage(QStringLiteral("There is no \"%1\" to identify: write identify mechanical or "
                                     "identify electrical.")
                          .arg(what));
+    arguments.bothDirections = given.has(kBothDirections);
+    if (arguments.bothDirections && what != kMechanical)
+        return usage(QStringLiteral("--both-directions is for identify mechanical."));
     return readRunFile(given, arguments);
 }
 

@@ -88,11 +88,18 @@ QString line(const char *name, const lab::Estimate &estimate, const char *unit)
 
 void print(const lab::Mechanics &found, Output &out)
 {
-    out.line(line("Inertia", found.inertia_kgm2, "kg m\u00b2"));
+    constexpr const char *kInertiaUnit = "kg m\u00b2";
+    out.line(line("Inertia", found.inertia_kgm2, kInertiaUnit));
+    if (found.both) {
+        out.line(line("  forwards", found.both->forwards_kgm2, kInertiaUnit));
+        out.line(line("  backwards", found.both->backwards_kgm2, kInertiaUnit));
+    }
     out.line(line("Viscous friction", found.viscous_nms, "N m s"));
     out.line(line("Dry friction", found.dry_nm, "N m"));
     if (found.fan)
         out.line(line("Fan", found.fan_nms2, "N m s\u00b2"));
+    if (found.both)
+        out.line(line("Always there", found.both->always_nm, "N m"));
     out.line(QStringLiteral("Model: %1; it leaves %2 % of the torque")
                  .arg(QLatin1String(session::modelOf(found)),
                      QString::number(found.share * kPercent, 'g', 2)));

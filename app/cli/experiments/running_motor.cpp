@@ -93,6 +93,10 @@ Outcome<bool> RunningMotor::goOn()
     if (rested->state != MotorState::Idle)
         return failure(kRefused,
             QStringLiteral("The motor is not started again: %1.").arg(stateText(*rested)));
+    if (seen && !lab::isStill(rested->speedRpm, limits.maxSpeedRpm, limits)
+        && rested->speedRpm.value_or(0.0) * m_rpm < 0.0)
+        return failure(kRefused,
+            QStringLiteral("The motor is not started again: it still turns the other way."));
     const int motor = m_subject.motor;
     const drive::SpeedRamp gently{motor, m_rpm, lab::kApproach};
     if (const auto ended = m_desk.talk.command(gently, QStringLiteral("The way back")); !ended)
@@ -143,7 +147,7 @@ Outcome<std::optional<RunningMotor>> runningMotor(
     const bool asItRuns = std::all_of(wanted.begin(), wanted.end(), [](const auto &one) {
         return lab::conditionsOf(one).beginning == lab::Beginning::AtSpeed;
     });
-    if (asItRuns)
+    if (asItRuns && !lab::inBothDirections(wanted))
         return None();
     const auto status = desk.talk.nextStatus(subject.motor);
     if (!status)

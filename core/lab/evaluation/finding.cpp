@@ -65,13 +65,19 @@ PlanKind kindOf(const recorded::Happening &what)
 
 bool RunStarts::accept(const recorded::Happening &what)
 {
-    if (what.name == kEndEntry && what.field("outcome") != "complete")
+    if (what.name == kEndEntry && what.field("outcome") != "complete") {
         m_rested = 0; // what would have turned it was not begun
+        m_oneWay.reset();
+    }
     const PlanKind plan = kindOf(what);
     if (plan.evaluation == nullptr)
         return false;
-    const bool goesOn = plan.turns && plan.motor == m_rested;
+    const bool goesOn =
+        (plan.turns && plan.motor == m_rested) || (m_oneWay && isOtherWay(what, *m_oneWay));
     m_rested = plan.rests ? plan.motor : 0;
+    m_oneWay.reset();
+    if (auto spin = recordedPlan<SpinPlan>(what); spin && !plan.turns && !goesOn)
+        m_oneWay = std::move(spin);
     return !goesOn;
 }
 

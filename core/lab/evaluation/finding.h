@@ -16,7 +16,8 @@ using Finding =
     std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse, Power>;
 
 /// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment,
-/// or the two of an electrical identification, at rest and turning, which say one thing together.
+/// or two that say one thing together: those of an electrical identification, at rest and turning, or of a mechanical
+/// one in both directions.
 class RunStarts {
 public:
     /// In the order of the recording. @return  it is the plan that begins a run
@@ -25,6 +26,7 @@ public:
 private:
     /// The motor of the plan before, which was one at rest and did not end early; 0: none.
     int m_rested = 0;
+    std::optional<Recorded<SpinPlan>> m_oneWay; ///< that, a mechanical one which began a run
 };
 
 /// Of each run what happened from its plan to that of the next one, in their order.

@@ -16,7 +16,6 @@ namespace lab {
 namespace {
 
 constexpr double kEdge_s = 5e-3; ///< to either side of an instant, for its speed
-constexpr std::size_t kUnknowns = 5;
 constexpr double kLeastTime_s = 3.0;
 /// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and
 /// scales to a few parts in a thousand.
@@ -50,8 +49,8 @@ double hallLag(
     for (const MechanicalInstant &one : instants) {
         const double speed = std::max(std::abs(one.speed), 1e-3);
         const double friction = fit.values[kViscous] * speed + fit.values[kDry];
-        const double change =
-            std::abs(one.torque_nm - std::copysign(friction, one.speed)) / fit.values[kInertia];
+        const double held = std::copysign(friction, one.speed) + fit.values[kAlways];
+        const double change = std::abs(one.torque_nm - held) / fit.values[kInertia];
         const double lag_s = std::numbers::pi / (spin.polePairs * speed);
         const double share = std::min(1.0, change * lag_s / speed);
         squares += share * share;
@@ -112,10 +111,20 @@ std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
 struct Fits {
     const Rows &rows; ///< of both
     const Fit &plain, &fan; ///< without a fan, and with one
+    /// The plain one would have a friction below 0: something grows faster than the speed.
+    bool impossible;
     double fastest; ///< rad/s
     double digit_nm; ///< of the current
     double unsure; ///< share of all torques
 };
+
+/// @param unsure  besides
+Estimate told(const Fit &fit, std::size_t unknown, double unsure)
+{
+    const Estimate own = fit.estimate(unknown);
+    const double half = std::hypot((*own.high - *own.low) / 2.0, unsure);
+    return {own.value, own.value - half, own.value + half};
+}
 
 /// The numbers of the model that explains the run.
 Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
@@ -123,9 +132,8 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
     Mechanics found;
     const Fit &plain = fits.plain, &fan = fits.fan;
     const double fastest = fits.fastest, digit_nm = fits.digit_nm, unsure = fits.unsure;
-    // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is
-    // none.
-    const bool impossible = plain.unknowns < kUnknowns - 1;
+    // A fan that takes next to nothing is none.
+    const bool impossible = fits.impossible;
     // Torques that are off by some share bend a friction as a fan does, by a few times as much.
     constexpr double kNoticeable = 0.05, kBends = 10.0;
     const double friction = fan.values[kViscous] * fastest + fan.values[kDry];
@@ -133,11 +141,6 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
     const bool better = fan.estimate(kFan).low > 0.0 && blown > kNoticeable * friction
         && (impossible || explainsBetter(fits.rows, fan, plain));
     found.fan = better && (impossible || blown > (kNoticeable + kBends * unsure) * friction);
-    const auto told = [](const Fit &fit, std::size_t unknown, double digit) {
-        const Estimate own = fit.estimate(unknown);
-        const double half = std::hypot((*own.high - *own.low) / 2.0, digit);
-        return Estimate{own.value, own.value - half, own.value + half};
-    };
     const auto tell = [&](const Fit &fit, Mechanics &into) {
         into.inertia_kgm2 = told(fit, kInertia, 0.0);
         into.viscous_nms = told(fit, kViscous, digit_nm / fastest);
@@ -162,16 +165,24 @@ Mechanics mechanicsOf(const Recorded<SpinPlan> &spin, const Fits &fits)
     return found;
 }
 
-std::array<Estimate *, 4> numbersOf(Mechanics &of)
+/// Of those that cannot be below 0.
+std::vector<Estimate *> numbersOf(Mechanics &of)
 {
-    return {&of.inertia_kgm2, &of.viscous_nms, &of.dry_nm, &of.fan_nms2};
+    std::vector<Estimate *> all{&of.inertia_kgm2, &of.viscous_nms, &of.dry_nm, &of.fan_nms2};
+    if (of.both)
+        all.insert(all.end(), {&of.both->forwards_kgm2, &of.both->backwards_kgm2});
+    return all;
 }
+
+void scale(Estimate &one, double by) { one = {one.value * by, *one.low * by, *one.high * by}; }
 
 /// By a share of each.
 void growAll(Mechanics &found, double share)
 {
     for (Estimate *one : numbersOf(found))
         grow(*one, share * one->value);
+    if (found.both)
+        found.both->always_nm = withScale(found.both->always_nm, share);
 }
 
 /// What a salient rotor adds where the board stands aside of it, as a share of the torques: part of a current flows
@@ -213,11 +224,10 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
         constexpr double kBoth = 2.0;
         return growAll(found, kBoth * (ratio - 1.0));
     }
-    for (Estimate *one : numbersOf(found)) {
-        one->value *= ratio;
-        one->low = *one->low * ratio;
-        one->high = *one->high * ratio;
-    }
+    for (Estimate *one : numbersOf(found))
+        scale(*one, ratio);
+    if (found.both)
+        scale(found.both->always_nm, ratio);
     growAll(found, kFluxDiffers + unsure);
     constexpr double kPercent = 100.0;
     found.notes.push_back("the voltages tell magnets of " + decimalText(measured_wb.value * 1e3, 3)
@@ -243,6 +253,49 @@ bool beganSwinging(const Happenings &asked, int motor, Nanos from)
         - kSooner_ms;
 }
 
+/// What each direction tells of the inertia by itself, and both of a torque that is always there. Empty: one of them
+/// tells no inertia.
+/// @param together  the fit of both  @param unsure  share of all torques
+std::optional<BothWays> bothWays(const Rows &forwards, const Rows &backwards, const Fit &together,
+    double digit_nm, double unsure)
+{
+    // One direction knows the sum of it and dry friction, which may be below 0.
+    std::vector<std::size_t> columns{kInertia, kViscous, kAlways, kTilt};
+    if (together.values[kFan] != 0.0)
+        columns.push_back(kFan);
+    const auto inertiaBy = [&](const Rows &rows) -> std::optional<Estimate> {
+        const auto fit = fitOf(rows, columns);
+        if (!fit || !(fit->values[kInertia] > 0.0))
+            return std::nullopt;
+        return told(*fit, kInertia, unsure * fit->values[kInertia]);
+    };
+    const auto one = inertiaBy(forwards), other = inertiaBy(backwards);
+    if (!one || !other)
+        return std::nullopt;
+    return BothWays{*one, *other,
+        told(together, kAlways, std::hypot(digit_nm, unsure * together.values[kAlways]))};
+}
+
+/// The inertia of both is none that a direction contradicts.
+void compareWays(Mechanics &found)
+{
+    constexpr double kDiffers = 0.2, kNoticed = 0.05, kPercent = 100.0; // of it; of the friction
+    const auto &[forwards, backwards, always] = *found.both;
+    Estimate &inertia = found.inertia_kgm2;
+    inertia.low = std::min({*inertia.low, forwards.value, backwards.value});
+    inertia.high = std::max({*inertia.high, forwards.value, backwards.value});
+    const double apart = std::abs(forwards.value - backwards.value) / inertia.value;
+    if (apart > kDiffers)
+        found.notes.push_back("the inertia that its two directions tell is "
+            + decimalText(apart * kPercent, 2)
+            + " % apart: perhaps its load is another one backwards");
+    const bool known = *always.low > 0.0 || *always.high < 0.0;
+    if (known && std::abs(always.value) > kNoticed * found.dry_nm.value)
+        found.notes.push_back("a torque of " + decimalText(std::abs(always.value), 3)
+            + " N m is always there and drives it "
+            + (always.value > 0.0 ? "backwards" : "forwards"));
+}
+
 /// As FluxValue has them, as far as they were recorded.
 std::vector<const capture::Channel *> signalsOf(
     const capture::Capture &capture, const Recorded<SpinPlan> &plan)
@@ -257,7 +310,58 @@ std::vector<const capture::Channel *> signalsOf(
     return signals;
 }
 
+/// What was recorded while torques drove the motor, in one direction or in both.
+struct DrivenRun {
+    std::vector<DrivenSpan> spans; ///< of each direction; empty: it was never driven
+    std::vector<Segment> turning; ///< while the rotor turned
+    std::size_t ofFirst = 0; ///< so many of these are of the first direction
+    double stood_s = 0.0, missing_s = 0.0;
+    bool ofTwo = false; ///< the other direction was to follow
+};
+
+DrivenRun drivenRun(const capture::Capture &capture, const capture::Channel &angle,
+    const Recorded<SpinPlan> &plan, const Happenings &after)
+{
+    DrivenRun run;
+    const auto add = [&](Happenings::const_iterator at) {
+        const auto span = drivenSpan(plan.motor, at, after.end(), angle.timeOf(angle.end() - 1));
+        if (!span)
+            return;
+        run.spans.push_back(*span);
+        const auto all = segmentsOf(angle, signalsOf(capture, plan), span->from, span->to);
+        const auto turning = whileTurning(all, leastTurning_degPerS(plan), edgeOf(plan));
+        run.stood_s += timeOf(all) - timeOf(turning);
+        run.missing_s += missingIn(all);
+        run.turning.insert(run.turning.end(), turning.begin(), turning.end());
+    };
+    add(after.begin());
+    run.ofFirst = run.turning.size();
+    const auto other = std::ranges::find_if(
+        after, [&](const auto &later) { return isOtherWay(later.second, plan); });
+    run.ofTwo = other != after.end();
+    if (run.ofTwo && !run.spans.empty())
+        add(other);
+    const auto second = run.turning.begin() + static_cast<std::ptrdiff_t>(run.ofFirst);
+    if (timeOf({second, run.turning.end()}) < kLeastTime_s)
+        run.turning.erase(second, run.turning.end()); // it says nothing of the flux, either
+    return run;
+}
+
+MechanicalRows rowsOf(std::span<const Segment> segments, const MechanicalFacts &facts)
+{
+    MechanicalRows rows(facts);
+    for (const Segment &segment : segments)
+        rows.accept(segment);
+    return rows;
+}
+
 } // namespace
+
+bool isOtherWay(const recorded::Happening &what, const Recorded<SpinPlan> &of)
+{
+    const auto found = recordedPlan<SpinPlan>(what);
+    return found && found->motor == of.motor && found->plan == otherWay(of.plan);
+}
 
 Result<Mechanics, std::string> evaluateMechanics(
     const capture::Capture &capture, const Happenings &asked)
@@ -269,15 +373,11 @@ Result<Mechanics, std::string> evaluateMechanics(
     const capture::Channel *current = fastChannel(capture, plan->current);
     if (angle == nullptr || current == nullptr || angle->empty())
         return fail(std::string("it holds no samples of the signals that it needs"));
-    const auto span =
-        drivenSpan(plan->motor, after.begin(), after.end(), angle->timeOf(angle->end() - 1));
-    if (!span)
+    DrivenRun run = drivenRun(capture, *angle, *plan, after);
+    if (run.spans.empty())
         return fail(std::string("the motor was never driven by a torque in it"));
-    const std::vector<Segment> all =
-        segmentsOf(*angle, signalsOf(capture, *plan), span->from, span->to);
+    std::vector<Segment> &segments = run.turning;
     const double edge_s = edgeOf(*plan);
-    std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan), edge_s);
-    const double stood_s = timeOf(all) - timeOf(segments);
     const double told_wb = fluxOf(*plan);
     const auto flux = fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
     Aside aside;
@@ -288,16 +388,26 @@ Result<Mechanics, std::string> evaluateMechanics(
     }
     // Long stretches tell a fan from friction; in them the lag of Hall sensors is taken for inertia.
     constexpr double kStretch_s = 1.0, kHallStretch_s = 0.5;
-    MechanicalRows stretches({plan->polePairs, plan->torquePerAmp, edge_s,
-        byHall(plan->angle) ? kHallStretch_s : kStretch_s});
-    for (const Segment &segment : segments)
-        stretches.accept(segment);
+    const MechanicalFacts facts{plan->polePairs, plan->torquePerAmp, edge_s,
+        byHall(plan->angle) ? kHallStretch_s : kStretch_s};
+    const std::span<const Segment> all(segments);
+    const MechanicalRows first = rowsOf(all.first(run.ofFirst), facts);
+    const MechanicalRows second = rowsOf(all.subspan(run.ofFirst), facts);
+    const bool both = std::min(first.time_s, second.time_s) >= kLeastTime_s;
+    const MechanicalRows stretches = both ? rowsOf(all, facts)
+        : first.time_s >= second.time_s   ? first
+                                          : second;
     const Rows &rows = stretches.rows;
     if (stretches.time_s < kLeastTime_s)
         return fail("the motor turned for only " + decimalText(stretches.time_s, 2)
             + " s of it without a gap; " + decimalText(kLeastTime_s, 2) + " s are needed");
-    const auto plain = fitOf(rows, {kInertia, kViscous, kDry, kTilt});
-    const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
+    std::vector<std::size_t> unknowns{kInertia, kViscous, kDry, kTilt};
+    if (both)
+        unknowns.push_back(kAlways);
+    const auto plain = fitOf(rows, unknowns);
+    const bool impossible = plain && plain->unknowns < unknowns.size();
+    unknowns.push_back(kFan);
+    const auto fan = fitOf(rows, unknowns);
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
         return fail(std::string("the speed hardly changed: no inertia follows from it"));
     const double lag = kByLag * hallLag(*plan, stretches.instants, *plain);
@@ -308,26 +418,39 @@ Result<Mechanics, std::string> evaluateMechanics(
     const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
     const double turn_rad = stretches.fastest * plan->polePairs * segments.front().period_s;
     const double unsure = std::hypot(lag, seldomSeen(turn_rad));
-    Mechanics found = mechanicsOf(*plan, {rows, *plain, *fan, stretches.fastest, digit_nm, unsure});
+    Mechanics found =
+        mechanicsOf(*plan, {rows, *plain, *fan, impossible, stretches.fastest, digit_nm, unsure});
     if (unsure > lag)
         found.notes.push_back(seldomSeenNote(turn_rad));
     const Fit &chosen = found.fan ? *fan : *plain;
+    if (both) {
+        const bool forwards = plan->plan.highRpm > 0;
+        found.both =
+            bothWays(forwards ? first.rows : second.rows, forwards ? second.rows : first.rows,
+                chosen, digit_nm, std::hypot(unsure, kTorqueScale));
+    }
     growAll(found, hiddenTorque(*plan, stretches.instants, aside));
     allowFor(found, aside);
     if (flux)
         compareFlux(found, flux->q, told_wb * aside.cosine);
+    if (found.both)
+        compareWays(found);
     double squares = 0.0;
     for (const double torque : rows.wanted)
         squares += torque * torque;
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
-    if (beganSwinging(after, plan->motor, span->from))
+    if (std::ranges::any_of(run.spans, [&, &plan = plan, &after = after](const DrivenSpan &span) {
+            return beganSwinging(after, plan->motor, span.from);
+        }))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
-    noteGaps(found.notes, missingIn(all));
-    noteEnd(found.notes, span->over, span->reason);
+    if (run.ofTwo && !both)
+        found.notes.emplace_back("it was driven in one of its two directions only");
+    noteGaps(found.notes, run.missing_s);
+    noteEnd(found.notes, run.spans.back().over, run.spans.back().reason);
     constexpr double kNoticed_s = 0.02;
-    if (stood_s > kNoticed_s)
-        found.notes.push_back("the rotor nearly stood still for " + decimalText(stood_s, 2)
+    if (run.stood_s > kNoticed_s)
+        found.notes.push_back("the rotor nearly stood still for " + decimalText(run.stood_s, 2)
             + " s: that time was left out");
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;

@@ -105,9 +105,9 @@ void MechanicalRows::add(
                 * static_cast<double>(every) * step_s;
         before = now;
         fastest = std::max(fastest, std::abs(now));
-        rows.known.push_back({now, integrals.turned(at) - integrals.turned(from),
-            sign * static_cast<double>(at - from) * step_s, squares,
-            integrals.cubes(at) - integrals.cubes(from)});
+        const double time = static_cast<double>(at - from) * step_s;
+        rows.known.push_back({now, integrals.turned(at) - integrals.turned(from), sign * time,
+            squares, integrals.cubes(at) - integrals.cubes(from), time});
         rows.wanted.push_back(
             m_facts.torquePerAmp * (integrals.impulse(at) - integrals.impulse(from)));
         rows.cluster.push_back(m_count);

@@ -7,8 +7,9 @@
 
 namespace lab {
 
-/// Places of the unknowns in a row; the tilt is that of a torque which is not quite proportional to its current.
-inline constexpr std::size_t kInertia = 0, kViscous = 1, kDry = 2, kFan = 3, kTilt = 4;
+/// Places of the unknowns in a row; the tilt is that of a torque which is not quite proportional to its current. Only
+/// both directions tell dry friction from what is always there.
+inline constexpr std::size_t kInertia = 0, kViscous = 1, kDry = 2, kFan = 3, kTilt = 4, kAlways = 5;
 
 struct MechanicalFacts {
     double polePairs = 1.0;

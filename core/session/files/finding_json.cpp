@@ -53,6 +53,11 @@ void fill(JsonText &json, const lab::Mechanics &found)
     put(json, "dry_nm", std::optional(found.dry_nm));
     put(json, "fan_nms2", std::optional(found.fan_nms2));
     json.member("model", modelOf(found));
+    if (!found.both)
+        return;
+    put(json, "inertia_forwards_kgm2", std::optional(found.both->forwards_kgm2));
+    put(json, "inertia_backwards_kgm2", std::optional(found.both->backwards_kgm2));
+    put(json, "always_nm", std::optional(found.both->always_nm));
 }
 
 template <lab::HasFigures Found>

@@ -11,6 +11,7 @@
 #include "widgets/lab/lab_window.h"
 #include "widgets/lab/text.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
@@ -100,6 +101,54 @@ private Q_SLOTS:
         QVERIFY2(cell(F::Fan, F::NoteColumn).contains(QStringLiteral("at most 1.23 \u00b5N")),
             qPrintable(cell(F::Fan, F::NoteColumn)));
         QCOMPARE(findings.measured().rs_ohm, std::optional(0.351234)); // what is kept is not cut
+    }
+
+    void eachDirectionHasItsInertia()
+    {
+        Findings findings;
+        lab::Mechanics mechanics;
+        mechanics.inertia_kgm2 = {2.4e-5, 2.38e-5, 2.42e-5};
+        findings.accept(mechanics);
+        const auto note = [&] {
+            return findings.index(Findings::Inertia, Findings::NoteColumn)
+                .data()
+                .toString()
+                .replace(QChar(0x202f), u' ');
+        };
+        QVERIFY2(!note().contains(QLatin1String("forwards")), qPrintable(note()));
+        mechanics.both = {{2.38e-5, 2.36e-5, 2.40e-5}, {2.42e-5, 2.40e-5, 2.44e-5}, {}};
+        findings.accept(mechanics);
+        QVERIFY2(note().startsWith(
+                     QStringLiteral("238.0 g cm\u00b2 forwards, 242.0 g cm\u00b2 backwards.")),
+            qPrintable(note()));
+    }
+
+    /// By one question, and one after the other.
+    void bothDirectionsAreAskedAbout()
+    {
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm("mechanicalRun"));
+        auto *both = bench.find<QCheckBox>("identifyBothWays");
+        QTest::keyClick(both, Qt::Key_Space);
+        QVERIFY(both->isChecked());
+        bench.press("mechanicalRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QStringLiteral("1. For 16"))
+                && words.contains(QStringLiteral("2. Backwards, for 16")),
+            qPrintable(words));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.agree();
+        QTRY_VERIFY(bench.running());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), 2 * LabWindow::kRunMs);
+        QTRY_VERIFY2(bench.cell("identifyTable", Findings::Inertia, Findings::NoteColumn)
+                         .contains(QLatin1String("backwards")),
+            qPrintable(toldOf(bench)));
+        QVERIFY2(bench.said("identifySentence").contains(QLatin1String("the motor is as it was")),
+            qPrintable(bench.said("identifySentence")));
+        QCOMPARE(bench.questions, 1);
     }
 
     /// A row says why its own figure is missing, not what is to be said of others.

@@ -67,17 +67,19 @@ private Q_SLOTS:
         m_response = begin("response speed --seconds 4 --json -o");
         m_current = begin("response current --seconds 4 --json -o");
         m_mechanics = begin("identify mechanical --json -o");
+        m_bothWays = begin("identify mechanical --both-directions --json -o");
         m_electrics = begin("identify electrical --json -o");
         m_tuning = begin("autotune --goal stiff --apply --seconds 6 --json -o");
         const std::array all{m_step.get(), m_torque.get(), m_flux.get(), m_response.get(),
-            m_current.get(), m_mechanics.get(), m_electrics.get(), m_tuning.get()};
+            m_current.get(), m_mechanics.get(), m_bothWays.get(), m_electrics.get(),
+            m_tuning.get()};
         const auto ended = [](ExperimentProgram *program) { return program->ended(); };
         while (std::count_if(all.begin(), all.end(), ended) < qsizetype(all.size())) { }
     }
     void cleanupTestCase()
     {
         for (auto *program : {&m_step, &m_torque, &m_flux, &m_response, &m_current, &m_mechanics,
-                 &m_electrics, &m_tuning})
+                 &m_bothWays, &m_electrics, &m_tuning})
             program->reset();
     }
 
@@ -119,6 +121,8 @@ private Q_SLOTS:
         QTest::newRow("response") << m_response.get() << QStringLiteral("crossover_hz");
         QTest::newRow("current") << m_current.get() << QStringLiteral("crossover_hz");
         QTest::newRow("mechanics") << m_mechanics.get() << QStringLiteral("inertia_kgm2");
+        QTest::newRow("both directions")
+            << m_bothWays.get() << QStringLiteral("inertia_backwards_kgm2");
         QTest::newRow("electrics") << m_electrics.get() << QStringLiteral("ld_h");
     }
 
@@ -565,7 +569,7 @@ private:
     }
 
     std::unique_ptr<ExperimentProgram> m_step, m_torque, m_flux, m_response, m_current, m_mechanics,
-        m_electrics, m_tuning;
+        m_bothWays, m_electrics, m_tuning;
 };
 
 QTEST_GUILESS_MAIN(TestCliStep)

@@ -2,11 +2,13 @@
 // intervals.
 #include "core/lab/fast_motor.h"
 #include "core/lab/lost_samples.h"
+#include "lab/evaluation/finding.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
 
 using namespace lab;
+using simulation::MotorParameters;
 using simulation::PlantParameters;
 using support::LabBench;
 using namespace std::chrono_literals;
@@ -505,6 +507,187 @@ private Q_SLOTS:
         const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxSpeedRpm = 1000.0});
         QVERIFY(slow.highRpm < 1000);
         QVERIFY(recordedPlan<SpinPlan>(entryOf(plan, bench.experiment.subject, {}))->plan == plan);
+    }
+
+    void bothDirectionsTellATorqueThatIsAlwaysThere_data()
+    {
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<double>("always"); // of the dry friction
+        QTest::newRow("servo24") << "servo24" << 0.6;
+        QTest::newRow("servo24, the other way") << "servo24" << -0.6;
+        QTest::newRow("servo24, none") << "servo24" << 0.0;
+        QTest::newRow("pm24") << "pm24" << 0.6;
+        QTest::newRow("prop12") << "prop12" << 0.0;
+        QTest::newRow("blower36") << "blower36" << -0.5;
+    }
+    /// One direction takes it for friction.
+    void bothDirectionsTellATorqueThatIsAlwaysThere()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const double, always);
+        const MotorParameters truth = simulation::findPreset(motor.toStdString())->motor;
+        const double always_nm = always * truth.coulomb_nm;
+        simulation::BoardOptions options;
+        options.motor = motor.toStdString();
+        options.load = simulation::findPreset(options.motor)->load;
+        options.load->drive_nm = -always_nm;
+        LabBench bench(options, 1);
+        const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+        std::size_t ofOne = 0;
+        for (const SpinPlan &way : {plan, otherWay(plan)}) {
+            bench.experiment.plan = way;
+            VERIFY_END(bench.run(), End::Complete);
+            ofOne = ofOne == 0 ? bench.happenings.size() : ofOne;
+        }
+        QCOMPARE(runsIn(bench.happenings).size(), std::size_t(1));
+        const auto found = evaluateMechanics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        VERIFY_WITHIN(found->inertia_kgm2, truth.inertia_kgm2, 1.5);
+        VERIFY_HOLDS(found->inertia_kgm2, truth.inertia_kgm2);
+        VERIFY_HOLDS(found->dry_nm, truth.coulomb_nm);
+        VERIFY_HOLDS(found->viscous_nms, truth.viscous_nms);
+        QVERIFY(found->both);
+        VERIFY_HOLDS(found->both->always_nm, always_nm);
+        VERIFY_WITHIN(found->both->forwards_kgm2, truth.inertia_kgm2, 3.0);
+        VERIFY_WITHIN(found->both->backwards_kgm2, truth.inertia_kgm2, 3.0);
+        const auto says = [&](const char *word) {
+            return std::ranges::any_of(found->notes,
+                [&](const std::string &note) { return note.find(word) != std::string::npos; });
+        };
+        QCOMPARE(says("drives it backwards"), always > 0.0);
+        QCOMPARE(says("drives it forwards"), always < 0.0);
+        QVERIFY(!says("apart"));
+
+        const auto one = evaluateMechanics(bench.capture,
+            {bench.happenings.begin(),
+                bench.happenings.begin() + static_cast<std::ptrdiff_t>(ofOne)});
+        QVERIFY(one && !one->both);
+        if (always != 0.0) // as much as it is, this time to one side
+            QVERIFY(*one->dry_nm.high < truth.coulomb_nm || truth.coulomb_nm < *one->dry_nm.low);
+    }
+
+    void aDirectionThatIsMissingIsNamed()
+    {
+        LabBench bench;
+        const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+        bench.experiment.plan = plan;
+        VERIFY_END(bench.run(), End::Complete);
+        bench.experiment.plan = otherWay(plan);
+        bench.begin();
+        bench.happenings.emplace_back(
+            bench.happenings.back().first, entryOfEnd({End::Refused, "it was refused", {}}));
+        const auto found = evaluateMechanics(bench.capture, bench.happenings);
+        QVERIFY(found && !found->both);
+        QVERIFY(std::ranges::count(
+                    found->notes, std::string("it was driven in one of its two directions only"))
+            == 1);
+    }
+
+    /// One stretch would know a torque that is always there exactly, and be wrong.
+    void aDirectionThatIsShortCountsForNothing()
+    {
+        LabBench bench;
+        const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+        bench.experiment.plan = plan;
+        VERIFY_END(bench.run(), End::Complete);
+        const auto one = evaluateMechanics(bench.capture, bench.happenings);
+        const std::size_t torques = bench.asked<drive::TorqueRamp>().size();
+        bench.experiment.plan = otherWay(plan);
+        bench.begin();
+        QVERIFY(bench.runUntil([&] { return bench.asked<drive::TorqueRamp>().size() > torques; }));
+        const TimePoint driven = bench.pair.now;
+        QVERIFY(bench.runUntil([&] { return bench.pair.now - driven > 1500ms; }));
+        bench.happenings.emplace_back(
+            bench.pair.now.time_since_epoch().count(), entryOfEnd({End::Aborted, "a bound", {}}));
+        const auto found = evaluateMechanics(bench.capture, bench.happenings);
+        QVERIFY(one && found && !found->both);
+        QCOMPARE(found->inertia_kgm2, one->inertia_kgm2);
+        for (const char *note :
+            {"it was driven in one of its two directions only", "the run ended early: a bound"})
+            QVERIFY2(std::ranges::count(found->notes, std::string(note)) == 1, note);
+    }
+
+    /// Behind the other direction another one begins, and so it does behind one that ended early.
+    void twoDirectionsAreOneRunAndNoMore()
+    {
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const SpinPlan plan = spinPlanFor(subject, {});
+        SpinPlan other = plan;
+        other.seed = 2;
+        const auto begins = [&](RunStarts &starts, const SpinPlan &what) {
+            return starts.accept(entryOf(what, subject, {}));
+        };
+        RunStarts starts;
+        QVERIFY(begins(starts, plan));
+        QVERIFY(!starts.accept(entryOfEnd({})));
+        QVERIFY(!begins(starts, otherWay(plan)));
+        QVERIFY(begins(starts, plan));
+        QVERIFY(begins(starts, plan));
+        QVERIFY(begins(starts, otherWay(other)));
+        QVERIFY(!begins(starts, other));
+        QVERIFY(begins(starts, plan));
+        QVERIFY(!starts.accept(entryOfEnd({End::Aborted, "a bound", {}})));
+        QVERIFY(begins(starts, otherWay(plan)));
+    }
+
+    /// A ramp through 0 would lose the rotor of one, and brake the other.
+    void aMotorThatTurnsTheOtherWayIsLeftAlone()
+    {
+        for (const char *motor : {"servo24", "pm24"}) {
+            simulation::BoardOptions options;
+            options.motor = motor;
+            LabBench bench(options, 1);
+            QVERIFY(bench.pair.runAt(2000));
+            bench.experiment.plan = otherWay(spinPlanFor(bench.experiment.subject, {}));
+            const Outcome outcome = bench.run();
+            QVERIFY2(outcome.end == End::Refused
+                    && outcome.reason == "the motor turns the other way: stop it first",
+                qPrintable(support::outcomeText(outcome)));
+            QVERIFY(
+                bench.asked<drive::SpeedRamp>().empty() && bench.asked<drive::Command>().empty());
+        }
+    }
+
+    void onlyStepsGoThroughZeroAndOnlyOfARotorThatIsSeen()
+    {
+        for (const bool seen : {true, false}) {
+            simulation::BoardOptions options;
+            options.motor = seen ? "servo24" : "pm24";
+            const LabBench bench(options, 1);
+            const Subject &subject = bench.experiment.subject;
+            const auto may = [&](const Plan &plan, double before_rpm) {
+                return objectionWhileTurning({plan, subject}, before_rpm).empty();
+            };
+            const StepPlan back{.fromRpm = -2000, .toRpm = -2500};
+            QCOMPARE(may(back, 2000.0), seen);
+            QVERIFY(may(back, -2000.0));
+            SpinPlan spin = otherWay(spinPlanFor(subject, {}));
+            ResponsePlan response = responsePlanFor(subject, {});
+            response.rpm = -response.rpm;
+            for (const Plan &plan : {Plan(spin), Plan(response)}) {
+                QVERIFY(!may(plan, 2000.0));
+                QVERIFY(may(plan, -2000.0));
+            }
+            QVERIFY(inBothDirections({{spin, subject}, {otherWay(spin), subject}}));
+            QVERIFY(!inBothDirections({{spin, subject}, {response, subject}}));
+        }
+    }
+
+    /// A load drives it, as a heavy rotor would go on by itself for longer than is waited for.
+    void aRotorThatStillTurnsTheOtherWayIsNotStarted()
+    {
+        simulation::BoardOptions options = support::servo();
+        options.load = simulation::findPreset("servo24")->load;
+        options.load->drive_nm = 1.5 * simulation::findPreset("servo24")->motor.coulomb_nm;
+        LabBench bench(options, 1);
+        bench.pair.runFor(2s);
+        bench.experiment.plan = otherWay(spinPlanFor(bench.experiment.subject, {}));
+        const Outcome outcome = bench.run();
+        QVERIFY2(
+            outcome.end == End::Refused && outcome.reason == "the motor still turns the other way",
+            qPrintable(support::outcomeText(outcome)));
+        QVERIFY(bench.asked<drive::Command>().empty());
     }
 
     /// Out of torque control, on a line whose answers come late: by way of the speed of before it would be braked.
