@@ -42,6 +42,9 @@ Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<l
     const auto path = record(subject, plans);
     if (!path)
         return tl::make_unexpected(path.error());
+    // It takes this thread, which on a slow computer would be taken for one that froze: the guardian would stop a motor
+    // that goes on.
+    m_desk.talk.close();
     return evaluate(*path, recordingName(m_path, m_kept), m_desk.out);
 }
 
