@@ -355,6 +355,23 @@ MechanicalRows rowsOf(std::span<const Segment> segments, const MechanicalFacts &
     return rows;
 }
 
+/// What of the run is not as it was meant. @param both  whether both directions were evaluated
+void noteRun(Mechanics &found, const DrivenRun &run, bool both, int motor, const Happenings &after)
+{
+    if (std::ranges::any_of(run.spans,
+            [&](const DrivenSpan &span) { return beganSwinging(after, motor, span.from); }))
+        found.notes.emplace_back(
+            "the speed did not come to rest before the first torque: its speed loop swings");
+    if (run.ofTwo && !both)
+        found.notes.emplace_back("it was driven in one of its two directions only");
+    noteGaps(found.notes, run.missing_s);
+    noteEnd(found.notes, run.spans.back().over, run.spans.back().reason);
+    constexpr double kNoticed_s = 0.02;
+    if (run.stood_s > kNoticed_s)
+        found.notes.push_back("the rotor nearly stood still for " + decimalText(run.stood_s, 2)
+            + " s: that time was left out");
+}
+
 } // namespace
 
 bool isOtherWay(const recorded::Happening &what, const Recorded<SpinPlan> &of)
@@ -439,19 +456,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     for (const double torque : rows.wanted)
         squares += torque * torque;
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
-    if (std::ranges::any_of(run.spans, [&, &plan = plan, &after = after](const DrivenSpan &span) {
-            return beganSwinging(after, plan->motor, span.from);
-        }))
-        found.notes.emplace_back(
-            "the speed did not come to rest before the first torque: its speed loop swings");
-    if (run.ofTwo && !both)
-        found.notes.emplace_back("it was driven in one of its two directions only");
-    noteGaps(found.notes, run.missing_s);
-    noteEnd(found.notes, run.spans.back().over, run.spans.back().reason);
-    constexpr double kNoticed_s = 0.02;
-    if (run.stood_s > kNoticed_s)
-        found.notes.push_back("the rotor nearly stood still for " + decimalText(run.stood_s, 2)
-            + " s: that time was left out");
+    noteRun(found, run, both, plan->motor, after);
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;
     if (lost > kMany)
