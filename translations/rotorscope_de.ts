@@ -6356,6 +6356,11 @@
         <comment>inertia</comment>
         <translation>%1 vorwärts, %2 rückwärts.</translation>
     </message>
+    <message>
+        <source>beside it %1 that is always there; above 0 it hinders forwards</source>
+        <comment>torque</comment>
+        <translation>daneben %1, das immer da ist; über 0 hemmt es vorwärts</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotorForm</name>

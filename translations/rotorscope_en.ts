@@ -6355,6 +6355,11 @@
         <comment>inertia</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>beside it %1 that is always there; above 0 it hinders forwards</source>
+        <comment>torque</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotorForm</name>

@@ -99,7 +99,12 @@ void MotorFindings::accept(const lab::Mechanics &found, bool /*complete*/)
     }
     set(Inertia, found.inertia_kgm2, note);
     set(Viscous, found.viscous_nms, {});
-    set(Dry, found.dry_nm, {});
+    const QString always = found.both
+        ? tr("beside it %1 that is always there; above 0 it hinders forwards", "torque")
+              .arg(
+                  figure(Dry, found.both->always_nm.value, lab::lastPlaceOf(found.both->always_nm)))
+        : QString();
+    set(Dry, found.dry_nm, always);
     set(Fan, found.fan ? std::optional(found.fan_nms2) : std::nullopt,
         found.fan ? tr("a motor file does not hold it")
                   : tr("none seen; at most %1")

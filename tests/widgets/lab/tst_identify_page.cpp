@@ -109,15 +109,18 @@ private Q_SLOTS:
         lab::Mechanics mechanics;
         mechanics.inertia_kgm2 = {2.4e-5, 2.38e-5, 2.42e-5};
         findings.accept(mechanics);
-        const auto note = [&] {
-            return findings.index(Findings::Inertia, Findings::NoteColumn)
+        const auto note = [&](Findings::Row row = Findings::Inertia) {
+            return findings.index(row, Findings::NoteColumn)
                 .data()
                 .toString()
                 .replace(QChar(0x202f), u' ');
         };
         QVERIFY2(!note().contains(QLatin1String("forwards")), qPrintable(note()));
-        mechanics.both = {{2.38e-5, 2.36e-5, 2.40e-5}, {2.42e-5, 2.40e-5, 2.44e-5}, {}};
+        mechanics.both = {
+            {2.38e-5, 2.36e-5, 2.40e-5}, {2.42e-5, 2.40e-5, 2.44e-5}, {-3.2e-3, -3.4e-3, -3.0e-3}};
         findings.accept(mechanics);
+        QVERIFY2(note(Findings::Dry).contains(QStringLiteral("-3.20 mN m that is always there")),
+            qPrintable(note(Findings::Dry)));
         QVERIFY2(note().startsWith(
                      QStringLiteral("238.0 g cm\u00b2 forwards, 242.0 g cm\u00b2 backwards.")),
             qPrintable(note()));
