@@ -1542,10 +1542,6 @@
         <translation>Dieses Board meldet die Drehzahl seines Motors nicht.</translation>
     </message>
     <message>
-        <source>this board records nothing by itself, and only steps of the speed are told from values that are read one after the other</source>
-        <translation>dieses Board zeichnet selbst nichts auf, und aus Werten, die nacheinander gelesen werden, lassen sich nur Drehzahlsprünge auswerten</translation>
-    </message>
-    <message>
         <source>nothing tells its current in A, so that none could be held against your limit: say what the full scale of its currents is</source>
         <translation>nichts sagt seinen Strom in A, sodass keiner an Ihrer Grenze gemessen werden könnte: die volle Skala seiner Ströme angeben</translation>
     </message>
@@ -1612,6 +1608,30 @@
     <message>
         <source>the motor still turns the other way</source>
         <translation>der Motor dreht sich noch andersherum</translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself: only steps of the speed, inertia and friction are told from values that are read one after the other</source>
+        <translation>dieses Board zeichnet selbst nichts auf: nur Drehzahlsprünge, Trägheit und Reibung folgen aus nacheinander gelesenen Werten</translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself: inductances are not told from values that are read one after the other</source>
+        <translation>dieses Board zeichnet selbst nichts auf: aus nacheinander gelesenen Werten folgen keine Induktivitäten</translation>
+    </message>
+    <message>
+        <source>nothing tells its current in A, and so no torque: say what the full scale of its currents is</source>
+        <translation>nichts sagt seinen Strom in A, also auch kein Drehmoment: geben Sie den Vollausschlag seiner Ströme an</translation>
+    </message>
+    <message>
+        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux</source>
+        <translation>nichts sagt, welches Drehmoment ein Ampere erzeugt: es folgt aus Polpaarzahl und Fluss</translation>
+    </message>
+    <message>
+        <source>its ramps take %1 s</source>
+        <translation>seine Rampen dauern %1 s</translation>
+    </message>
+    <message>
+        <source>its speed and current were read one after the other, and its torques are counted by what was given for an ampere</source>
+        <translation>Drehzahl und Strom wurden nacheinander gelesen, und die Drehmomente sind nach dem gerechnet, was für ein Ampere angegeben wurde</translation>
     </message>
 </context>
 <context>
@@ -2974,6 +2994,10 @@
     <message>
         <source>Backwards, for %1: its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
         <translation>Rückwärts, %1 lang: Sein Drehmoment treibt ihn an oder lässt ihn auslaufen, zwischen %2 und %3; gebremst wird er nie.</translation>
+    </message>
+    <message>
+        <source>For %1 ramps lead it from %2 to %3 and back.</source>
+        <translation>%1 lang führen Rampen ihn von %2 auf %3 und zurück.</translation>
     </message>
 </context>
 <context>

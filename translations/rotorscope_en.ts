@@ -1542,10 +1542,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>this board records nothing by itself, and only steps of the speed are told from values that are read one after the other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>nothing tells its current in A, so that none could be held against your limit: say what the full scale of its currents is</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1611,6 +1607,30 @@
     </message>
     <message>
         <source>the motor still turns the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself: only steps of the speed, inertia and friction are told from values that are read one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board records nothing by itself: inductances are not told from values that are read one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells its current in A, and so no torque: say what the full scale of its currents is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its ramps take %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its speed and current were read one after the other, and its torques are counted by what was given for an ampere</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2973,6 +2993,10 @@
     </message>
     <message>
         <source>Backwards, for %1: its torque drives it or lets it coast, between %2 and %3; it is never braked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For %1 ramps lead it from %2 to %3 and back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -54,9 +54,10 @@ milliseconds lengthOf(const Experiment &experiment)
 
 std::string objectionTo(const Experiment &experiment)
 {
-    if (experiment.subject.polled && !std::holds_alternative<StepPlan>(experiment.plan))
-        return "this board records nothing by itself, and only steps of the speed are told from "
-               "values that are read one after the other";
+    if (experiment.subject.polled && !std::holds_alternative<StepPlan>(experiment.plan)
+        && !std::holds_alternative<SpinPlan>(experiment.plan))
+        return "this board records nothing by itself: only steps of the speed, inertia and "
+               "friction are told from values that are read one after the other";
     const std::string own = std::visit(
         [&](const auto &plan) { return objectionTo(plan, experiment.subject); }, experiment.plan);
     if (!own.empty())

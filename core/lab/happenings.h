@@ -6,6 +6,7 @@
 #include "capture/capture.h"
 #include "recorded/entry.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,14 @@ const capture::Channel *fastChannel(const capture::Capture &capture, const std::
 const capture::Channel *polledChannel(
     const capture::Capture &capture, const std::string &name, std::string_view unit);
 
-/// When a motor was driven by currents or torques in an experiment: from the first one to whatever came then.
+/// What drove a motor in an experiment.
+enum class Driven : std::uint8_t {
+    ByTorque, ///< or by currents
+    AtSpeed, ///< by set-points without a ramp
+    ByRamps, ///< of its speed, there and back
+};
+
+/// When a motor was driven so in an experiment: from the first act of that kind to whatever came then.
 struct DrivenSpan {
     Nanos from = 0, to = 0;
     bool over = false; ///< the recording has the experiment's end
@@ -44,10 +52,9 @@ struct DrivenSpan {
 
 /// @param at  behind the plan's entry
 /// @param last  when nothing says that it ended
-/// @param held  at its speed instead, by set-points without a ramp
 /// @return  empty if it was never driven so
 std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
-    Happenings::const_iterator end, Nanos last, bool held = false);
+    Happenings::const_iterator end, Nanos last, Driven how = Driven::ByTorque);
 
 /// Says of what was measured that the experiment ended early, or the recording before it.
 /// @param over, reason  as of a DrivenSpan

@@ -194,16 +194,85 @@ private:
     bool m_over = false;
 };
 
+/// Ramps to and fro.
+class RampCourse : public Course {
+public:
+    RampCourse(const SpinPlan &plan, int motor)
+        : m_plan(plan)
+        , m_motor(motor)
+    {
+    }
+    std::optional<Ask> next(const Moment &moment) override
+    {
+        if (!moment.answered || over())
+            return std::nullopt;
+        if (m_ways > 0 && !std::exchange(m_timed, true)) // from the answer on
+            m_due =
+                moment.now + (m_ways % 2 == 1 ? SpinPlan::kUp : SpinPlan::kDown) + SpinPlan::kHold;
+        if (m_ways > 0 && moment.now < m_due)
+            return std::nullopt;
+        ++m_ways;
+        m_timed = false;
+        if (over())
+            return std::nullopt;
+        const bool up = m_ways % 2 == 1;
+        return drive::SpeedRamp{
+            m_motor, up ? m_plan.highRpm : m_plan.lowRpm, up ? SpinPlan::kUp : SpinPlan::kDown};
+    }
+    TimePoint due() const override { return m_due; }
+    bool over() const override { return m_ways > 2 * (m_plan.length / SpinPlan::kRound); }
+
+private:
+    SpinPlan m_plan;
+    int m_motor;
+    std::int64_t m_ways = 0; ///< asked for, there and back
+    bool m_timed = false; ///< the last one's time runs
+    TimePoint m_due{};
+};
+
+/// Speeds and currents that are read, in a unit that makes torques of them.
+std::string objectionToPolled(const SpinPlan &plan, const Subject &subject)
+{
+    if (plan.fluxAmps != 0.0)
+        return "this board records nothing by itself: inductances are not told from values that "
+               "are read one after the other";
+    if (subject.registers.current == 0)
+        return "nothing tells its current in A, and so no torque: say what the full scale of its "
+               "currents is";
+    if (!(subject.limits.torquePerAmp > 0.0))
+        return "nothing tells which torque an ampere makes: it follows from pole pairs and flux";
+    return {};
+}
+
+std::string objectionToRecorded(const SpinPlan &plan, const Subject &subject)
+{
+    if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
+        return "this board does not record the angle of its rotor";
+    if (!(subject.limits.torquePerAmp > 0.0))
+        return "the board does not tell the strength of the magnets, without which no torque is "
+               "known";
+    if (!(subject.limits.nominalCurrentAmps > 0.0))
+        return "the board does not tell the nominal current of its motor";
+    const double mostAlong = kMostPush * nominalOf(subject, plan.caps);
+    if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > mostAlong)
+        return "at most " + decimalText(mostAlong, 3) + " A flow along the magnets";
+    if (plan.fluxAmps > 0.0 && (subject.registers.voltage == 0 || subject.registers.currentD == 0))
+        return "this board does not record its voltage and both of its currents";
+    return {};
+}
+
 } // namespace
 
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
-    const double high = kHighShare * allowed, observed = subject.leastObservedRpm();
+    const double high = kHighShare * allowed, observed = subject.leastObservedRpm(caps.maxSpeedRpm);
     const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
     return {.lowRpm = static_cast<int>(std::lround(low)),
         .highRpm = static_cast<int>(std::lround(high)),
-        .length = byHall(subject.nameOf(subject.registers.angle)) ? kLength : kSlowLength,
+        .length = subject.polled                              ? 5 * SpinPlan::kRound
+            : byHall(subject.nameOf(subject.registers.angle)) ? kLength
+                                                              : kSlowLength,
         .caps = caps};
 }
 
@@ -228,18 +297,12 @@ SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
 
 std::string objectionTo(const SpinPlan &plan, const Subject &subject)
 {
-    if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
-        return "this board does not record the angle of its rotor";
-    if (!(subject.limits.torquePerAmp > 0.0))
-        return "the board does not tell the strength of the magnets, without which no torque is "
-               "known";
-    if (!(subject.limits.nominalCurrentAmps > 0.0))
-        return "the board does not tell the nominal current of its motor";
-    const double mostAlong = kMostPush * nominalOf(subject, plan.caps);
-    if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > mostAlong)
-        return "at most " + decimalText(mostAlong, 3) + " A flow along the magnets";
-    if (plan.fluxAmps > 0.0 && (subject.registers.voltage == 0 || subject.registers.currentD == 0))
-        return "this board does not record its voltage and both of its currents";
+    if (std::string why =
+            subject.polled ? objectionToPolled(plan, subject) : objectionToRecorded(plan, subject);
+        !why.empty())
+        return why;
+    if (subject.polled && plan.length < SpinPlan::kRound)
+        return "its ramps take " + decimalText(toSeconds(SpinPlan::kRound), 3) + " s";
     if (plan.length < 1s || plan.length > 30s)
         return "it takes 1 to 30 s";
     const bool sameSign = (plan.lowRpm > 0) == (plan.highRpm > 0);
@@ -260,7 +323,11 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length,
-        .steady = plan.fluxAmps > 0.0};
+        .steady = plan.fluxAmps > 0.0 || subject.polled};
+    if (subject.polled) {
+        conditions.recorded = {registers.speed, registers.current};
+        return conditions;
+    }
     if (plan.fluxAmps > 0.0) {
         // At the full rate of the control loop, which leaves room for no more.
         conditions.recorded = {
@@ -279,6 +346,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 {
+    if (subject.polled)
+        return std::make_unique<RampCourse>(plan, subject.motor);
     return std::make_unique<SpinCourse>(plan, subject);
 }
 
@@ -290,7 +359,7 @@ double leastTurning_degPerS(const Recorded<SpinPlan> &spin)
 
 bool usable(const Recorded<SpinPlan> &found)
 {
-    return found.polePairs > 0.0 && found.torquePerAmp > 0.0;
+    return (found.angle.empty() || found.polePairs > 0.0) && found.torquePerAmp > 0.0;
 }
 
 } // namespace lab

@@ -4,6 +4,10 @@
 // taken away, follow from how it went before: a way from one speed to the other takes some tenths of a second, so that
 // the link is fast enough to end it. With currents along the magnets beside them, inductances follow from the same
 // course.
+//
+// Of a board that records nothing by itself the speed is led up and down between them by ramps instead, while speed and
+// current are read as often as the link gives: up fast, which takes current for the inertia, down slowly, which brakes
+// nothing that friction does not brake anyhow.
 #pragma once
 
 #include "lab/course.h"
@@ -16,6 +20,9 @@ namespace lab {
 struct SpinPlan {
     static constexpr const char *kEntry = "spin plan"; ///< of its recording
     static constexpr milliseconds kListen{300}; ///< to what holds the first speed
+    /// Of a board that records nothing: its ramps, and how long their ends are held.
+    static constexpr milliseconds kUp{1500}, kDown{3000}, kHold{500};
+    static constexpr milliseconds kRound = kUp + kDown + 2 * kHold;
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000}; ///< spinPlanFor() says a longer one for most motors
     milliseconds approach = kApproach;

@@ -155,7 +155,7 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     return found;
 }
 
-Result<Subject, std::string> stepSubjectOf(const drive::Identified &board, int motor)
+Result<Subject, std::string> pollableSubjectOf(const drive::Identified &board, int motor)
 {
     using drive::Feature;
     if (!(board.streaming.readsPerSecond > 0.0)) // else what is drawn is read as often as it goes

@@ -52,8 +52,8 @@ struct Subject {
 
 /// The motor of this number; or why nothing can be measured with this board, in a sentence.
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor);
-/// The same for steps of the speed: of a board that records nothing, and whose registers are read one after the other
-/// as often as the line gives, they are told from these.
-Result<Subject, std::string> stepSubjectOf(const drive::Identified &board, int motor);
+/// The same for what polled values tell as well, steps of the speed and the mechanics: a board that records nothing
+/// will do, whose registers are read one after the other as often as the line gives.
+Result<Subject, std::string> pollableSubjectOf(const drive::Identified &board, int motor);
 
 } // namespace lab

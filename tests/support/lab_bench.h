@@ -55,7 +55,7 @@ struct LabBench {
         : pair(true, options, seed)
         , restorer(capture)
     {
-        const auto subject = pair.ready ? lab::stepSubjectOf(*pair.identified, 1)
+        const auto subject = pair.ready ? lab::pollableSubjectOf(*pair.identified, 1)
                                         : Result<lab::Subject, std::string>(fail(std::string()));
         if (subject)
             experiment.subject = *subject;

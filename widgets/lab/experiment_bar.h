@@ -79,7 +79,7 @@ public:
     /// Its page says why none can begin now: the sentence leaves that out.
     void leaveOutObstacle() { m_saysObstacle = false; }
     /// Whether its runs are nothing but steps of the speed, for which polled values do.
-    void setSpeedStepsOnly(bool only) { m_speedSteps = only; }
+    void setPollable(bool pollable) { m_pollable = pollable; }
 
     void run(int which); ///< as its button does
     /// The same without a press, for what was agreed to along with the run before; false: it does not begin, as behind
@@ -106,7 +106,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    QString obstacle() const { return m_parts.experiments.obstacle(m_speedSteps); }
+    QString obstacle() const { return m_parts.experiments.obstacle(m_pollable); }
     void fold();
     bool fits(const QString &text, int width) const;
     QString sentence() const;
@@ -126,7 +126,7 @@ private:
     std::vector<Button> m_buttons;
     std::vector<MotorButton *> m_runs;
     Look m_look;
-    bool m_saysObstacle = true, m_speedSteps = false;
+    bool m_saysObstacle = true, m_pollable = false;
     QPointer<QDialog> m_question;
     QTimer m_patience; ///< with what is being written before a run
     int m_which = -1; ///< that is waited for, is running or is being evaluated

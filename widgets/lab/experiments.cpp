@@ -31,22 +31,22 @@ void Experiments::forgetAgreement()
     Q_EMIT agreementEnded();
 }
 
-Result<lab::Subject, QString> Experiments::subject(bool speedSteps) const
+Result<lab::Subject, QString> Experiments::subject(bool pollable) const
 {
     if (!m_device.answering() || !m_device.identified())
         return fail(motionAllowed(m_device, drive::Feature::SpeedRamp).why);
-    const auto find = speedSteps ? lab::stepSubjectOf : lab::subjectOf;
+    const auto find = pollable ? lab::pollableSubjectOf : lab::subjectOf;
     auto found = find(*m_device.identified(), m_device.motor());
     if (!found)
         return fail(labText(found.error()));
     return *found;
 }
 
-QString Experiments::obstacle(bool speedSteps) const
+QString Experiments::obstacle(bool pollable) const
 {
     if (running())
         return tr("An experiment is running.");
-    const auto motor = subject(speedSteps);
+    const auto motor = subject(pollable);
     if (!motor)
         return motor.error();
     if (!m_device.expert(m_device.motor()) && !drive::gapsIn(motor->limits).empty())

@@ -43,10 +43,10 @@ public:
         QObject *parent = nullptr);
 
     /// The motor that is shown; or why nothing can be measured with it, whatever it does.
-    /// @param speedSteps  nothing but steps of its speed, for which polled values do
-    Result<lab::Subject, QString> subject(bool speedSteps = false) const;
+    /// @param pollable  nothing but what polled values tell as well
+    Result<lab::Subject, QString> subject(bool pollable = false) const;
     /// Why none can begin now; one sentence, empty if one can.
-    QString obstacle(bool speedSteps = false) const;
+    QString obstacle(bool pollable = false) const;
     /// Whether the user has agreed to such a one within its caps. @param before_rpm  as capsOf() has it
     bool agreed(const lab::Experiment &experiment, double before_rpm) const;
     void agree(const lab::Experiment &experiment, double before_rpm);

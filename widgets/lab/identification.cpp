@@ -71,9 +71,11 @@ Result<ExperimentBar::Run, QString> Identification::electricalRun()
 
 Result<ExperimentBar::Run, QString> Identification::mechanicalRun(bool bothWays)
 {
-    const auto subject = m_experiments.subject();
+    auto subject = m_experiments.subject(true);
     if (!subject)
         return fail(subject.error());
+    if (!(subject->limits.torquePerAmp > 0.0))
+        subject->limits.torquePerAmp = m_findings.torqueConstant_nm();
     const lab::SpinPlan plan = lab::spinPlanFor(*subject, m_device.userLimits());
     ExperimentBar::Run run{
         {{plan, *subject}}, evaluation<lab::Mechanics>(subject->motor, &lab::evaluateMechanics)};

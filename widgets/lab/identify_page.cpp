@@ -37,6 +37,7 @@ void IdentifyPage::makeTable()
 
 void IdentifyPage::makeBar()
 {
+    m_bar->setPollable(true);
     m_bar->add({tr("E&lectrical"), "electricalRun",
         tr("Measures resistance and dead time at rest, then inductances and flux while it turns; "
            "then the motor is as it was."),

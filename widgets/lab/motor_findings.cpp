@@ -144,6 +144,11 @@ motor::MotorSheet MotorFindings::measured() const
     return sheet;
 }
 
+double MotorFindings::torqueConstant_nm() const
+{
+    return 1.5 * m_file.polePairs.value_or(0.0) * m_file.flux_wb.value_or(0.0);
+}
+
 bool MotorFindings::any() const
 {
     const motor::MotorSheet sheet = measured();

@@ -38,6 +38,8 @@ public:
     void setKnown(const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file);
     double measured(Row row) const { return m_rows[row].value.value_or(lab::Estimate{}).value; }
     motor::MotorSheet measured() const; ///< only that
+    /// N m for an ampere of Iq, by pole pairs and flux of the motor file; 0: it does not tell both.
+    double torqueConstant_nm() const;
     const std::optional<lab::Estimate> &estimate(Row row) const { return m_rows[row].value; }
     bool any() const; ///< something was measured that a motor file holds
 

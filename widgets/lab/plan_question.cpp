@@ -41,10 +41,13 @@ QString stepWords(const lab::StepPlan &plan)
         .arg(rpmText(plan.toRpm), rpmText(plan.fromRpm), msText(plan.hold));
 }
 
-QString spinWords(const lab::SpinPlan &plan)
+QString spinWords(const lab::SpinPlan &plan, const lab::Subject &subject)
 {
     const QString length = secondsText(plan.length);
     const QString low = rpmText(plan.lowRpm), high = rpmText(plan.highRpm);
+    if (subject.polled)
+        return PlanQuestion::tr("For %1 ramps lead it from %2 to %3 and back.")
+            .arg(length, low, high);
     if (plan.highRpm < 0 && !(plan.fluxAmps > 0.0))
         return PlanQuestion::tr("Backwards, for %1: its torque drives it or lets it coast, between "
                                 "%2 and %3; it is never braked.")
@@ -91,7 +94,7 @@ QString workWords(const lab::Experiment &experiment)
 {
     return std::visit(
         Overloaded{[](const lab::StepPlan &plan) { return stepWords(plan); },
-            [](const lab::SpinPlan &plan) { return spinWords(plan); },
+            [&](const lab::SpinPlan &plan) { return spinWords(plan, experiment.subject); },
             [](const lab::ResponsePlan &plan) { return responseWords(plan); },
             [&](const lab::RestPlan &plan) { return restWords(plan, experiment.subject); },
             [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); },
@@ -254,6 +257,8 @@ public:
                                       }
                               },
                        [&](const lab::SpinPlan &plan) {
+                           if (experiment.subject.polled)
+                               return ramps(plan);
                            swing(plan.lowRpm, plan.highRpm, plan.length, 0.25, 0.25);
                        },
                        [&](const lab::ResponsePlan &plan) {
@@ -286,6 +291,16 @@ private:
             if (way_s < held_s)
                 to(up ? high : low, held_s - way_s);
         }
+    }
+    void ramps(const lab::SpinPlan &plan)
+    {
+        using lab::SpinPlan;
+        for (auto left = plan.length / SpinPlan::kRound; left > 0; --left)
+            for (const auto &[rpm, way] :
+                {std::pair(plan.highRpm, SpinPlan::kUp), std::pair(plan.lowRpm, SpinPlan::kDown)}) {
+                to(rpm, secondsOf(way));
+                to(rpm, secondsOf(SpinPlan::kHold));
+            }
     }
     SpeedPlan &m_into;
     double m_at = 0.0;

@@ -134,7 +134,7 @@ void StepPage::makeBar()
     run.settled = [this] { return gains().settled(); };
     m_bar->add(std::move(run));
     m_bar->setLook(progress);
-    m_bar->setSpeedStepsOnly(true);
+    m_bar->setPollable(true);
     m_reference = named(new QPushButton(tr("Reference"), m_bar), "stepReference");
     m_reference->setToolTip(tr("The others show their difference to the chosen series (Enter)"));
     m_remove = named(new QPushButton(tr("Remove"), m_bar), "stepRemove");
@@ -201,7 +201,7 @@ void StepPage::kindChanged()
 {
     for (SpeedGains *of : m_gains)
         of->setWanted(of == &gains());
-    m_bar->setSpeedStepsOnly(m_fields->kind() == StepKind::Speed);
+    m_bar->setPollable(m_fields->kind() == StepKind::Speed);
     Q_EMIT watchedRegistersChanged();
     showResults();
     m_bar->refresh();

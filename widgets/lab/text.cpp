@@ -140,8 +140,20 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "There is no such motor."),
     QT_TRANSLATE_NOOP("Lab", "This board does not tell the speed of its motor."),
     QT_TRANSLATE_NOOP("Lab",
-        "this board records nothing by itself, and only steps of the speed are told from values "
-        "that are read one after the other"),
+        "this board records nothing by itself: only steps of the speed, inertia and friction are "
+        "told from values that are read one after the other"),
+    QT_TRANSLATE_NOOP("Lab",
+        "this board records nothing by itself: inductances are not told from values that are read "
+        "one after the other"),
+    QT_TRANSLATE_NOOP("Lab",
+        "nothing tells its current in A, and so no torque: say what the full scale of its currents "
+        "is"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "nothing tells which torque an ampere makes: it follows from pole pairs and flux"),
+    QT_TRANSLATE_NOOP("Lab", "its ramps take %1 s"),
+    QT_TRANSLATE_NOOP("Lab",
+        "its speed and current were read one after the other, and its torques are counted by what "
+        "was given for an ampere"),
     QT_TRANSLATE_NOOP("Lab",
         "nothing tells its current in A, so that none could be held against your limit: say what "
         "the full scale of its currents is"),

@@ -8,14 +8,35 @@ namespace {
 
 constexpr QLatin1String kMechanical("mechanical"), kElectrical("electrical");
 
+/// With what an ampere is worth where the board does not tell it.
+Outcome<lab::Subject> subjectOf(const Desk &desk, const ExperimentRun &run, bool mechanical)
+{
+    auto subject = run.subject(mechanical);
+    const double given_nm = desk.arguments.torqueConstant_nm;
+    if (subject && subject->polled && subject->registers.current != 0 && given_nm == 0.0)
+        return failure(kRefused,
+            QStringLiteral("This board does not tell which torque an ampere makes: give it with "
+                           "--torque-constant."));
+    if (!subject || given_nm == 0.0)
+        return subject;
+    if (subject->limits.torquePerAmp > 0.0)
+        return failure(kRefused,
+            QStringLiteral("This board tells its torque constant, %1 N m/A: leave "
+                           "--torque-constant out.")
+                .arg(QString::number(subject->limits.torquePerAmp, 'g', 3)));
+    subject->limits.torquePerAmp = given_nm;
+    return subject;
+}
+
 Outcome<int> runIdentify(Desk &desk)
 {
     ExperimentRun run(desk);
-    const auto subject = run.subject();
+    const bool mechanical = desk.arguments.words.first() == kMechanical;
+    const auto subject = subjectOf(desk, run, mechanical);
     if (!subject)
         return tl::make_unexpected(subject.error());
     const drive::UserLimits &limits = desk.arguments.limits;
-    if (desk.arguments.words.first() == kMechanical) {
+    if (mechanical) {
         const lab::SpinPlan plan = lab::spinPlanFor(*subject, limits);
         return desk.arguments.bothDirections ? run.run(*subject, {plan, lab::otherWay(plan)})
                                              : run.run(*subject, {plan});
@@ -24,11 +45,14 @@ Outcome<int> runIdentify(Desk &desk)
         *subject, {lab::restPlanFor(*subject, limits), lab::fluxPlanFor(*subject, limits)});
 }
 
-constexpr const char *kBothDirections = "both-directions";
+constexpr const char *kBothDirections = "both-directions", *kTorqueConstant = "torque-constant";
 constexpr OptionText kIdentifyOptions[] = {
     {kBothDirections, "",
         "Of mechanical: backwards, too, each from rest, which tells friction from a torque that is "
         "always there."},
+    {kTorqueConstant, "NM",
+        "Of mechanical, for boards that do not tell it: torque in N m for an ampere of Iq, which "
+        "is 1.5 x pole pairs x flux."},
     kRunOption,
 };
 
@@ -42,6 +66,13 @@ Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
     arguments.bothDirections = given.has(kBothDirections);
     if (arguments.bothDirections && what != kMechanical)
         return usage(QStringLiteral("--both-directions is for identify mechanical."));
+    if (given.has(kTorqueConstant)) {
+        const auto number = plainNumber(given.value(kTorqueConstant));
+        if (what != kMechanical || !number || !(*number > 0.0))
+            return usage(QStringLiteral("--torque-constant is a number of N m above 0, with a "
+                                        "point, of identify mechanical."));
+        arguments.torqueConstant_nm = *number;
+    }
     return readRunFile(given, arguments);
 }
 

@@ -27,9 +27,9 @@ ExperimentRun::ExperimentRun(Desk &desk, const QString &file)
 {
 }
 
-Outcome<lab::Subject> ExperimentRun::subject(bool speedSteps) const
+Outcome<lab::Subject> ExperimentRun::subject(bool pollable) const
 {
-    const auto find = speedSteps ? lab::stepSubjectOf : lab::subjectOf;
+    const auto find = pollable ? lab::pollableSubjectOf : lab::subjectOf;
     auto found = find(m_desk.board, m_desk.arguments.motor);
     if (!found)
         return failure(

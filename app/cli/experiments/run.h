@@ -21,8 +21,8 @@ public:
     }
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
-    /// @param speedSteps  nothing but steps of its speed, for which polled values do
-    Outcome<lab::Subject> subject(bool speedSteps = false) const;
+    /// @param pollable  nothing but what polled values tell as well
+    Outcome<lab::Subject> subject(bool pollable = false) const;
     /// One after the other, each from where the motor was before, as long as nothing is left on the board; in one
     /// recording. A motor that runs is stopped for what is measured at rest, and runs again behind all of them.
     /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end

@@ -5,6 +5,7 @@
 #include "lab/evaluation/segments.h"
 #include "lab/happenings.h"
 #include "lab/maths/least_squares.h"
+#include "scope/sample_range.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,10 @@ namespace lab {
 namespace {
 
 constexpr double kEdge_s = 5e-3; ///< to either side of an instant, for its speed
+constexpr double kReadEdge_s = 25e-3; ///< the same of speeds that were read one after the other
+/// A speed that a board tells by itself is a mean of some milliseconds, by Hall sensors of a turn, and was read at
+/// another time than the current. Friction that grows with the speed is taken for inertia meanwhile.
+constexpr double kReadLag_s = 20e-3;
 constexpr double kLeastTime_s = 3.0;
 /// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and
 /// scales to a few parts in a thousand.
@@ -33,6 +38,8 @@ double fluxOf(const Recorded<SpinPlan> &spin) { return spin.torquePerAmp / (1.5 
 double edgeOf(const Recorded<SpinPlan> &spin)
 {
     constexpr double kHalf = 30.0; // of a minute, in s
+    if (spin.angle.empty())
+        return kReadEdge_s;
     const double turns = std::max(1, std::abs(spin.plan.lowRpm)) * spin.polePairs;
     return byHall(spin.angle) ? kEdge_s * std::ceil(kHalf / turns / kEdge_s) : kEdge_s;
 }
@@ -317,18 +324,60 @@ struct DrivenRun {
     std::size_t ofFirst = 0; ///< so many of these are of the first direction
     double stood_s = 0.0, missing_s = 0.0;
     bool ofTwo = false; ///< the other direction was to follow
+    bool ofReads = false; ///< nothing was recorded at the rate of the control loop
 };
 
-DrivenRun drivenRun(const capture::Capture &capture, const capture::Channel &angle,
+/// Its signals.
+struct SpinChannels {
+    bool read; ///< one after the other: `turns` is the speed
+    const capture::Channel *turns, *current; ///< nullptr: it was not recorded
+    bool whole() const { return turns != nullptr && current != nullptr && !turns->empty(); }
+};
+
+SpinChannels channelsOf(const capture::Capture &capture, const Recorded<SpinPlan> &plan)
+{
+    if (plan.angle.empty())
+        return {true, polledChannel(capture, plan.speed, "rpm"),
+            polledChannel(capture, plan.current, "A")};
+    return {false, fastChannel(capture, plan.angle), fastChannel(capture, plan.current)};
+}
+
+/// Of the current, in A; of one that was read the least that two values differ by.
+double digitOf(const SpinChannels &channels, Nanos from, Nanos to)
+{
+    if (!channels.read)
+        return std::abs(channels.current->info().digit());
+    double least = 0.0, before = 0.0;
+    scope::SampleRange(*channels.current, from, to).visit([&](double, double value, bool joined) {
+        const double differs = joined ? std::abs(value - before) : 0.0;
+        if (differs > 0.0 && (least == 0.0 || differs < least))
+            least = differs;
+        before = value;
+    });
+    return least;
+}
+
+DrivenRun drivenRun(const capture::Capture &capture, const SpinChannels &channels,
     const Recorded<SpinPlan> &plan, const Happenings &after)
 {
     DrivenRun run;
+    run.ofReads = channels.read;
+    const capture::Channel &turns = *channels.turns;
+    const auto goesUp = [&plan](const Happenings::value_type &one) {
+        return one.second.name == "speed ramp"
+            && std::abs(numberOf(one.second, "rpm").value_or(0.0)) == std::abs(plan.plan.highRpm);
+    };
     const auto add = [&](Happenings::const_iterator at) {
-        const auto span = drivenSpan(plan.motor, at, after.end(), angle.timeOf(angle.end() - 1));
+        if (channels.read) // before it, a motor without a sensor may not have been seen
+            at = std::find_if(at, after.end(), goesUp);
+        const auto span = drivenSpan(plan.motor, at, after.end(), turns.timeOf(turns.end() - 1),
+            channels.read ? Driven::ByRamps : Driven::ByTorque);
         if (!span)
             return;
         run.spans.push_back(*span);
-        const auto all = segmentsOf(angle, signalsOf(capture, plan), span->from, span->to);
+        const auto all = channels.read
+            ? segmentsOfReads(turns, *channels.current, span->from, span->to)
+            : segmentsOf(turns, signalsOf(capture, plan), span->from, span->to);
         const auto turning = whileTurning(all, leastTurning_degPerS(plan), edgeOf(plan));
         run.stood_s += timeOf(all) - timeOf(turning);
         run.missing_s += missingIn(all);
@@ -362,6 +411,9 @@ void noteRun(Mechanics &found, const DrivenRun &run, bool both, int motor, const
             [&](const DrivenSpan &span) { return beganSwinging(after, motor, span.from); }))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
+    if (run.ofReads)
+        found.notes.emplace_back("its speed and current were read one after the other, and its "
+                                 "torques are counted by what was given for an ampere");
     if (run.ofTwo && !both)
         found.notes.emplace_back("it was driven in one of its two directions only");
     noteGaps(found.notes, run.missing_s);
@@ -383,20 +435,22 @@ bool isOtherWay(const recorded::Happening &what, const Recorded<SpinPlan> &of)
 Result<Mechanics, std::string> evaluateMechanics(
     const capture::Capture &capture, const Happenings &asked)
 {
-    const auto [plan, after] = planIn<SpinPlan>(asked);
+    auto [plan, after] = planIn<SpinPlan>(asked);
     if (!plan)
         return fail(std::string("it is no recording of a mechanical identification"));
-    const capture::Channel *angle = fastChannel(capture, plan->angle);
-    const capture::Channel *current = fastChannel(capture, plan->current);
-    if (angle == nullptr || current == nullptr || angle->empty())
+    const SpinChannels channels = channelsOf(capture, *plan);
+    if (!channels.whole())
         return fail(std::string("it holds no samples of the signals that it needs"));
-    DrivenRun run = drivenRun(capture, *angle, *plan, after);
+    if (channels.read)
+        plan->polePairs = 1.0; // its speed is the rotor's
+    DrivenRun run = drivenRun(capture, channels, *plan, after);
     if (run.spans.empty())
         return fail(std::string("the motor was never driven by a torque in it"));
     std::vector<Segment> &segments = run.turning;
     const double edge_s = edgeOf(*plan);
     const double told_wb = fluxOf(*plan);
-    const auto flux = fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
+    const auto flux =
+        channels.read ? std::nullopt : fitFlux(segments, std::max(kFluxWindow_s, 2.0 * edge_s));
     Aside aside;
     // An observer follows voltages itself; Hall sensors are where they were built in, and lag more than they are off.
     if (flux && flux->d && byEncoder(plan->angle)) {
@@ -432,13 +486,18 @@ Result<Mechanics, std::string> evaluateMechanics(
         return fail(
             "this motor changes its speed too fast for its Hall sensors: between two of their "
             "edges their angle is too far from the rotor's to tell a torque");
-    const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
+    const double digit_nm =
+        plan->torquePerAmp * digitOf(channels, run.spans.front().from, run.spans.back().to);
     const double turn_rad = stretches.fastest * plan->polePairs * segments.front().period_s;
     const double unsure = std::hypot(lag, seldomSeen(turn_rad));
     Mechanics found =
         mechanicsOf(*plan, {rows, *plain, *fan, impossible, stretches.fastest, digit_nm, unsure});
     if (unsure > lag)
         found.notes.push_back(seldomSeenNote(turn_rad));
+    if (channels.read)
+        grow(found.inertia_kgm2,
+            kReadLag_s
+                * (found.viscous_nms.value + 2.0 * found.fan_nms2.value * stretches.fastest));
     const Fit &chosen = found.fan ? *fan : *plain;
     if (both) {
         const bool forwards = plan->plan.highRpm > 0;

@@ -58,6 +58,36 @@ void shorten(const capture::Channel &channel, capture::Nanos &from, capture::Nan
     to = std::min(to, channel.timeOf(range.end() - 1) + 1);
 }
 
+/// Values at odd times, and what lies between them.
+class Reads {
+public:
+    Reads(const capture::Channel &channel, capture::Nanos from, capture::Nanos to)
+    {
+        scope::SampleRange(channel, from, to).visit([this](double at_s, double value, bool) {
+            m_all.emplace_back(at_s, value);
+        });
+    }
+    /// Instants that do not fall. Empty: not between two that are close enough.
+    std::optional<double> at(double instant_s)
+    {
+        constexpr double kFarthest_s = 0.1;
+        while (m_next < m_all.size() && m_all[m_next].first <= instant_s)
+            ++m_next;
+        if (m_next == 0 || m_next == m_all.size())
+            return std::nullopt;
+        const auto &[from_s, one] = m_all[m_next - 1];
+        const auto &[to_s, other] = m_all[m_next];
+        if (to_s - from_s > kFarthest_s)
+            return std::nullopt;
+        return one + (other - one) * (instant_s - from_s) / (to_s - from_s);
+    }
+    double end_s() const { return m_all.empty() ? 0.0 : m_all.back().first; }
+
+private:
+    std::vector<std::pair<double, double>> m_all;
+    std::size_t m_next = 0;
+};
+
 } // namespace
 
 double Segment::angle_rad(std::size_t sample) const
@@ -132,6 +162,45 @@ std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::stri
     if (turns == nullptr || std::find(channels.begin(), channels.end(), nullptr) != channels.end())
         return {};
     return segmentsOf(*turns, channels, from, to);
+}
+
+std::vector<Segment> segmentsOfReads(const capture::Channel &speed, const capture::Channel &current,
+    capture::Nanos from, capture::Nanos to)
+{
+    constexpr double kStep_s = 5e-3, kDegPerS = 6.0; // an rpm
+    constexpr std::size_t kLeast = 3;
+    Reads speeds(speed, from, to), currents(current, from, to);
+    std::vector<Segment> segments;
+    Segment now;
+    double before = 0.0;
+    const auto finish = [&] {
+        if (now.turned_deg.size() >= kLeast)
+            segments.push_back(std::move(now));
+        now = {};
+        now.step_s = kStep_s;
+        now.values.resize(1);
+    };
+    finish();
+    constexpr double kLongest_s = 60.0; // of what moves a motor by itself; a file may say years
+    const auto steps = static_cast<std::size_t>(
+        std::min({speeds.end_s(), currents.end_s(), kLongest_s}) / kStep_s);
+    for (std::size_t step = 0; step <= steps; ++step) {
+        const double at_s = static_cast<double>(step) * kStep_s;
+        const auto rpm = speeds.at(at_s), amps = currents.at(at_s);
+        if (!rpm || !amps) {
+            finish();
+            continue;
+        }
+        if (now.turned_deg.empty())
+            now.at = from + capture::toNanos(at_s);
+        now.turned_deg.push_back(now.turned_deg.empty()
+                ? 0.0
+                : now.turned_deg.back() + (before + *rpm) / 2.0 * kDegPerS * kStep_s);
+        now.values[0].push_back(*amps);
+        before = *rpm;
+    }
+    finish();
+    return segments;
 }
 
 double missingIn(const std::vector<Segment> &segments)

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void captureReadsAsFastAsTheLineGives();
     void stepsOfTheSpeedAreEvaluatedFromWhatWasRead();
     void currentsAreInAmpereByAScaleOfOnesOwn();
+    void mechanicsNeedTheTorqueOfAnAmpere();
     void anUnknownProtocolIsWrongUsage();
     void anUnknownSimulatedBoardIsNoPort();
 
@@ -167,6 +168,27 @@ void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
                      .status
                 != 0,
             wrong);
+}
+
+/// What it measures is for tests on virtual time.
+void TestCliOlderBoards::mechanicsNeedTheTorqueOfAnAmpere()
+{
+    const QString legacy =
+        QStringLiteral("--port sim:legacy --protocol legacy identify %1 --expert --max-rpm 3000");
+    const auto ends = [](const QString &line, int status, const char *words) {
+        const CliRun run = typed(line);
+        return run.status == status && run.err.contains(QLatin1String(words));
+    };
+    const QString mechanical = legacy.arg(QStringLiteral("mechanical"));
+    QVERIFY(ends(mechanical, 1, "its current in A"));
+    QVERIFY(ends(mechanical + QStringLiteral(" --full-scale-current 60.175"), 1,
+        "give it with --torque-constant"));
+    QVERIFY(ends(mechanical + QStringLiteral(" --torque-constant 0"), 2, "above 0"));
+    const QString electrical = legacy.arg(QStringLiteral("electrical"));
+    QVERIFY(ends(electrical, 1, "Nothing can be measured"));
+    QVERIFY(ends(electrical + QStringLiteral(" --torque-constant 0.05"), 2, "identify mechanical"));
+    QVERIFY(ends(QStringLiteral("--port sim identify mechanical --torque-constant 0.05"), 1,
+        "tells its torque constant"));
 }
 
 void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()

@@ -1,56 +1,16 @@
 // Steps of the speed on boards that record nothing by themselves: values are read one after the other, and bound what
 // is known of a step as they bound the motor.
+#include "core/lab/older_bench.h"
 #include "fcp/request.h"
 #include "lab/evaluation/finding.h"
-#include "simulation/plant/presets.h"
-#include "support/lab_bench.h"
 
 using lab::End;
 using lab::Nanos;
+using support::OlderBench;
+using support::olderServo;
 using namespace std::chrono_literals;
 
 namespace {
-
-simulation::BoardOptions olderServo(std::uint32_t baud = 115200)
-{
-    simulation::BoardOptions options;
-    options.profile = "legacy";
-    options.baud = baud;
-    options.plant = *simulation::findPreset("servo24");
-    options.plant->inverter.supplyAbsorbs = true; // a step down lifts nothing
-    return options;
-}
-
-/// With what its user says of it: how fast the motor may turn and, where wanted, what its currents are worth.
-struct OlderBench : support::LabBench {
-    explicit OlderBench(
-        const simulation::BoardOptions &options = olderServo(), double fullScale_a = 0.0)
-        : LabBench(options)
-    {
-        if (fullScale_a > 0.0) {
-            pair.submit(drive::CurrentScale{1, fullScale_a});
-            pair.drive->arm();
-            pair.exchange();
-            if (const auto scaled = lab::stepSubjectOf(*pair.identified, 1))
-                experiment.subject = *scaled;
-        }
-        pair.submit(drive::UserLimits{3000.0, 0.0});
-        pair.submit(drive::ExpertMode{1});
-        steps = {.fromRpm = 1000, .toRpm = 2000, .repeat = 1, .caps = {3000.0, 0.0}};
-    }
-    /// Makes its speed loop take four times as long.
-    bool slower()
-    {
-        const auto divide = [this](const char *name, std::int64_t by) {
-            const drive::RegisterId id = pair.id(name);
-            const auto value = static_cast<std::int64_t>(number(id)) / by;
-            const drive::WishId write = pair.submit(drive::Write{{{id, value}}});
-            return value > 0 && pair.runUntilEnded(write)
-                && pair.outcome(write) == drive::Outcome::Ok;
-        };
-        return divide("SPEED_KP", 4) && divide("SPEED_KI", 16);
-    }
-};
 
 constexpr double kHold_s = 0.5, kTook_s = 2e-3;
 
@@ -421,7 +381,7 @@ void TestPolledSteps::aBoardThatDoesNotSayHowItStartsMayHaveNoSensor()
     const std::vector<catalog::Scales> scales(1, silent.catalog->scales(1));
     silent.catalog = std::make_shared<const catalog::Catalog>(
         std::move(registers), 1, scales, silent.catalog->start());
-    const auto subject = lab::stepSubjectOf(silent, 1);
+    const auto subject = lab::pollableSubjectOf(silent, 1);
     QVERIFY2(subject, subject ? "" : subject.error().c_str());
     QVERIFY(!subject->seesRotor());
     QVERIFY(subject->leastObservedRpm(3000.0) > 0.0);
@@ -462,9 +422,10 @@ void TestPolledSteps::nothingElseIsMeasuredFromPolls()
     OlderBench bench;
     QVERIFY(bench.pair.ready);
     QVERIFY(!lab::subjectOf(*bench.pair.identified, 1));
-    QVERIFY(!lab::stepSubjectOf(*bench.pair.identified, 2));
-    for (const lab::Plan &plan : {lab::Plan(lab::SpinPlan()), lab::Plan(lab::ResponsePlan()),
-             lab::Plan(lab::RestPlan()), lab::Plan(lab::CurrentStepPlan())}) {
+    QVERIFY(!lab::pollableSubjectOf(*bench.pair.identified, 2));
+    for (const lab::Plan &plan :
+        {lab::Plan(lab::SpinPlan{.fluxAmps = 1.0}), lab::Plan(lab::ResponsePlan()),
+            lab::Plan(lab::RestPlan()), lab::Plan(lab::CurrentStepPlan())}) {
         bench.experiment.plan = plan;
         QVERIFY(lab::objectionTo(bench.experiment).starts_with("this board records nothing"));
     }

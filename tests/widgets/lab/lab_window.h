@@ -188,18 +188,6 @@ struct OlderBoardWindow {
         QTRY_VERIFY(rig.workbench.device().armed());
         rig.acts.noteArming();
     }
-    /// @param buttons  what runs an experiment  @param sentence  says why it cannot
-    void greyWithTheReason(std::initializer_list<const char *> buttons, const char *sentence)
-    {
-        for (const char *name : buttons) {
-            auto *run = rig.find<QPushButton>(name);
-            QTRY_VERIFY(!run->toolTip().isEmpty());
-            QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
-            QVERIFY(!run->isEnabled());
-        }
-        QVERIFY(!rig.workbench.experiments().obstacle().isEmpty());
-        QCOMPARE(rig.find<QLabel>(sentence)->text(), rig.workbench.experiments().obstacle());
-    }
 };
 
 } // namespace support

@@ -468,11 +468,43 @@ private Q_SLOTS:
         QVERIFY(bench.device().armed());
     }
 
-    void whatABoardCannotDoIsGreyWithTheReason()
+    /// Its mechanics are measured once its user has said what a current is worth; nothing else is.
+    void ofABoardThatRecordsNothingTheRestIsGreyWithTheReason()
     {
         support::OlderBoardWindow old;
         old.open(Qt::Key_I, Qt::ControlModifier);
-        old.greyWithTheReason({"electricalRun", "mechanicalRun"}, "identifySentence");
+        widgets::Device &device = old.rig.workbench.device();
+        const auto grey = [&](const char *name, const QString &why) {
+            const auto *run = old.rig.find<QPushButton>(name);
+            return !run->isEnabled() && run->toolTip().contains(why);
+        };
+        for (const char *name : {"electricalRun", "mechanicalRun"})
+            QTRY_VERIFY(grey(name, QStringLiteral("agree to expert mode")));
+        device.becomeExpert(1);
+        device.setUserLimits({4000.0, 0.0});
+        QTRY_VERIFY(grey("mechanicalRun", QStringLiteral("Arm first.")));
+        old.arm();
+        const auto recorded = old.rig.workbench.experiments().subject();
+        QVERIFY(!recorded);
+        QTRY_VERIFY(grey("electricalRun", recorded.error()));
+        QTRY_VERIFY(grey("mechanicalRun", QStringLiteral("Nothing tells its current in A")));
+        device.setCurrentScale(1, 60.175); // which disarms
+        QTRY_VERIFY(grey("mechanicalRun", QStringLiteral("Arm first.")));
+        old.arm();
+        QTRY_VERIFY2(grey("mechanicalRun", QStringLiteral("Nothing tells which torque")),
+            qPrintable(old.rig.find<QPushButton>("mechanicalRun")->toolTip()));
+    }
+    void theTorqueOfAnAmpereIsTheMotorFiles()
+    {
+        Findings findings;
+        QCOMPARE(findings.torqueConstant_nm(), 0.0);
+        motor::MotorSheet file;
+        file.polePairs = 5.0;
+        findings.setKnown({}, file);
+        QCOMPARE(findings.torqueConstant_nm(), 0.0);
+        file.flux_wb = 6.4e-3;
+        findings.setKnown({}, file);
+        QCOMPARE(findings.torqueConstant_nm(), 0.048);
     }
 };
 

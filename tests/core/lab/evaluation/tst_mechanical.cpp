@@ -1,5 +1,6 @@
 // Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their
 // intervals.
+#include "core/lab/estimate_checks.h"
 #include "core/lab/fast_motor.h"
 #include "core/lab/lost_samples.h"
 #include "lab/evaluation/finding.h"
@@ -86,19 +87,6 @@ PlantParameters hubMotor(double rpm, int polePairs, double inertia_kgm2, double 
     plant.load.constant_nm = brake * 1.5 * polePairs * plant.motor.flux_wb * plant.motor.nominal_a;
     return plant;
 }
-
-#define VERIFY_WITHIN(estimate, truth, percent)                                                    \
-    QVERIFY2(std::abs((estimate).value - (truth)) <= (percent) / 100.0 * (truth),                  \
-        qPrintable(QStringLiteral("%1 is %2 %% off")                                               \
-                       .arg(QLatin1String(#truth))                                                 \
-                       .arg(((estimate).value / (truth)-1.0) * 100.0)))
-#define VERIFY_HOLDS(estimate, truth)                                                              \
-    QVERIFY2(*(estimate).low <= (truth) && (truth) <= *(estimate).high,                            \
-        qPrintable(QStringLiteral("%1: %2 is not in %3 to %4")                                     \
-                       .arg(QLatin1String(#truth))                                                 \
-                       .arg(truth)                                                                 \
-                       .arg(*(estimate).low)                                                       \
-                       .arg(*(estimate).high)))
 
 } // namespace
 

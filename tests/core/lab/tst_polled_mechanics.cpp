@@ -1,0 +1,175 @@
+// Inertia and friction of boards that record nothing by themselves: from speed and current that are read one after the
+// other while ramps lead the motor up and down.
+#include "core/lab/estimate_checks.h"
+#include "core/lab/older_bench.h"
+#include "lab/evaluation/finding.h"
+
+using lab::End;
+using support::OlderBench;
+using support::olderServo;
+
+namespace {
+
+double torqueConstantOf(const simulation::MotorParameters &motor)
+{
+    return 1.5 * motor.polePairs * motor.flux_wb;
+}
+
+/// With what its user says: the full scale of its currents, and what torque an ampere makes.
+struct MechanicsBench : OlderBench {
+    explicit MechanicsBench(const simulation::BoardOptions &options, double mostRpm = 3000.0)
+        : OlderBench(options, options.plant->inverter.maxReadable_a())
+    {
+        pair.submit(drive::UserLimits{mostRpm, 0.0});
+        experiment.subject.limits.torquePerAmp = torqueConstantOf(options.plant->motor);
+        experiment.plan = lab::spinPlanFor(experiment.subject, {mostRpm, 0.0});
+    }
+    Result<lab::Finding, std::string> finding() const
+    {
+        return lab::findingIn(capture, happenings);
+    }
+};
+
+} // namespace
+
+class TestPolledMechanics : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theMechanicsAreThoseOfTheMotor_data();
+    void theMechanicsAreThoseOfTheMotor();
+    void bothDirectionsAreOneRun();
+    void readsThatAreMissingTakeNothingButThemselves();
+    void withoutATorqueNothingIsBegun();
+    void ofAFileThatSaysYearsNothingIsCounted();
+};
+
+void TestPolledMechanics::theMechanicsAreThoseOfTheMotor_data()
+{
+    QTest::addColumn<QByteArray>("motor");
+    QTest::addColumn<quint32>("baud");
+    QTest::addColumn<double>("heavier");
+    QTest::addColumn<bool>("absorbs");
+    QTest::newRow("an encoder") << QByteArray("servo24") << 115200U << 1.0 << false;
+    QTest::newRow("a slow line") << QByteArray("servo24") << 19200U << 1.0 << true;
+    QTest::newRow("a flywheel") << QByteArray("servo24") << 115200U << 8.0 << true;
+    QTest::newRow("no sensor") << QByteArray("pm24") << 115200U << 1.0 << false;
+    QTest::newRow("a blower") << QByteArray("blower36") << 115200U << 1.0 << false;
+}
+
+void TestPolledMechanics::theMechanicsAreThoseOfTheMotor()
+{
+    QFETCH(const QByteArray, motor);
+    QFETCH(const quint32, baud);
+    QFETCH(const double, heavier);
+    QFETCH(const bool, absorbs);
+    simulation::BoardOptions options = olderServo(baud, motor.constData());
+    options.plant->motor.inertia_kgm2 *= heavier;
+    options.plant->inverter.supplyAbsorbs = absorbs;
+    const simulation::PlantParameters truth = *options.plant;
+    MechanicsBench bench(options);
+    QVERIFY(bench.pair.ready);
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY2(!outcome.leaves, outcome.reason.c_str());
+    QCOMPARE(bench.stops, 0);
+    QVERIFY(bench.asked<drive::Stream>().empty() && bench.asked<drive::TorqueRamp>().empty());
+    const auto finding = bench.finding();
+    QVERIFY2(finding, finding ? "" : finding.error().c_str());
+    const auto &found = std::get<lab::Mechanics>(*finding);
+    VERIFY_WITHIN(found.inertia_kgm2, truth.motor.inertia_kgm2, 10.0);
+    VERIFY_HOLDS(found.inertia_kgm2, truth.motor.inertia_kgm2);
+    // In the middle of its speeds, whichever of them the model takes it for.
+    const auto &plan = std::get<lab::SpinPlan>(bench.experiment.plan);
+    const double speed = (plan.lowRpm + plan.highRpm) / 2.0 * 2.0 * 3.14159265 / 60.0;
+    const auto friction = [speed](double dry, double viscous, double fan) {
+        return dry + viscous * speed + fan * speed * speed;
+    };
+    const double held = friction(truth.motor.coulomb_nm + truth.load.constant_nm,
+        truth.motor.viscous_nms, truth.load.fan_nms2);
+    const double told = friction(found.dry_nm.value, found.viscous_nms.value, found.fan_nms2.value);
+    QVERIFY2(std::abs(told / held - 1.0) < 0.1, qPrintable(QString::number(told / held)));
+    QVERIFY(std::ranges::any_of(found.notes, [](const std::string &note) {
+        return note.find("read one after the other") != std::string::npos;
+    }));
+}
+
+void TestPolledMechanics::bothDirectionsAreOneRun()
+{
+    MechanicsBench bench(olderServo());
+    QVERIFY(bench.pair.ready);
+    const auto plan = std::get<lab::SpinPlan>(bench.experiment.plan);
+    for (const lab::SpinPlan &way : {plan, lab::otherWay(plan)}) {
+        bench.experiment.plan = way;
+        VERIFY_END(bench.run(), End::Complete);
+    }
+    QCOMPARE(lab::runsIn(bench.happenings).size(), std::size_t(1));
+    const auto finding = bench.finding();
+    QVERIFY2(finding, finding ? "" : finding.error().c_str());
+    const auto &found = std::get<lab::Mechanics>(*finding);
+    QVERIFY(found.both);
+    const double truth = simulation::findPreset("servo24")->motor.inertia_kgm2;
+    VERIFY_WITHIN(found.inertia_kgm2, truth, 10.0);
+    VERIFY_WITHIN(found.both->forwards_kgm2, truth, 10.0);
+    VERIFY_WITHIN(found.both->backwards_kgm2, truth, 10.0);
+    VERIFY_HOLDS(found.both->always_nm, 0.0);
+}
+
+/// As of a computer that stood still for a second.
+void TestPolledMechanics::readsThatAreMissingTakeNothingButThemselves()
+{
+    MechanicsBench bench(olderServo());
+    QVERIFY(bench.pair.ready);
+    std::optional<double> begun_s;
+    bench.loses = [&](const recorded::Entry &) {
+        const double now_s = toSeconds(bench.pair.now.time_since_epoch());
+        if (!begun_s && !bench.asked<drive::SpeedRamp>().empty())
+            begun_s = now_s;
+        return begun_s && now_s > *begun_s + 10.0 && now_s < *begun_s + 11.0;
+    };
+    VERIFY_END(bench.run(), End::Complete);
+    const auto finding = bench.finding();
+    QVERIFY2(finding, finding ? "" : finding.error().c_str());
+    const auto &found = std::get<lab::Mechanics>(*finding);
+    VERIFY_WITHIN(found.inertia_kgm2, simulation::findPreset("servo24")->motor.inertia_kgm2, 10.0);
+    QVERIFY(std::ranges::any_of(found.notes, [](const std::string &note) {
+        return note.find("are missing in it") != std::string::npos;
+    }));
+}
+
+void TestPolledMechanics::withoutATorqueNothingIsBegun()
+{
+    const simulation::BoardOptions options = olderServo();
+    MechanicsBench bench(options);
+    QVERIFY(bench.pair.ready);
+    bench.experiment.subject.limits.torquePerAmp = 0.0;
+    QVERIFY(lab::objectionTo(bench.experiment).starts_with("nothing tells which torque"));
+    VERIFY_END(bench.run(), End::Refused);
+    QVERIFY(bench.wishes.empty());
+    OlderBench digits(options);
+    QVERIFY(digits.pair.ready);
+    digits.experiment.subject.limits.torquePerAmp = torqueConstantOf(options.plant->motor);
+    digits.experiment.plan = lab::spinPlanFor(digits.experiment.subject, {3000.0, 0.0});
+    QVERIFY(lab::objectionTo(digits.experiment).starts_with("nothing tells its current in A"));
+}
+
+/// Files are foreign.
+void TestPolledMechanics::ofAFileThatSaysYearsNothingIsCounted()
+{
+    capture::Capture capture;
+    constexpr double kYears_s = 3e8;
+    for (const double at_s : {0.0, kYears_s})
+        for (const auto &[id, name, unit] :
+            {std::tuple(7, "SPEED_MEAS", "rpm"), std::tuple(8, "I_Q_MEAS", "A")})
+            capture.appendPolled(static_cast<drive::RegisterId>(id), name, unit, at_s, 1000.0);
+    const lab::Happenings happenings{
+        {0,
+            {lab::SpinPlan::kEntry,
+                {{"motor", "1"}, {"speed", "SPEED_MEAS"}, {"current", "I_Q_MEAS"},
+                    {"torque Nm per A", "0.06"}, {"low rpm", "750"}, {"high rpm", "2100"}}}},
+        {1, {"speed ramp", {{"motor", "1"}, {"rpm", "2100"}, {"ms", "1500"}}}},
+    };
+    QVERIFY(!lab::findingIn(capture, happenings));
+}
+
+QTEST_APPLESS_MAIN(TestPolledMechanics)
+#include "tst_polled_mechanics.moc"
