@@ -1622,16 +1622,32 @@
         <translation>nichts sagt seinen Strom in A, also auch kein Drehmoment: geben Sie den Vollausschlag seiner Ströme an</translation>
     </message>
     <message>
-        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux</source>
-        <translation>nichts sagt, welches Drehmoment ein Ampere erzeugt: es folgt aus Polpaarzahl und Fluss</translation>
-    </message>
-    <message>
         <source>its ramps take %1 s</source>
         <translation>seine Rampen dauern %1 s</translation>
     </message>
     <message>
-        <source>its speed and current were read one after the other, and its torques are counted by what was given for an ampere</source>
-        <translation>Drehzahl und Strom wurden nacheinander gelesen, und die Drehmomente sind nach dem gerechnet, was für ein Ampere angegeben wurde</translation>
+        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux of a motor file</source>
+        <translation>nichts sagt, welches Drehmoment ein Ampere erzeugt: es folgt aus Polpaarzahl und Fluss einer Motordatei</translation>
+    </message>
+    <message>
+        <source>this board does not tell which pole pairs it counts by</source>
+        <translation>dieses Board sagt nicht, mit welcher Polpaarzahl es zählt</translation>
+    </message>
+    <message>
+        <source>an encoder tells this board the turns of its rotor, which say nothing of pole pairs</source>
+        <translation>ein Encoder sagt diesem Board die Umdrehungen des Rotors; daraus folgt keine Polpaarzahl</translation>
+    </message>
+    <message>
+        <source>the motor does not turn: let it run at a constant speed</source>
+        <translation>der Motor dreht sich nicht: lassen Sie ihn mit gleichbleibender Drehzahl laufen</translation>
+    </message>
+    <message>
+        <source>%1 rpm of the board, which counts by %2 pole pairs, and %3 rpm of the shaft make %4, which is no whole number: read both again, at a constant speed</source>
+        <translation>%1 rpm des Boards, das mit %2 Polpaaren zählt, und %3 rpm der Welle ergeben %4, keine ganze Zahl: beide bei gleichbleibender Drehzahl noch einmal ablesen</translation>
+    </message>
+    <message>
+        <source>its speed and current were read one after the other, and its torques are counted by %1 N m for an ampere, as was given</source>
+        <translation>Drehzahl und Strom wurden nacheinander gelesen, und die Drehmomente sind mit %1 N m je Ampere gerechnet, wie angegeben</translation>
     </message>
 </context>
 <context>
@@ -2996,8 +3012,12 @@
         <translation>Rückwärts, %1 lang: Sein Drehmoment treibt ihn an oder lässt ihn auslaufen, zwischen %2 und %3; gebremst wird er nie.</translation>
     </message>
     <message>
-        <source>For %1 ramps lead it from %2 to %3 and back.</source>
-        <translation>%1 lang führen Rampen ihn von %2 auf %3 und zurück.</translation>
+        <source>For %1 ramps lead it from %2 to %3 and back; an ampere is taken for %4.</source>
+        <translation>%1 lang führen Rampen ihn von %2 auf %3 und zurück; ein Ampere zählt als %4.</translation>
+    </message>
+    <message>
+        <source>A ramp down brakes a heavy rotor, which feeds the bus.</source>
+        <translation>Eine Rampe nach unten bremst einen schweren Rotor, was den Zwischenkreis speist.</translation>
     </message>
 </context>
 <context>
@@ -5224,10 +5244,6 @@
         <translation>Misst Widerstand und Totzeit im Stillstand, dann Induktivitäten und Fluss im Lauf; danach ist der Motor wie zuvor.</translation>
     </message>
     <message>
-        <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
-        <translation>Misst Trägheit und Reibung, während der Motor angetrieben wird und ausläuft; danach ist er wie zuvor.</translation>
-    </message>
-    <message>
         <source>&amp;Use in motor file</source>
         <translation>In Motordatei &amp;übernehmen</translation>
     </message>
@@ -5266,6 +5282,26 @@
     <message>
         <source>The mechanics backwards, too, from rest: only that tells friction from a torque that is always there. Not for loads that must not turn backwards, or that turn the motor by themselves.</source>
         <translation>Die Mechanik auch rückwärts, aus dem Stillstand: Nur das unterscheidet Reibung von einem Drehmoment, das immer da ist. Nicht für Lasten, die sich nicht rückwärts drehen dürfen oder den Motor von selbst drehen.</translation>
+    </message>
+    <message>
+        <source>Speed by a tachometer</source>
+        <translation>Drehzahl nach einem Drehzahlmesser</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>For the pole pairs: let the motor run at a constant speed, type what a tachometer reads at its shaft, and press Enter.</source>
+        <translation>Für die Polpaarzahl: den Motor mit gleichbleibender Drehzahl laufen lassen, eingeben, was ein Drehzahlmesser an der Welle anzeigt, und Enter drücken.</translation>
+    </message>
+    <message>
+        <source>By a tach&amp;ometer [rpm]</source>
+        <translation>Na&amp;ch Drehzahlmesser [rpm]</translation>
+    </message>
+    <message>
+        <source>Measures inertia and friction while the motor gets faster and slower; then it is as it was.</source>
+        <translation>Misst Trägheit und Reibung, während der Motor schneller und langsamer wird; danach ist er, wie er war.</translation>
     </message>
 </context>
 <context>
@@ -6384,6 +6420,15 @@
         <source>beside it %1 that is always there; above 0 it hinders forwards</source>
         <comment>torque</comment>
         <translation>daneben %1, das immer da ist; über 0 hemmt es vorwärts</translation>
+    </message>
+    <message>
+        <source>Pole pairs</source>
+        <translation>Polpaare</translation>
+    </message>
+    <message>
+        <source>%1 by a tachometer</source>
+        <comment>pole pairs</comment>
+        <translation>%1 nach einem Drehzahlmesser</translation>
     </message>
 </context>
 <context>

@@ -1622,15 +1622,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>its ramps take %1 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its speed and current were read one after the other, and its torques are counted by what was given for an ampere</source>
+        <source>nothing tells which torque an ampere makes: it follows from pole pairs and flux of a motor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not tell which pole pairs it counts by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an encoder tells this board the turns of its rotor, which say nothing of pole pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor does not turn: let it run at a constant speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rpm of the board, which counts by %2 pole pairs, and %3 rpm of the shaft make %4, which is no whole number: read both again, at a constant speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its speed and current were read one after the other, and its torques are counted by %1 N m for an ampere, as was given</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2996,7 +3012,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For %1 ramps lead it from %2 to %3 and back.</source>
+        <source>For %1 ramps lead it from %2 to %3 and back; an ampere is taken for %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ramp down brakes a heavy rotor, which feeds the bus.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5223,10 +5243,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures inertia and friction while the motor is driven and coasts; then it is as it was.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Use in motor file</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5264,6 +5280,26 @@
     </message>
     <message>
         <source>The mechanics backwards, too, from rest: only that tells friction from a torque that is always there. Not for loads that must not turn backwards, or that turn the motor by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed by a tachometer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the pole pairs: let the motor run at a constant speed, type what a tachometer reads at its shaft, and press Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By a tach&amp;ometer [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures inertia and friction while the motor gets faster and slower; then it is as it was.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6382,6 +6418,15 @@
     <message>
         <source>beside it %1 that is always there; above 0 it hinders forwards</source>
         <comment>torque</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pole pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 by a tachometer</source>
+        <comment>pole pairs</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -106,6 +106,7 @@ struct Arguments {
     AutotuneArguments autotune;
     bool bothDirections = false; ///< of identify mechanical
     double torqueConstant_nm = 0.0; ///< of identify mechanical, for an ampere; 0: not given
+    double tachometer_rpm = 0.0; ///< of pole-pairs
     QString runFile; ///< the recording of an experiment; empty: none is kept
     int runNumber = 0; ///< of evaluate: the one that is meant, from 1; 0: all
     drive::UserLimits limits; ///< --max-rpm and --max-amps

@@ -50,7 +50,7 @@ constexpr OptionText kCyclicOption{"cyclic-setpoints", "",
 
 extern const Command kPorts, kInfo, kRegisters, kGet, kSet, kStart, kStop, kAcknowledge, kRamp,
     kCapture, kSnapshot, kDiff, kRestore, kRevUp, kTorque, kGains, kMotor, kHeader, kShow, kExport,
-    kDecode, kStep, kIdentify, kResponse, kAutotune, kExperiment, kEvaluate;
+    kDecode, kStep, kIdentify, kPolePairs, kResponse, kAutotune, kExperiment, kEvaluate;
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

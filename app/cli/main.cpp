@@ -16,8 +16,8 @@ namespace {
 /// In the order of the help.
 const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, &kStart, &kStop,
     &kAcknowledge, &kRamp, &kCapture, &kSnapshot, &kDiff, &kRestore, &kRevUp, &kTorque, &kGains,
-    &kMotor, &kHeader, &kStep, &kIdentify, &kResponse, &kAutotune, &kExperiment, &kEvaluate, &kShow,
-    &kExport, &kDecode};
+    &kMotor, &kHeader, &kStep, &kIdentify, &kPolePairs, &kResponse, &kAutotune, &kExperiment,
+    &kEvaluate, &kShow, &kExport, &kDecode};
 
 /// The limits that the user has set in the window hold here, too: those of the file are added to the arguments of a
 /// command that can move a motor, which is said on standard error. A file that cannot be read ends such a command,

@@ -69,24 +69,19 @@ const capture::Channel *polledChannel(
     return channelOf(capture, name, capture::ChannelInfo::Kind::Polled, unit);
 }
 
-std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
-    Happenings::const_iterator end, Nanos last, Driven how)
+bool drivesByTorque(const recorded::Happening &what)
 {
-    const auto drivesSo = [how](const recorded::Happening &what) {
-        switch (how) {
-        case Driven::ByTorque:
-            return what.name == "torque ramp" || what.name == "current reference";
-        case Driven::AtSpeed:
-            return what.name == "speed ramp" && numberOf(what, "ms") == 0.0;
-        case Driven::ByRamps:
-            break;
-        }
-        return what.name == "speed ramp";
-    };
+    return what.name == "torque ramp" || what.name == "current reference";
+}
+
+std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
+    Happenings::const_iterator end, Nanos last,
+    const std::function<bool(const recorded::Happening &)> &drives)
+{
     std::optional<DrivenSpan> span;
     for (; at != end; ++at) {
         const auto &[time, what] = *at;
-        if (drivesSo(what) && numberOf(what, "motor") == motor) {
+        if (drives(what) && numberOf(what, "motor") == motor) {
             if (!span)
                 span = DrivenSpan{time, last, false, {}};
         } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"

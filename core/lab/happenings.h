@@ -6,7 +6,7 @@
 #include "capture/capture.h"
 #include "recorded/entry.h"
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,25 +36,23 @@ const capture::Channel *fastChannel(const capture::Capture &capture, const std::
 const capture::Channel *polledChannel(
     const capture::Capture &capture, const std::string &name, std::string_view unit);
 
-/// What drove a motor in an experiment.
-enum class Driven : std::uint8_t {
-    ByTorque, ///< or by currents
-    AtSpeed, ///< by set-points without a ramp
-    ByRamps, ///< of its speed, there and back
-};
-
-/// When a motor was driven so in an experiment: from the first act of that kind to whatever came then.
+/// When a motor was driven in an experiment: from the first act that drives it so to whatever came then.
 struct DrivenSpan {
     Nanos from = 0, to = 0;
     bool over = false; ///< the recording has the experiment's end
     std::string reason; ///< why it ended early; empty: it did not, or nothing says so
 };
 
+/// A torque, or a current.
+bool drivesByTorque(const recorded::Happening &what);
+
 /// @param at  behind the plan's entry
 /// @param last  when nothing says that it ended
+/// @param drives  whether an act does
 /// @return  empty if it was never driven so
 std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
-    Happenings::const_iterator end, Nanos last, Driven how = Driven::ByTorque);
+    Happenings::const_iterator end, Nanos last,
+    const std::function<bool(const recorded::Happening &)> &drives = drivesByTorque);
 
 /// Says of what was measured that the experiment ended early, or the recording before it.
 /// @param over, reason  as of a DrivenSpan

@@ -591,7 +591,7 @@ void Runner::work(TimePoint now)
         m_until = now + kAnswerWithin;
         const auto *to = std::get_if<drive::SpeedRamp>(&*what);
         const double rpm = m_envelope.rpm().value_or(0.0);
-        if (to != nullptr)
+        if (to != nullptr && to->duration <= m_conditions.approach) // slower ones show nothing
             m_braked = std::max(m_braked, rpm * rpm - double(to->rpm) * to->rpm);
         return ask(std::move(*what), now);
     }

@@ -240,7 +240,9 @@ std::string objectionToPolled(const SpinPlan &plan, const Subject &subject)
         return "nothing tells its current in A, and so no torque: say what the full scale of its "
                "currents is";
     if (!(subject.limits.torquePerAmp > 0.0))
-        return "nothing tells which torque an ampere makes: it follows from pole pairs and flux";
+        return "nothing tells which torque an ampere makes: it follows from pole pairs and flux of "
+               "a "
+               "motor file";
     return {};
 }
 

@@ -6,8 +6,8 @@
 // course.
 //
 // Of a board that records nothing by itself the speed is led up and down between them by ramps instead, while speed and
-// current are read as often as the link gives: up fast, which takes current for the inertia, down slowly, which brakes
-// nothing that friction does not brake anyhow.
+// current are read as often as the link gives: up fast, which takes current for the inertia, and down slowly, which
+// brakes little.
 #pragma once
 
 #include "lab/course.h"

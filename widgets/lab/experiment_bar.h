@@ -78,7 +78,7 @@ public:
     void setLook(Look look) { m_look = std::move(look); }
     /// Its page says why none can begin now: the sentence leaves that out.
     void leaveOutObstacle() { m_saysObstacle = false; }
-    /// Whether its runs are nothing but steps of the speed, for which polled values do.
+    /// Whether polled values do for some of its runs.
     void setPollable(bool pollable) { m_pollable = pollable; }
 
     void run(int which); ///< as its button does

@@ -1,6 +1,7 @@
 #include "widgets/lab/identification.h"
 
 #include "lab/evaluation/finding.h"
+#include "widgets/control/motion_allowed.h"
 #include "widgets/lab/text.h"
 #include "widgets/lab/told_figures.h"
 
@@ -74,7 +75,7 @@ Result<ExperimentBar::Run, QString> Identification::mechanicalRun(bool bothWays)
     auto subject = m_experiments.subject(true);
     if (!subject)
         return fail(subject.error());
-    if (!(subject->limits.torquePerAmp > 0.0))
+    if (subject->polled)
         subject->limits.torquePerAmp = m_findings.torqueConstant_nm();
     const lab::SpinPlan plan = lab::spinPlanFor(*subject, m_device.userLimits());
     ExperimentBar::Run run{
@@ -82,6 +83,18 @@ Result<ExperimentBar::Run, QString> Identification::mechanicalRun(bool bothWays)
     if (bothWays)
         run.experiments.push_back({lab::otherWay(plan), *subject});
     return run;
+}
+
+QString Identification::countPolePairs(double tachometer_rpm)
+{
+    if (!m_device.answering() || !m_device.identified())
+        return motionAllowed(m_device, drive::Feature::SpeedRamp).why;
+    const auto found =
+        lab::polePairsBy(*m_device.identified(), m_device.status(m_device.motor()), tachometer_rpm);
+    if (!found)
+        return labSentence(found.error());
+    m_findings.setPolePairs(*found);
+    return {};
 }
 
 Result<ExperimentBar::Run, QString> Identification::powerRun()

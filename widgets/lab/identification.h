@@ -18,6 +18,8 @@ public:
     /// Inertia and friction. @param bothWays  backwards, too, each from rest
     Result<ExperimentBar::Run, QString> mechanicalRun(bool bothWays = false);
     Result<ExperimentBar::Run, QString> powerRun(); ///< at the speed that the motor has, if it runs
+    /// Pole pairs of a motor that runs. @return  why they do not follow; empty: they are in findings()
+    QString countPolePairs(double tachometer_rpm);
     MotorFindings &findings() { return m_findings; }
 
 private:

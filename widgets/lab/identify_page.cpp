@@ -1,10 +1,12 @@
 #include "widgets/lab/identify_page.h"
 
+#include "widgets/base/fields/number_edit.h"
 #include "widgets/base/look/named.h"
 #include "widgets/base/look/row_list.h"
 #include "widgets/base/look/spacing.h"
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -22,6 +24,7 @@ IdentifyPage::IdentifyPage(const Parts &parts, QWidget *parent)
     makeBar();
     auto *layout = edged(new QVBoxLayout(this), {kGrid, kHalfGrid, kGrid, 0});
     layout->addWidget(m_table);
+    layout->addWidget(tachometer());
     connect(&parts.registers, &RegisterModel::catalogSet, this, &IdentifyPage::boardChanged);
     connect(&findings(), &QAbstractItemModel::dataChanged, this, &IdentifyPage::enableButtons);
     connect(&parts.description, &MotorDescription::changed, this, &IdentifyPage::showKnown);
@@ -35,6 +38,28 @@ void IdentifyPage::makeTable()
     m_table->header()->setSectionResizeMode(MotorFindings::NoteColumn, QHeaderView::Stretch);
 }
 
+/// What the board tells of a motor that runs, beside what its shaft does.
+QWidget *IdentifyPage::tachometer()
+{
+    constexpr double kMost_rpm = 1e6;
+    auto *row = new QWidget(this);
+    auto *rpm = new NumberEdit(
+        "identifyTachometer", tr("Speed by a tachometer"), tr("rpm"), 0.0, kMost_rpm, row);
+    rpm->setToolTip(tr("For the pole pairs: let the motor run at a constant speed, type what a "
+                       "tachometer reads at its shaft, and press Enter."));
+    auto *label = new QLabel(tr("By a tach&ometer [rpm]"), row);
+    label->setBuddy(rpm);
+    auto *layout = edged(new QHBoxLayout(row), {});
+    layout->addWidget(label);
+    layout->addWidget(rpm);
+    layout->addStretch();
+    connect(rpm, &QLineEdit::returnPressed, this, [this, rpm] {
+        if (const auto value = rpm->value(); value && *value > 0.0)
+            m_bar->tell(m_parts.identification.countPolePairs(*value));
+    });
+    return row;
+}
+
 void IdentifyPage::makeBar()
 {
     m_bar->setPollable(true);
@@ -43,7 +68,7 @@ void IdentifyPage::makeBar()
            "then the motor is as it was."),
         [this] { return m_parts.identification.electricalRun(); }});
     m_bar->add({tr("Mecha&nical"), "mechanicalRun",
-        tr("Measures inertia and friction while the motor is driven and coasts; then it is as it "
+        tr("Measures inertia and friction while the motor gets faster and slower; then it is as it "
            "was."),
         [this] { return m_parts.identification.mechanicalRun(m_bothWays->isChecked()); }});
     m_bar->add({tr("Po&wer"), "powerRun",

@@ -36,6 +36,7 @@ public:
 private:
     MotorFindings &findings() { return m_parts.identification.findings(); }
     void makeTable();
+    QWidget *tachometer();
     void makeBar();
     void boardChanged();
     void showKnown();

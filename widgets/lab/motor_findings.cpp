@@ -21,6 +21,8 @@ struct Shown {
     std::optional<double> motor::MotorSheet::*member; ///< nullptr: it holds no such figure
 };
 constexpr std::array<Shown, MotorFindings::kRows> kShown{{
+    {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Pole pairs"), 1.0, u"",
+        &motor::MotorSheet::polePairs},
     {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Resistance Rs"), 1.0, u"\u03a9",
         &motor::MotorSheet::rs_ohm},
     {QT_TRANSLATE_NOOP("widgets::MotorFindings", "Voltage of dead times"), 1.0, u"V", nullptr},
@@ -115,9 +117,16 @@ void MotorFindings::accept(const lab::Mechanics &found, bool /*complete*/)
 
 void MotorFindings::fail(bool mechanical, const QString &why)
 {
-    for (int row = 0; row < kRows; ++row)
-        if ((row >= Inertia) == mechanical)
-            set(Row(row), std::nullopt, why);
+    const int first = mechanical ? Inertia : Resistance, last = mechanical ? Fan : Flux;
+    for (int row = first; row <= last; ++row)
+        set(Row(row), std::nullopt, why);
+    cellsChanged();
+}
+
+void MotorFindings::setPolePairs(const lab::PolePairs &counted)
+{
+    set(PolePairs, lab::Estimate{double(counted.count), {}, {}},
+        tr("%1 by a tachometer", "pole pairs").arg(plainNumberText(counted.measured, 2)));
     cellsChanged();
 }
 
@@ -146,7 +155,7 @@ motor::MotorSheet MotorFindings::measured() const
 
 double MotorFindings::torqueConstant_nm() const
 {
-    return 1.5 * m_file.polePairs.value_or(0.0) * m_file.flux_wb.value_or(0.0);
+    return motor::ktOfFlux_nmpa(m_file.flux_wb.value_or(0.0), m_file.polePairs.value_or(0.0));
 }
 
 bool MotorFindings::any() const

@@ -4,6 +4,7 @@
 
 #include "lab/evaluation/electrical_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/pole_pairs.h"
 #include "motor/sheet.h"
 #include "widgets/base/row_table.h"
 
@@ -24,7 +25,7 @@ public:
         FileColumn,
         NoteColumn
     };
-    enum Row { Resistance, DeadTime, Ld, Lq, Flux, Inertia, Viscous, Dry, Fan, kRows };
+    enum Row { PolePairs, Resistance, DeadTime, Ld, Lq, Flux, Inertia, Viscous, Dry, Fan, kRows };
 
     explicit MotorFindings(QObject *parent = nullptr);
 
@@ -34,6 +35,7 @@ public:
     void accept(const lab::Mechanics &found, bool complete = true); ///< tells all of it
     /// What could not be measured is told in the rows of its kind. @param mechanical  else electrical
     void fail(bool mechanical, const QString &why);
+    void setPolePairs(const lab::PolePairs &counted);
     void clear();
     void setKnown(const motor::MotorSheet &board, const std::optional<motor::MotorSheet> &file);
     double measured(Row row) const { return m_rows[row].value.value_or(lab::Estimate{}).value; }

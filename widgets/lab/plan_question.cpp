@@ -2,6 +2,7 @@
 
 #include "base/overloaded.h"
 #include "lab/caps.h"
+#include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
 
 #include <QCoreApplication>
@@ -46,8 +47,9 @@ QString spinWords(const lab::SpinPlan &plan, const lab::Subject &subject)
     const QString length = secondsText(plan.length);
     const QString low = rpmText(plan.lowRpm), high = rpmText(plan.highRpm);
     if (subject.polled)
-        return PlanQuestion::tr("For %1 ramps lead it from %2 to %3 and back.")
-            .arg(length, low, high);
+        return PlanQuestion::tr("For %1 ramps lead it from %2 to %3 and back; an ampere is taken "
+                                "for %4.")
+            .arg(length, low, high, siText(subject.limits.torquePerAmp, QStringLiteral("N m")));
     if (plan.highRpm < 0 && !(plan.fluxAmps > 0.0))
         return PlanQuestion::tr("Backwards, for %1: its torque drives it or lets it coast, between "
                                 "%2 and %3; it is never braked.")
@@ -148,7 +150,14 @@ QStringList busWords(const std::vector<lab::Experiment> &experiments)
             return std::holds_alternative<lab::StepPlan>(experiment.plan)
                 || std::holds_alternative<lab::ResponsePlan>(experiment.plan);
         });
+    const bool ramps =
+        std::any_of(experiments.begin(), experiments.end(), [](const lab::Experiment &experiment) {
+            return experiment.subject.polled
+                && std::holds_alternative<lab::SpinPlan>(experiment.plan);
+        });
     QStringList lines;
+    if (ramps)
+        lines.append(PlanQuestion::tr("A ramp down brakes a heavy rotor, which feeds the bus."));
     if (!told)
         lines.append(
             PlanQuestion::tr("This board does not tell its bus voltage: nothing bounds it."));

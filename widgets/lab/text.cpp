@@ -148,12 +148,20 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "nothing tells its current in A, and so no torque: say what the full scale of its currents "
         "is"),
-    QT_TRANSLATE_NOOP(
-        "Lab", "nothing tells which torque an ampere makes: it follows from pole pairs and flux"),
-    QT_TRANSLATE_NOOP("Lab", "its ramps take %1 s"),
     QT_TRANSLATE_NOOP("Lab",
-        "its speed and current were read one after the other, and its torques are counted by what "
-        "was given for an ampere"),
+        "nothing tells which torque an ampere makes: it follows from pole pairs and flux of "
+        "a motor file"),
+    QT_TRANSLATE_NOOP("Lab", "its ramps take %1 s"),
+    QT_TRANSLATE_NOOP("Lab", "this board does not tell which pole pairs it counts by"),
+    QT_TRANSLATE_NOOP("Lab",
+        "an encoder tells this board the turns of its rotor, which say nothing of pole pairs"),
+    QT_TRANSLATE_NOOP("Lab", "the motor does not turn: let it run at a constant speed"),
+    QT_TRANSLATE_NOOP("Lab",
+        "%1 rpm of the board, which counts by %2 pole pairs, and %3 rpm of the shaft make %4, "
+        "which is no whole number: read both again, at a constant speed"),
+    QT_TRANSLATE_NOOP("Lab",
+        "its speed and current were read one after the other, and its torques are counted by %1 N "
+        "m for an ampere, as was given"),
     QT_TRANSLATE_NOOP("Lab",
         "nothing tells its current in A, so that none could be held against your limit: say what "
         "the full scale of its currents is"),

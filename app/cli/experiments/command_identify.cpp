@@ -19,11 +19,10 @@ Outcome<lab::Subject> subjectOf(const Desk &desk, const ExperimentRun &run, bool
                            "--torque-constant."));
     if (!subject || given_nm == 0.0)
         return subject;
-    if (subject->limits.torquePerAmp > 0.0)
+    if (!subject->polled)
         return failure(kRefused,
-            QStringLiteral("This board tells its torque constant, %1 N m/A: leave "
-                           "--torque-constant out.")
-                .arg(QString::number(subject->limits.torquePerAmp, 'g', 3)));
+            QStringLiteral("This board tells its torque constant itself: leave --torque-constant "
+                           "out."));
     subject->limits.torquePerAmp = given_nm;
     return subject;
 }
@@ -51,7 +50,7 @@ constexpr OptionText kIdentifyOptions[] = {
         "Of mechanical: backwards, too, each from rest, which tells friction from a torque that is "
         "always there."},
     {kTorqueConstant, "NM",
-        "Of mechanical, for boards that do not tell it: torque in N m for an ampere of Iq, which "
+        "Of mechanical, for boards that record nothing: torque in N m for an ampere of Iq, which "
         "is 1.5 x pole pairs x flux."},
     kRunOption,
 };

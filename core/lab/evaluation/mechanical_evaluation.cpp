@@ -3,6 +3,7 @@
 #include "lab/evaluation/flux_fit.h"
 #include "lab/evaluation/mechanical_rows.h"
 #include "lab/evaluation/segments.h"
+#include "lab/experiment.h"
 #include "lab/happenings.h"
 #include "lab/maths/least_squares.h"
 #include "scope/sample_range.h"
@@ -21,6 +22,8 @@ constexpr double kReadEdge_s = 25e-3; ///< the same of speeds that were read one
 /// A speed that a board tells by itself is a mean of some milliseconds, by Hall sensors of a turn, and was read at
 /// another time than the current. Friction that grows with the speed is taken for inertia meanwhile.
 constexpr double kReadLag_s = 20e-3;
+/// Of all that follows from reads: such a board tells neither its sensor nor how salient its rotor is.
+constexpr double kReadUnsure = 0.03;
 constexpr double kLeastTime_s = 3.0;
 /// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and
 /// scales to a few parts in a thousand.
@@ -363,15 +366,22 @@ DrivenRun drivenRun(const capture::Capture &capture, const SpinChannels &channel
     DrivenRun run;
     run.ofReads = channels.read;
     const capture::Channel &turns = *channels.turns;
-    const auto goesUp = [&plan](const Happenings::value_type &one) {
-        return one.second.name == "speed ramp"
-            && std::abs(numberOf(one.second, "rpm").value_or(0.0)) == std::abs(plan.plan.highRpm);
+    const auto leadsTo = [&plan](const recorded::Happening &what, int rpm) {
+        return what.name == "speed ramp" && numberOf(what, "motor") == plan.motor
+            && std::abs(numberOf(what, "rpm").value_or(0.0)) == std::abs(rpm);
+    };
+    const auto ramps = [&](const recorded::Happening &what) {
+        return leadsTo(what, plan.plan.lowRpm) || leadsTo(what, plan.plan.highRpm);
+    };
+    // Before the first way up a motor without a sensor may not have been seen.
+    const auto begins = [&](const Happenings::value_type &one) {
+        return leadsTo(one.second, plan.plan.highRpm) || one.second.name == kEndEntry;
     };
     const auto add = [&](Happenings::const_iterator at) {
-        if (channels.read) // before it, a motor without a sensor may not have been seen
-            at = std::find_if(at, after.end(), goesUp);
-        const auto span = drivenSpan(plan.motor, at, after.end(), turns.timeOf(turns.end() - 1),
-            channels.read ? Driven::ByRamps : Driven::ByTorque);
+        const Nanos last = turns.timeOf(turns.end() - 1);
+        const auto span = channels.read ? drivenSpan(plan.motor,
+                              std::find_if(at, after.end(), begins), after.end(), last, ramps)
+                                        : drivenSpan(plan.motor, at, after.end(), last);
         if (!span)
             return;
         run.spans.push_back(*span);
@@ -405,15 +415,19 @@ MechanicalRows rowsOf(std::span<const Segment> segments, const MechanicalFacts &
 }
 
 /// What of the run is not as it was meant. @param both  whether both directions were evaluated
-void noteRun(Mechanics &found, const DrivenRun &run, bool both, int motor, const Happenings &after)
+void noteRun(Mechanics &found, const DrivenRun &run, bool both, const RecordedMotor &of,
+    const Happenings &after)
 {
-    if (std::ranges::any_of(run.spans,
-            [&](const DrivenSpan &span) { return beganSwinging(after, motor, span.from); }))
+    if (!run.ofReads && std::ranges::any_of(run.spans, [&](const DrivenSpan &span) {
+            return beganSwinging(after, of.motor, span.from);
+        }))
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
     if (run.ofReads)
-        found.notes.emplace_back("its speed and current were read one after the other, and its "
-                                 "torques are counted by what was given for an ampere");
+        found.notes.push_back(
+            "its speed and current were read one after the other, and its torques "
+            "are counted by "
+            + decimalText(of.torquePerAmp, 3) + " N m for an ampere, as was given");
     if (run.ofTwo && !both)
         found.notes.emplace_back("it was driven in one of its two directions only");
     noteGaps(found.notes, run.missing_s);
@@ -505,7 +519,7 @@ Result<Mechanics, std::string> evaluateMechanics(
             bothWays(forwards ? first.rows : second.rows, forwards ? second.rows : first.rows,
                 chosen, digit_nm, std::hypot(unsure, kTorqueScale));
     }
-    growAll(found, hiddenTorque(*plan, stretches.instants, aside));
+    growAll(found, channels.read ? kReadUnsure : hiddenTorque(*plan, stretches.instants, aside));
     allowFor(found, aside);
     if (flux)
         compareFlux(found, flux->q, told_wb * aside.cosine);
@@ -515,7 +529,7 @@ Result<Mechanics, std::string> evaluateMechanics(
     for (const double torque : rows.wanted)
         squares += torque * torque;
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
-    noteRun(found, run, both, plan->motor, after);
+    noteRun(found, run, both, *plan, after);
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;
     if (lost > kMany)

@@ -65,6 +65,30 @@ private Q_SLOTS:
         COMPARE_STATUS(board.cli("stop"), 0);
     }
 
+    /// Of a motor with four of them, whose board counts electrical turns.
+    void aTachometerTellsThePolePairs()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const CliRun resting = board.cli("pole-pairs 1500");
+        COMPARE_STATUS(resting, 1);
+        QVERIFY2(resting.err.contains(QStringLiteral("does not turn")), qPrintable(resting.err));
+        COMPARE_STATUS(board.cli("ramp 1500 0"), 0);
+        COMPARE_STATUS(board.cli("start"), 0);
+        CliRun four; // on its way its speed is not constant
+        QTRY_VERIFY_WITH_TIMEOUT((four = board.cli("--json pole-pairs 1495")).status == 0
+                || !four.err.contains(QLatin1String("has to be constant")),
+            20'000);
+        COMPARE_STATUS(four, 0);
+        QCOMPARE(four.object()[QLatin1String("pole_pairs")].toInt(), 4);
+        const CliRun five = board.cli("pole-pairs 1200");
+        COMPARE_STATUS(five, 0);
+        QVERIFY2(five.out.startsWith(QLatin1String("Pole pairs: 5 (")), qPrintable(five.out));
+        COMPARE_STATUS(board.cli("pole-pairs 1330"), 1);
+        COMPARE_STATUS(board.cli("pole-pairs 0"), 2);
+        COMPARE_STATUS(board.cli("stop"), 0);
+    }
+
     void thoseOfTheWindowHoldUnlessOthersAreGiven()
     {
         const Simulator board;

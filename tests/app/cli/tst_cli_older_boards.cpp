@@ -188,7 +188,7 @@ void TestCliOlderBoards::mechanicsNeedTheTorqueOfAnAmpere()
     QVERIFY(ends(electrical, 1, "Nothing can be measured"));
     QVERIFY(ends(electrical + QStringLiteral(" --torque-constant 0.05"), 2, "identify mechanical"));
     QVERIFY(ends(QStringLiteral("--port sim identify mechanical --torque-constant 0.05"), 1,
-        "tells its torque constant"));
+        "tells its torque constant itself"));
 }
 
 void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()

@@ -493,6 +493,46 @@ private Q_SLOTS:
         old.arm();
         QTRY_VERIFY2(grey("mechanicalRun", QStringLiteral("Nothing tells which torque")),
             qPrintable(old.rig.find<QPushButton>("mechanicalRun")->toolTip()));
+
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("motor.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"motor": {"polePairs": 5, "flux_wb": 0.0064}})");
+        file.close();
+        old.rig.files.answer = file.fileName();
+        old.rig.find<QPushButton>("motorOpen")->click();
+        auto *run = old.rig.find<QPushButton>("mechanicalRun");
+        QTRY_VERIFY2(run->isEnabled(), qPrintable(run->toolTip()));
+        QTest::mouseClick(run, Qt::LeftButton);
+        auto *question = old.rig.find<QMessageBox>("experimentQuestion");
+        QVERIFY(question);
+        const QString words = question->informativeText().replace(QChar(0x202f), u' ');
+        for (const char *part : {"ramps lead it from 1600 rpm to 2800 rpm", "taken for 48 mN m",
+                 "brakes a heavy rotor"})
+            QVERIFY2(words.contains(QLatin1String(part)), qPrintable(words));
+        QTest::keyClick(question, Qt::Key_Escape);
+        QVERIFY(!old.rig.workbench.experiments().running());
+    }
+    void aTachometerTellsThePolePairs()
+    {
+        Findings findings;
+        findings.setPolePairs({7, 6.98});
+        QCOMPARE(findings.index(Findings::PolePairs, Findings::MeasuredColumn).data().toString(),
+            QStringLiteral("7"));
+        QCOMPARE(findings.measured().polePairs, std::optional(7.0));
+        findings.fail(false, QStringLiteral("why"));
+        findings.fail(true, QStringLiteral("why"));
+        QVERIFY(findings.any());
+
+        LabWindow bench("servo24");
+        bench.open(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(bench.connectBoard());
+        auto *rpm = bench.find<QLineEdit>("identifyTachometer");
+        rpm->setText(QStringLiteral("1500"));
+        QTest::keyClick(rpm, Qt::Key_Return);
+        QTRY_VERIFY2(bench.said("identifySentence").contains(QLatin1String("An encoder tells")),
+            qPrintable(bench.said("identifySentence")));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
     }
     void theTorqueOfAnAmpereIsTheMotorFiles()
     {
