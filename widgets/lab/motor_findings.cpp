@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/lab/experiment_bar.h"
 #include "widgets/lab/text.h"
 
@@ -126,7 +127,7 @@ void MotorFindings::fail(bool mechanical, const QString &why)
 void MotorFindings::setPolePairs(const lab::PolePairs &counted)
 {
     set(PolePairs, lab::Estimate{double(counted.count), {}, {}},
-        tr("%1 by a tachometer", "pole pairs").arg(plainNumberText(counted.measured, 2)));
+        tr("%1 by a tachometer", "pole pairs").arg(numberText(counted.measured, 2)));
     cellsChanged();
 }
 

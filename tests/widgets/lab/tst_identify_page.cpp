@@ -519,6 +519,10 @@ private Q_SLOTS:
         findings.setPolePairs({7, 6.98});
         QCOMPARE(findings.index(Findings::PolePairs, Findings::MeasuredColumn).data().toString(),
             QStringLiteral("7"));
+        QVERIFY(findings.index(Findings::PolePairs, Findings::NoteColumn)
+                    .data()
+                    .toString()
+                    .contains(QStringLiteral("6.98")));
         QCOMPARE(findings.measured().polePairs, std::optional(7.0));
         findings.fail(false, QStringLiteral("why"));
         findings.fail(true, QStringLiteral("why"));
