@@ -12,7 +12,7 @@ namespace cli {
 namespace {
 
 constexpr int kStatuses = 10; ///< a second of them
-constexpr double kVaries = 0.03, kDigits_rpm = 12.0; ///< no more; two digits of a speed
+constexpr double kVaries = 0.03, kSpeedSteps = 2.0; ///< no more; of the board's
 
 /// With the mean of its speed, which has to be constant.
 Outcome<drive::MotorStatus> steadyStatus(Desk &desk)
@@ -29,7 +29,10 @@ Outcome<drive::MotorStatus> steadyStatus(Desk &desk)
     if (!status)
         return status;
     const double mean_rpm = sum_rpm / kStatuses;
-    if (most_rpm - least_rpm > std::max(kDigits_rpm, kVaries * std::abs(mean_rpm)))
+    const auto at = static_cast<std::size_t>(desk.arguments.motor - 1);
+    const double step_rpm =
+        at < desk.board.limits.size() ? desk.board.limits[at].speedStepRpm : 0.0;
+    if (most_rpm - least_rpm > std::max(kSpeedSteps * step_rpm, kVaries * std::abs(mean_rpm)))
         return failure(kRefused,
             QStringLiteral("Not conclusive: its speed goes from %1 to %2 rpm within a second; it "
                            "has to be constant.")

@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "drive/motion_limits.h"
+#include "lab/to_and_fro.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,42 +195,6 @@ private:
     bool m_over = false;
 };
 
-/// Ramps to and fro.
-class RampCourse : public Course {
-public:
-    RampCourse(const SpinPlan &plan, int motor)
-        : m_plan(plan)
-        , m_motor(motor)
-    {
-    }
-    std::optional<Ask> next(const Moment &moment) override
-    {
-        if (!moment.answered || over())
-            return std::nullopt;
-        if (m_ways > 0 && !std::exchange(m_timed, true)) // from the answer on
-            m_due =
-                moment.now + (m_ways % 2 == 1 ? SpinPlan::kUp : SpinPlan::kDown) + SpinPlan::kHold;
-        if (m_ways > 0 && moment.now < m_due)
-            return std::nullopt;
-        ++m_ways;
-        m_timed = false;
-        if (over())
-            return std::nullopt;
-        const bool up = m_ways % 2 == 1;
-        return drive::SpeedRamp{
-            m_motor, up ? m_plan.highRpm : m_plan.lowRpm, up ? SpinPlan::kUp : SpinPlan::kDown};
-    }
-    TimePoint due() const override { return m_due; }
-    bool over() const override { return m_ways > 2 * (m_plan.length / SpinPlan::kRound); }
-
-private:
-    SpinPlan m_plan;
-    int m_motor;
-    std::int64_t m_ways = 0; ///< asked for, there and back
-    bool m_timed = false; ///< the last one's time runs
-    TimePoint m_due{};
-};
-
 /// Speeds and currents that are read, in a unit that makes torques of them.
 std::string objectionToPolled(const SpinPlan &plan, const Subject &subject)
 {
@@ -241,8 +206,7 @@ std::string objectionToPolled(const SpinPlan &plan, const Subject &subject)
                "currents is";
     if (!(subject.limits.torquePerAmp > 0.0))
         return "nothing tells which torque an ampere makes: it follows from pole pairs and flux of "
-               "a "
-               "motor file";
+               "a motor file";
     return {};
 }
 
@@ -349,7 +313,9 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
 std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 {
     if (subject.polled)
-        return std::make_unique<RampCourse>(plan, subject.motor);
+        return std::make_unique<ToAndFro>(subject.motor, ToAndFro::Way{plan.highRpm, SpinPlan::kUp},
+            ToAndFro::Way{plan.lowRpm, SpinPlan::kDown}, SpinPlan::kHold,
+            plan.length / SpinPlan::kRound);
     return std::make_unique<SpinCourse>(plan, subject);
 }
 

@@ -1,5 +1,7 @@
 #include "lab/step_plan.h"
 
+#include "lab/to_and_fro.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,38 +16,6 @@ constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned 
 /// Of the step, and digits of a speed besides: the least undershoot of all simulated motors without a sensor with their
 /// boards' gains; others have twice as much. More would refuse steps that end well.
 constexpr double kUndershoot = 0.1, kUndershootDigits = 2.0;
-
-class StepCourse : public Course {
-public:
-    StepCourse(const StepPlan &plan, int motor)
-        : m_plan(plan)
-        , m_motor(motor)
-    {
-    }
-    std::optional<Ask> next(const Moment &moment) override
-    {
-        if (!moment.answered || over())
-            return std::nullopt;
-        if (m_steps > 0 && !std::exchange(m_held, true)) // from the answer on
-            m_due = moment.now + m_plan.hold;
-        if (m_steps > 0 && moment.now < m_due)
-            return std::nullopt;
-        ++m_steps;
-        m_held = false;
-        if (over())
-            return std::nullopt;
-        return drive::SpeedRamp{m_motor, m_steps % 2 == 1 ? m_plan.toRpm : m_plan.fromRpm, 0ms};
-    }
-    TimePoint due() const override { return m_due; }
-    bool over() const override { return m_steps > 2 * m_plan.repeat; }
-
-private:
-    StepPlan m_plan;
-    int m_motor;
-    int m_steps = 0; ///< asked for
-    bool m_held = false; ///< the speed of the last one is held
-    TimePoint m_due{};
-};
 
 } // namespace
 
@@ -83,7 +53,8 @@ Conditions conditionsOf(const StepPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject)
 {
-    return std::make_unique<StepCourse>(plan, subject.motor);
+    return std::make_unique<ToAndFro>(subject.motor, ToAndFro::Way{plan.toRpm},
+        ToAndFro::Way{plan.fromRpm}, plan.hold, plan.repeat);
 }
 
 double jumpPerRpm(const Subject &subject, double gain, double exponent)

@@ -3,6 +3,7 @@
 #include "core/lab/estimate_checks.h"
 #include "core/lab/older_bench.h"
 #include "lab/evaluation/finding.h"
+#include "motor/constants.h"
 
 using lab::End;
 using support::OlderBench;
@@ -13,7 +14,7 @@ namespace {
 
 double torqueConstantOf(const simulation::MotorParameters &motor)
 {
-    return 1.5 * motor.polePairs * motor.flux_wb;
+    return motor::ktOfFlux_nmpa(motor.flux_wb, motor.polePairs);
 }
 
 /// With what its user says: the full scale of its currents, and what torque an ampere makes.
