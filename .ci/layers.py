@@ -28,8 +28,6 @@ ROWS = {
 NEVER = {('core/lab', 'core/simulation')}  # what measures a motor must not know the one that is simulated
 QT = {'core/session'}  # of core
 NO_NAMESPACE = {'base'}  # of core: its names are for all
-# Rooms named after a protocol in another folder: `fcp/protocol.h` would be their file and core/fcp's.
-TWINS = {'core/drive', 'core/simulation'}
 MOST_FILES = 50  # in one folder, its own folders not counted
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.M)
@@ -127,7 +125,12 @@ def main():
 
     # One of `files` repeats it as much as the folder's own word.
     found += [f'{path}: its name repeats the folder' for path in source
-              if path.name.startswith(f'{path.parent.name.removesuffix("s")}_') and str(path.parent.parent) not in TWINS]
+              if path.name.startswith(f'{path.parent.name.removesuffix("s")}_')]
+
+    # What lies in core/drive and asks for "mcp/request.h" would get core/drive/mcp/request.h.
+    found += [f'{path}: hides core/{path.parent.name}/{path.name} from what lies beside its folder' for path in source
+              if path.parts[0] == 'core' and len(path.parts) > 3
+              and pathlib.Path('core', path.parent.name, path.name).is_file()]
 
     # tests/core/drive/mcp/tst_x.cpp tests something of core/drive/mcp; whose folder moves, moves its tests.
     found += [f'{path}: there is no folder {path.parent.relative_to("tests")} that it could test' for path in files

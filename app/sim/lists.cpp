@@ -2,7 +2,7 @@
 #include "lists.h"
 
 #include "simulation/firmware/build.h"
-#include "simulation/mcb/mcb_faults.h"
+#include "simulation/mcb/faults.h"
 #include "simulation/mcp/liars.h"
 #include "simulation/mcp/profile.h"
 #include "simulation/plant/presets.h"

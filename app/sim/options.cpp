@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "drive/protocol_table.h"
 #include "session/files/motor_file.h"
-#include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/fcp/motor_board.h"
 #include "simulation/mcp/profile.h"
 #include "simulation/plant/presets.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 #include "simulation/simulated_board.h"
 
 #include <optional>

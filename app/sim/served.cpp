@@ -2,9 +2,9 @@
 
 #include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
-#include "simulation/fcp/fcp_board.h"
-#include "simulation/mcb/mcb_board.h"
-#include "simulation/mcb/mcb_slave.h"
+#include "simulation/fcp/board.h"
+#include "simulation/mcb/board.h"
+#include "simulation/mcb/slave.h"
 
 namespace sim {
 

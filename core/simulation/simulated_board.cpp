@@ -2,9 +2,9 @@
 // speaks.
 #include "simulation/simulated_board.h"
 
-#include "simulation/fcp/fcp_motor_board.h"
-#include "simulation/mcb/mcb_board.h"
-#include "simulation/mcp/mcp_board.h"
+#include "simulation/fcp/motor_board.h"
+#include "simulation/mcb/board.h"
+#include "simulation/mcp/board.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>

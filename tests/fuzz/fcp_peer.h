@@ -4,7 +4,7 @@
 
 #include "fcp/request.h"
 #include "fuzz/drive_script.h"
-#include "simulation/fcp/fcp_board.h"
+#include "simulation/fcp/board.h"
 
 namespace fuzz {
 

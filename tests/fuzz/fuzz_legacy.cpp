@@ -5,7 +5,7 @@
 #include "fcp/reply.h"
 #include "fcp/request.h"
 #include "fuzz/script.h"
-#include "simulation/fcp/fcp_board.h"
+#include "simulation/fcp/board.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "fuzz/script.h"
 #include "mcb/error_code.h"
 #include "mcb/fragments.h"
-#include "simulation/mcb/mcb_slave.h"
+#include "simulation/mcb/slave.h"
 
 namespace {
 

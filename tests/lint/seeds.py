@@ -37,6 +37,7 @@ SEEDS = [
     ('core/drive/seed_space.h', 'namespace capture {\nint seeds();\n}\n',
      'core/drive/seed_space.h: in namespace capture, not drive'),
     ('widgets/files/file_seed.h', '#pragma once\n', 'widgets/files/file_seed.h: its name repeats the folder'),
+    ('core/drive/mcp/response.h', '#pragma once\n', 'core/drive/mcp/response.h: hides core/mcp/response.h'),
     *[(f'widgets/registers/seed_{number}.h', '#pragma once\n', 'widgets/registers: ') for number in range(51)],
     # ARCHITECTURE.md and the folders.
     ('core/cellar/seed.h', '#pragma once\n', 'ARCHITECTURE.md has no row for core/cellar'),

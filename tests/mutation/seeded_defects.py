@@ -48,17 +48,17 @@ DEFECTS = [
         ("core/fcp/client.cpp", "        m_deadline = now + kAnswerTime + m_config.patience;\n}", "        m_deadline = now + kSettle;\n}"),
         ("core/fcp/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
-        ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
+        ("core/drive/mcb/drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
     ("what travels with the frames goes on during a Stop", "tst_mcb_set_points", "stop first", [
-        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        return restSetPoints();\n", "    if (stopping)\n        return;\n")]),
+        ("core/drive/mcb/drive.cpp", "    if (stopping)\n        return restSetPoints();\n", "    if (stopping)\n        return;\n")]),
     ("what travels with the frames leaves when it is too late", "tst_mcb_sessions", "asked for", [
-        ("core/drive/mcb/mcb_drive.cpp", "    asked.leaveBy = leaveBy;\n    m_link.send", "    m_link.send")]),
+        ("core/drive/mcb/drive.cpp", "    asked.leaveBy = leaveBy;\n    m_link.send", "    m_link.send")]),
     ("what travels with the frames outlives a reset", "tst_mcb_set_points", "armed|asked for", [
-        ("core/drive/mcb/mcb_drive.cpp", "    m_stream.ended();\n    endSetPoints();\n    m_faulty = false;", "    m_stream.ended();\n    m_faulty = false;")]),
+        ("core/drive/mcb/drive.cpp", "    m_stream.ended();\n    endSetPoints();\n    m_faulty = false;", "    m_stream.ended();\n    m_faulty = false;")]),
     ("what travels with the frames drops when it is disarmed", "tst_mcb_set_points", "asked for|armed", [
-        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        return restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();\n    if (stopping)\n        return;")]),
+        ("core/drive/mcb/drive.cpp", "    if (stopping)\n        return restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();\n    if (stopping)\n        return;")]),
     ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
-        ("core/drive/mcp/mcp_drive.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
+        ("core/drive/mcp/drive.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
     ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [
         ("core/drive/stop_sequence.cpp", "            tell(motor, StopWord::NotConfirmed, now);", "            continue;")]),
     ("pressing again puts off the alarm", "tst_mcp_drive_stop", "alarm", [
@@ -75,7 +75,7 @@ DEFECTS = [
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
         ("core/drive/stop_sequence.cpp", "{ return rests(status.state) || ", "{ return rests(status.state) || status.state == MotorState::Running || ")]),
     ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
-        ("core/drive/fcp/fcp_drive.cpp", "request = stopOf(motor);", "request = stopOf(motor & 0);")]),
+        ("core/drive/fcp/drive.cpp", "request = stopOf(motor);", "request = stopOf(motor & 0);")]),
     ("late wishes are sent", "tst_late_wishes", "asked for", [
         ("core/drive/task.h", "return m_fresh + kWishExpiresAfter;", "return m_fresh + 100 * kWishExpiresAfter;")]),
     ("a restore writes what moves a motor", "tst_what_may_be_written", "asked for", [
@@ -90,7 +90,7 @@ DEFECTS = [
     ("what disarming ended goes on", "tst_mcb_not_ready", "asked for", [
         ("core/drive/task_drive.h", "    if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())\n        m_cutAfterAnswer = reason;\n", "")]),
     ("a repetition puts off the first STOP", "tst_mcp_drive_faults seedsThatFailedOnceStayWell", "stop in time", [
-        ("core/drive/mcp/mcp_drive.cpp", "        if (m_link.urgentWaits())\n            return TimePoint::max();", "        //")]),
+        ("core/drive/mcp/drive.cpp", "        if (m_link.urgentWaits())\n            return TimePoint::max();", "        //")]),
     # What the judge of the screen finds.
     ("short faults are in no list", "tst_monkey@1-40", "untrue", [
         ("widgets/files/event_recorder.cpp", "        if (met && !has(before.faultsPast, fault)", "        if (!met && !has(before.faultsPast, fault)")]),
@@ -138,10 +138,10 @@ DEFECTS = [
     ("the state of a silent board of the older protocol stays", "tst_monkey@8-16", "untrue", [
         ("widgets/control/state_box.cpp", "const bool believed = m_device.statusIsNow(m_device.motor());", "const bool believed = m_device.portOpen();")]),
     ("the bus voltage of the older protocol is another", "tst_monkey@2-4", "untrue", [
-        ("core/drive/fcp/fcp_protocol.cpp", "        reading.value = std::move(value).value_or(Value());\n",
+        ("core/drive/fcp/requests.cpp", "        reading.value = std::move(value).value_or(Value());\n",
          "        reading.value = std::move(value).value_or(Value());\n        if (auto *digits = std::get_if<std::int64_t>(&reading.value); digits && fcpNumber(reading.id) == 0x19)\n            *digits += 3;\n")]),
     ("speeds of an MCB drive are told by another unit", "tst_monkey@5-5", "untrue", [
-        ("core/drive/mcb/mcb_catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
+        ("core/drive/mcb/catalog.cpp", "if (info.unit == \"rev/s\" && scalar)", "if (info.unit == \"rev/s2\" && scalar)")]),
     ("what is read in turn is drawn lower than it is", "tst_monkey@5-5", "untrue", [
         ("widgets/scope/drawing/drawn_trace.h", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
     ("the legend keeps values that count no more", "tst_monkey@185-185", "untrue", [
@@ -181,7 +181,7 @@ DEFECTS = [
     ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [
         ("app/cli/command_capture.cpp", 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())', 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks() / 1000)')]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
-        ("core/drive/mcp/mcp_drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
+        ("core/drive/mcp/drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
 ]
 
 

@@ -6,7 +6,7 @@
 #include "drive/protocol_table.h"
 #include "session/link/session.h"
 #include "session/transports/simulator_transport.h"
-#include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/fcp/motor_board.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
 #include "support/ms_rules.h"

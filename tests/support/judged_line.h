@@ -6,7 +6,7 @@
 
 #include "drive/protocol_table.h"
 #include "session/link/session.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 #include "simulation/simulated_board.h"
 #include "support/act_sink.h"
 #include "support/board_history.h"

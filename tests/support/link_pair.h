@@ -6,7 +6,7 @@
 #include "drive/protocol_table.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
-#include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/fcp/motor_board.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"

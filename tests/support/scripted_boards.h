@@ -5,13 +5,13 @@
 
 #include "aspep/packet.h"
 #include "catalog/catalog.h"
-#include "drive/mcp/mcp_protocol.h"
+#include "drive/mcp/requests.h"
 #include "drive/protocol_table.h"
 #include "fcp/framer.h"
 #include "fcp/reply.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
-#include "simulation/fcp/fcp_server.h"
+#include "simulation/fcp/server.h"
 #include "simulation/simulated_board.h"
 #include "support/start_notice.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "simulation/fcp/fcp_server.h"
+#include "simulation/fcp/server.h"
 
 #include <QByteArray>
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "simulation/mcb/mcb_registers.h"
+#include "simulation/mcb/registers.h"
 
 #include <QByteArray>
 #include <QString>

@@ -13,7 +13,7 @@
 
 #include "base/time.h"
 #include "simulation/axis.h"
-#include "simulation/mcb/mcb_registers.h"
+#include "simulation/mcb/registers.h"
 #include "simulation/simulated_board.h"
 
 namespace simulation {

@@ -2,8 +2,8 @@
 #include "catalog/catalog.h"
 #include "catalog/limits.h"
 #include "catalog/names.h"
-#include "drive/mcp/mcp_limits.h"
-#include "drive/mcp/mcp_scales.h"
+#include "drive/mcp/limits.h"
+#include "drive/mcp/scales.h"
 #include "drive/set_point_check.h"
 #include "support/link_pair.h"
 

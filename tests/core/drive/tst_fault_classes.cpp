@@ -2,7 +2,7 @@
 // foreign program that talks on the port, and a datalog that is set up anew before the last set-up has arrived.
 // ROTORSCOPE_LONG=1 runs more of each.
 #include "drive/protocol_table.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 #include "support/link_pair.h"
 #include "support/wire/either.h"
 

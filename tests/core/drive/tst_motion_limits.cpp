@@ -1,6 +1,6 @@
 // What bounds the motion of a motor: the board's limits, the user's own, and expert mode where the board is silent.
-#include "drive/mcp/mcp_limits.h"
-#include "drive/mcp/mcp_scales.h"
+#include "drive/mcp/limits.h"
+#include "drive/mcp/scales.h"
 #include "drive/set_point_check.h"
 #include "support/link_pair.h"
 

@@ -1,7 +1,7 @@
 // Where a START goes: the reference that the board's control follows, under each name that a board may have for it.
 #include "drive/start_target.h"
 
-#include "drive/mcb/mcb_commands.h"
+#include "drive/mcb/commands.h"
 
 #include <QTest>
 

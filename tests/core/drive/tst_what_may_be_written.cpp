@@ -3,7 +3,7 @@
 #include "catalog/catalog.h"
 #include "catalog/control_mode.h"
 #include "catalog/csv.h"
-#include "drive/mcp/mcp_protocol.h"
+#include "drive/mcp/requests.h"
 #include "drive/motion_limits.h"
 #include "fcp/register_table.h"
 #include "mcb/dictionary.h"

@@ -2,7 +2,7 @@
 // once, no answer is taken for another's, and a board that hangs in half a frame comes back.
 #include "base/overloaded.h"
 #include "fcp/client.h"
-#include "simulation/fcp/fcp_board.h"
+#include "simulation/fcp/board.h"
 #include "support/start_notice.h"
 
 #include <QtTest>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mcb/master.h"
-#include "simulation/mcb/mcb_slave.h"
+#include "simulation/mcb/slave.h"
 #include "support/judge_speaks.h"
 #include "support/wire/mcb.h"
 

@@ -4,7 +4,7 @@
 
 #include "drive/protocol_table.h"
 #include "mcb/master.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/wire/mcb.h"

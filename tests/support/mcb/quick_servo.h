@@ -2,9 +2,9 @@
 // drives it is cheap enough for thousands of runs.
 #pragma once
 
-#include "drive/mcb/mcb_protocol.h"
+#include "drive/mcb/requests.h"
 #include "mcb/dictionary.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 
 #include <algorithm>
 #include <array>

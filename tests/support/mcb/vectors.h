@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mcb/value.h"
-#include "simulation/mcb/mcb_registers.h"
+#include "simulation/mcb/registers.h"
 #include "support/places.h"
 
 #include <QFile>

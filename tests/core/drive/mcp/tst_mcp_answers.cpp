@@ -1,6 +1,6 @@
 // What the tasks of an MCP drive make of answers that no board gives to what was asked. Their shapes: mcp-aspep, 4.3 to
 // 4.6. No board, no line.
-#include "drive/mcp/mcp_writes.h"
+#include "drive/mcp/writes.h"
 #include "support/virtual_link.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // McpDrive against the simulated board: what a user's session is made of, on virtual time.
 #include "aspep/packet.h"
-#include "drive/mcp/mcp_scales.h"
+#include "drive/mcp/scales.h"
 #include "support/link_pair.h"
 
 #include <QTest>

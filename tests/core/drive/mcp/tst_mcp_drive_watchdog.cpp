@@ -1,5 +1,5 @@
 // The heartbeat of McpDrive and the watchdog of the simulated board: who is fed, when, and what happens to who is not.
-#include "drive/mcp/mcp_heartbeat.h"
+#include "drive/mcp/heartbeat.h"
 #include "support/board_bench.h"
 #include "support/link_pair.h"
 

@@ -1,6 +1,6 @@
 // The steps in which a drive tells the states of a run, and what it makes of the numbers of ST's firmware.
 #include "catalog/names.h"
-#include "drive/mcp/mcp_vitals.h"
+#include "drive/mcp/vitals.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // Static boards of the older serial protocol, made from rig files: every vector byte for byte on virtual time, and
 // files with flaws.
 #include "session/files/fcp_rig_file.h"
-#include "simulation/fcp/fcp_board.h"
+#include "simulation/fcp/board.h"
 #include "support/fcp_vectors.h"
 #include "support/places.h"
 

@@ -3,7 +3,7 @@
 #include "session/link/session.h"
 #include "session/recording/tap.h"
 
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 
 #include <QtTest>
 

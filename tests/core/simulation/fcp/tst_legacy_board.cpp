@@ -1,7 +1,7 @@
 // The static board of the older serial protocol where firmware surprises: half duplex, the frame timer, old bytes, what
 // waits for the motor to run, and how a client brings a half received frame to its end.
-#include "simulation/fcp/fcp_board.h"
-#include "simulation/fcp/fcp_motor_board.h"
+#include "simulation/fcp/board.h"
+#include "simulation/fcp/motor_board.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // The simulated MCB drive with its motor, by frames alone: state machine, modes, gains, and the faults it can be told.
 // Virtual time.
 #include "mcb/master.h"
-#include "simulation/mcb/mcb_board.h"
+#include "simulation/mcb/board.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 // The MCB slave: every session of the vectors byte for byte, then the rules that they do not touch. Virtual time.
-#include "simulation/mcb/mcb_slave.h"
+#include "simulation/mcb/slave.h"
 
 #include "support/mcb/vectors.h"
 
