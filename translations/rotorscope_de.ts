@@ -1502,10 +1502,6 @@
         <translation>es war nach %1 s nicht zu Ende</translation>
     </message>
     <message>
-        <source>This board sends its samples once an exchange: experiments need them at the rate of its control loop.</source>
-        <translation>Dieses Board sendet seine Messwerte einmal je Austausch: Versuche brauchen sie im Takt seines Regelkreises.</translation>
-    </message>
-    <message>
         <source>This board does not record the speed that its main sensor tells.</source>
         <translation>Dieses Board zeichnet die Drehzahl seines Hauptsensors nicht auf.</translation>
     </message>
@@ -1646,8 +1642,32 @@
         <translation>%1 rpm des Boards, das mit %2 Polpaaren zählt, und %3 rpm der Welle ergeben %4, keine ganze Zahl: beide bei gleichbleibender Drehzahl noch einmal ablesen</translation>
     </message>
     <message>
-        <source>its speed and current were read one after the other, and its torques are counted by %1 N m for an ampere, as was given</source>
-        <translation>Drehzahl und Strom wurden nacheinander gelesen, und die Drehmomente sind mit %1 N m je Ampere gerechnet, wie angegeben</translation>
+        <source>set-points with every exchange: %1</source>
+        <translation>Sollwerte mit jedem Austausch: %1</translation>
+    </message>
+    <message>
+        <source>its board records nothing by itself, and its torques are counted by %1 N m for an ampere, as was given</source>
+        <translation>die Karte zeichnet selbst nichts auf, und die Drehmomente sind mit den angegebenen %1 N m je Ampere gerechnet</translation>
+    </message>
+    <message>
+        <source>This board sends its samples once an exchange: this is measured by samples at the rate of its control loop.</source>
+        <translation>Diese Karte sendet ihre Messwerte einmal je Austausch: Das wird mit Messwerten im Takt ihrer Regelung gemessen.</translation>
+    </message>
+    <message>
+        <source>this board sends its samples once an exchange: only steps and response of the speed, inertia and friction are told from them</source>
+        <translation>diese Karte sendet ihre Messwerte einmal je Austausch: daraus folgen nur Sprünge und Frequenzgang der Drehzahl, Trägheit und Reibung</translation>
+    </message>
+    <message>
+        <source>this drive does not send its speed, its current and what they are to be</source>
+        <translation>dieser Antrieb sendet nicht Drehzahl, Strom und was sie sein sollen</translation>
+    </message>
+    <message>
+        <source>the motor turns, and its set-points can begin to leave with every exchange only while it rests: stop it first</source>
+        <translation>der Motor dreht sich, und nur im Stillstand kann damit begonnen werden, dass Sollwerte mit jedem Austausch gehen: Halten Sie ihn zuerst an</translation>
+    </message>
+    <message>
+        <source>set-points leave with every exchange still</source>
+        <translation>Sollwerte gehen immer noch mit jedem Austausch</translation>
     </message>
 </context>
 <context>

@@ -1502,10 +1502,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This board sends its samples once an exchange: experiments need them at the rate of its control loop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This board does not record the speed that its main sensor tells.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1646,7 +1642,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its speed and current were read one after the other, and its torques are counted by %1 N m for an ampere, as was given</source>
+        <source>set-points with every exchange: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its board records nothing by itself, and its torques are counted by %1 N m for an ampere, as was given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board sends its samples once an exchange: this is measured by samples at the rate of its control loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board sends its samples once an exchange: only steps and response of the speed, inertia and friction are told from them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this drive does not send its speed, its current and what they are to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor turns, and its set-points can begin to leave with every exchange only while it rests: stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set-points leave with every exchange still</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -42,6 +42,8 @@ struct Conditions {
     std::vector<drive::RegisterWrite> lent = {};
     /// References of a motor that turns which are 0 before, because they are afterwards.
     std::vector<drive::RegisterId> zeroBefore = {};
+    /// Its set-points are to leave with every exchange of the line, which can begin while the motor rests.
+    bool travels = false;
     /// The speed has to rest there first. Without it a course begins as well where the speed loop makes the speed
     /// swing.
     bool steady = true;

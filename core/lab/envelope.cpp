@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -55,17 +56,20 @@ std::optional<std::string> Envelope::accept(
     if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
         m_stream = started->layout.id;
         m_sampleHz = started->layout.tickHz / std::max(1U, started->layout.fastStep);
-        const auto &fast = started->layout.fast;
+        const capture::StreamLayout &layout = started->layout;
         for (const auto &[id, column] :
             {std::pair(m_watched.speed, &m_speed), std::pair(m_watched.current, &m_current),
                 std::pair(m_watched.currentD, &m_currentD), std::pair(m_watched.angle, &m_angle)}) {
             column->reset();
-            for (std::size_t i = 0; i < fast.size(); ++i)
-                if (fast[i].id == id)
-                    *column = {i, fast[i].factor, fast[i].offset};
+            for (const bool groups : {true, false}) {
+                const auto &signals = groups ? layout.slow : layout.fast;
+                for (std::size_t i = 0; i < signals.size(); ++i)
+                    if (signals[i].id == id)
+                        *column = {i, signals[i], groups};
+            }
         }
     } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
-        if (block->stream != m_stream || block->count == 0)
+        if (block->stream != m_stream || (block->count == 0 && block->slow.empty()))
             return std::nullopt;
         m_heard = now;
         return samples(*block);
@@ -80,16 +84,20 @@ std::optional<std::string> Envelope::accept(
 std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
 {
     const auto visit = [&block](const Column &column, auto look) -> std::optional<std::string> {
-        for (std::size_t i = 0; i < block.count; ++i) {
-            const double stored = block.fast[column.place * block.count + i];
-            if (auto found = look((stored + column.offset) * column.factor))
+        const std::size_t count = column.slow ? block.slow.size() : block.count;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::int32_t stored = column.slow ? block.slow[i].values[column.place]
+                                                    : block.fast[column.place * count + i];
+            if (auto found = look(column.valueOf(stored)))
                 return found;
         }
         return std::nullopt;
     };
     double sum = 0.0;
+    std::size_t count = 0;
     const auto current = [&](double amps) {
         sum += amps;
+        ++count;
         return this->current(amps);
     };
     if (m_currentD)
@@ -97,9 +105,11 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
             return found;
     if (m_current) {
         sum = 0.0;
+        count = 0;
         if (auto found = visit(*m_current, current))
             return found;
-        m_amps = sum / block.count;
+        if (count > 0)
+            m_amps = sum / static_cast<double>(count);
     }
     if (m_speed)
         return visit(*m_speed, [this](double rpm) { return speed(rpm); });
@@ -107,17 +117,24 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
     return rpm ? speed(*rpm) : std::nullopt;
 }
 
+double Envelope::Column::valueOf(std::int32_t stored) const
+{
+    const double number =
+        signal.real ? double{std::bit_cast<float>(stored)} : static_cast<double>(stored);
+    return (number + signal.offset) * signal.factor;
+}
+
 /// Over the whole packet.
 std::optional<double> Envelope::turnedRpm(const capture::SampleBlock &block) const
 {
     constexpr double kTurn_deg = 360.0, kSeconds = 60.0;
-    if (!m_angle || block.count < 2 || !(m_watched.polePairs > 0.0))
+    if (!m_angle || m_angle->slow || block.count < 2 || !(m_watched.polePairs > 0.0))
         return std::nullopt;
     const std::int16_t *stored = block.fast.data() + m_angle->place * block.count;
     double turned_deg = 0.0;
     for (std::size_t i = 1; i < block.count; ++i)
-        turned_deg +=
-            std::remainder((stored[i] - stored[i - 1]) * std::abs(m_angle->factor), kTurn_deg);
+        turned_deg += std::remainder(
+            (stored[i] - stored[i - 1]) * std::abs(m_angle->signal.factor), kTurn_deg);
     return turned_deg / kTurn_deg / m_watched.polePairs * m_sampleHz / (block.count - 1) * kSeconds;
 }
 

@@ -71,7 +71,9 @@ private:
     /// Where a signal is in the blocks of the stream.
     struct Column {
         std::size_t place = 0;
-        double factor = 1.0, offset = 0.0;
+        capture::StreamSignal signal;
+        bool slow = false; ///< in groups, not in columns
+        double valueOf(std::int32_t stored) const;
     };
 
     Watched m_watched;

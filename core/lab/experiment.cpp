@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lab {
 
@@ -13,6 +14,24 @@ using namespace std::chrono_literals;
 
 constexpr milliseconds kLongest = 60s; ///< of what moves a motor by itself
 constexpr milliseconds kReaching = 5s; ///< until a speed is that of the set-point, there and back
+
+/// What a board that records nothing does not tell.
+std::string objectionToReads(const Experiment &experiment)
+{
+    const Plan &plan = experiment.plan;
+    const auto *response = std::get_if<ResponsePlan>(&plan);
+    const bool told =
+        std::holds_alternative<StepPlan>(plan) || std::holds_alternative<SpinPlan>(plan);
+    if (experiment.subject.records() || told)
+        return {};
+    if (experiment.subject.polled)
+        return "this board records nothing by itself: only steps of the speed, inertia and "
+               "friction are told from values that are read one after the other";
+    return response != nullptr && response->current == 0
+        ? ""
+        : "this board sends its samples once an exchange: only steps and response of the speed, "
+          "inertia and friction are told from them";
+}
 
 std::string generalObjection(const Conditions &conditions, const Subject &subject)
 {
@@ -54,10 +73,8 @@ milliseconds lengthOf(const Experiment &experiment)
 
 std::string objectionTo(const Experiment &experiment)
 {
-    if (experiment.subject.polled && !std::holds_alternative<StepPlan>(experiment.plan)
-        && !std::holds_alternative<SpinPlan>(experiment.plan))
-        return "this board records nothing by itself: only steps of the speed, inertia and "
-               "friction are told from values that are read one after the other";
+    if (std::string why = objectionToReads(experiment); !why.empty())
+        return why;
     const std::string own = std::visit(
         [&](const auto &plan) { return objectionTo(plan, experiment.subject); }, experiment.plan);
     if (!own.empty())
@@ -85,6 +102,9 @@ std::string objectionWhileTurning(const Experiment &experiment, double before_rp
         return "the motor turns, and this is measured while it rests: stop it first";
     if (!conditions.lent.empty())
         return "the motor turns, and its gains are written while it rests: stop it first";
+    if (conditions.travels)
+        return "the motor turns, and its set-points can begin to leave with every exchange only "
+               "while it rests: stop it first";
     // A ramp through 0 loses a rotor that is not seen there, and brakes all that turns with it.
     const bool steps = std::holds_alternative<StepPlan>(experiment.plan);
     if (before_rpm * conditions.firstRpm < 0.0 && !(steps && experiment.subject.seesRotor()))
@@ -102,6 +122,32 @@ std::unique_ptr<Course> courseOf(const Experiment &experiment)
 {
     return std::visit(
         [&](const auto &plan) { return courseOf(plan, experiment.subject); }, experiment.plan);
+}
+
+drive::Stream streamOf(const Experiment &experiment)
+{
+    drive::Stream stream;
+    if (experiment.subject.polled)
+        return stream;
+    std::ranges::copy_if(conditionsOf(experiment).recorded, std::back_inserter(stream.fast),
+        [](drive::RegisterId id) { return id != 0; });
+    stream.fastEvery = experiment.subject.fastEvery(stream.fast.size());
+    return stream;
+}
+
+drive::Watch watchOf(const Experiment &experiment)
+{
+    constexpr Duration kPolls = 20ms;
+    const auto there = [](drive::RegisterId id) { return id != 0; };
+    const Registers &registers = experiment.subject.registers;
+    drive::Watch watch{.registers = {}, .period = kPolls};
+    std::ranges::copy_if(std::initializer_list{registers.bus, registers.temperature},
+        std::back_inserter(watch.registers), there);
+    if (experiment.subject.polled)
+        std::ranges::copy_if(
+            conditionsOf(experiment).recorded, std::back_inserter(watch.drawn), there);
+    watch.registers.insert(watch.registers.end(), watch.drawn.begin(), watch.drawn.end());
+    return watch;
 }
 
 recorded::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator)

@@ -38,6 +38,10 @@ Conditions conditionsOf(const Experiment &experiment);
 /// The whole time that it takes at most, the start of the motor left out.
 milliseconds lengthOf(const Experiment &experiment);
 std::unique_ptr<Course> courseOf(const Experiment &experiment);
+/// What the board is to record, or to send with each exchange; nothing where it does neither.
+drive::Stream streamOf(const Experiment &experiment);
+/// What is read meanwhile: bus and temperature, and where nothing is streamed the signals.
+drive::Watch watchOf(const Experiment &experiment);
 
 /// The plan as an entry of its recording. @param regulator  that closes the speed loop; its gains are 0 if not known
 recorded::Happening entryOf(const Experiment &experiment, const SpeedRegulator &regulator);

@@ -45,14 +45,18 @@ Happenings carriedOut(const Happenings &all)
 namespace {
 
 /// @param unit  empty: any
-const capture::Channel *channelOf(const capture::Capture &capture, const std::string &name,
-    capture::ChannelInfo::Kind kind, std::string_view unit = {})
+const capture::Channel *channelOf(
+    const capture::Capture &capture, const std::string &name, bool fast, std::string_view unit = {})
 {
+    using Kind = capture::ChannelInfo::Kind;
     if (name.empty())
         return nullptr;
-    for (const capture::ChannelInfo &info : capture.channels())
-        if (info.name == name && info.kind == kind && (unit.empty() || info.unit == unit))
+    for (const capture::ChannelInfo &info : capture.channels()) {
+        const bool meant =
+            fast ? info.kind == Kind::Fast : info.kind == Kind::Polled || info.kind == Kind::Slow;
+        if (info.name == name && meant && (unit.empty() || info.unit == unit))
             return capture.channel(info.id);
+    }
     return nullptr;
 }
 
@@ -60,13 +64,13 @@ const capture::Channel *channelOf(const capture::Capture &capture, const std::st
 
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name)
 {
-    return channelOf(capture, name, capture::ChannelInfo::Kind::Fast);
+    return channelOf(capture, name, true);
 }
 
 const capture::Channel *polledChannel(
     const capture::Capture &capture, const std::string &name, std::string_view unit)
 {
-    return channelOf(capture, name, capture::ChannelInfo::Kind::Polled, unit);
+    return channelOf(capture, name, false, unit);
 }
 
 bool drivesByTorque(const recorded::Happening &what)

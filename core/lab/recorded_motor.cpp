@@ -21,6 +21,7 @@ constexpr std::array kSignals{
     Signal{"voltage", &Registers::voltage, &RecordedMotor::voltage},
     Signal{"voltage d", &Registers::voltageD, &RecordedMotor::voltageD},
     Signal{"speed", &Registers::speed, &RecordedMotor::speed},
+    Signal{"speed reference", &Registers::speedReference, &RecordedMotor::speedReference},
     Signal{"angle", &Registers::angle, &RecordedMotor::angle},
 };
 

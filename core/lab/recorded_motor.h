@@ -12,7 +12,8 @@ namespace lab {
 struct RecordedMotor {
     int motor = 0;
     /// Names of signals; empty: none.
-    std::string reference, referenceD, current, currentD, voltage, voltageD, speed, angle;
+    std::string reference, referenceD, current, currentD, voltage, voltageD, speed, speedReference,
+        angle;
     double polePairs = 0.0;
     double nominalAmps = 0.0; ///< peak
     double torquePerAmp = 0.0; ///< Nm

@@ -25,9 +25,11 @@ constexpr int kMostGain = 32767; ///< of a register of 16 bits
 
 class ResponseCourse : public Course {
 public:
-    ResponseCourse(const ResponsePlan &plan, int motor)
+    /// @param shorter  of the two times for which the set-point is held
+    ResponseCourse(const ResponsePlan &plan, int motor, milliseconds shorter)
         : m_plan(plan)
         , m_motor(motor)
+        , m_shorter(shorter)
         , m_draw(plan.seed)
     {
     }
@@ -42,7 +44,8 @@ public:
             return std::nullopt;
         }
         // From when it was due, so that the link's pace is not in it; but never two at once.
-        m_due = std::max(m_due, moment.now - 10ms) + (m_draw.between(0.0, 1.0) < 0.5 ? 30ms : 60ms);
+        m_due = std::max(m_due, moment.now - m_shorter / 3)
+            + (m_draw.between(0.0, 1.0) < 0.5 ? m_shorter : 2 * m_shorter);
         if (std::exchange(m_up, m_draw.between(0.0, 1.0) < 0.5) == m_up && m_moved)
             return std::nullopt;
         m_moved = true;
@@ -55,6 +58,7 @@ public:
 private:
     ResponsePlan m_plan;
     int m_motor;
+    milliseconds m_shorter;
     Draw m_draw;
     std::optional<TimePoint> m_began;
     TimePoint m_due{};
@@ -101,8 +105,13 @@ std::string tooFarApart(double step_s, bool ofCurrent)
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
 {
     constexpr std::size_t kSignals = 4;
-    if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
-        return "this board does not record the angle of its rotor";
+    const Registers &registers = subject.registers;
+    if (subject.exchanged
+            ? std::min({registers.reference, registers.current, registers.speedReference}) == 0
+            : registers.angle == 0 || !(subject.limits.polePairs > 0.0))
+        return subject.exchanged
+            ? "this drive does not send its speed, its current and what they are to be"
+            : "this board does not record the angle of its rotor";
     if (const auto why =
             tooFarApart(subject.fastEvery(kSignals) / subject.tickHz, plan.current != 0);
         subject.tickHz > 0.0 && !why.empty())
@@ -133,19 +142,21 @@ Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
         .mostRpm = double(plan.rpm) + plan.amplitudeRpm,
         .margin_rpm = std::max(kLeastMargin_rpm, kMarginAmplitudes * plan.amplitudeRpm),
         .user = plan.caps,
-        .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
+        .recorded = {registers.reference, registers.current, registers.speed,
+            subject.exchanged ? registers.speedReference : registers.angle},
         .length = plan.length,
-        .lent = lent};
+        .lent = lent,
+        .travels = subject.exchanged};
 }
 
 std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject)
 {
-    return std::make_unique<ResponseCourse>(plan, subject.motor);
+    return std::make_unique<ResponseCourse>(plan, subject.motor, subject.exchanged ? 5ms : 30ms);
 }
 
 bool usable(const Recorded<ResponsePlan> &found)
 {
-    return found.polePairs > 0.0 && found.plan.amplitudeRpm >= 1;
+    return (found.angle.empty() || found.polePairs > 0.0) && found.plan.amplitudeRpm >= 1;
 }
 
 } // namespace lab

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace lab {
 
@@ -21,7 +20,6 @@ constexpr Duration kSwingsLeft = kReachesWithin - kSwingsAfter; ///< of it
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr const char *kStoppedByOthers = "something else stopped the motor";
 constexpr const char *kNotSeenToStop = "the motor was not seen to stop";
-constexpr Duration kPolls = 20ms; ///< of bus and temperature
 /// All answers to a plan's steps, beyond its length: 25 ms each for 200 of them. Speeds that are reached at once leave
 /// 10 s more.
 constexpr Duration kAnswersTake = 5s;
@@ -184,6 +182,8 @@ void Runner::accept(const drive::Event &event, TimePoint now)
         for (const drive::Reading &reading : read->readings)
             if (reading.status == drive::ReadStatus::Ok)
                 m_values[reading.id] = reading.value;
+    } else if (const auto *travel = std::get_if<drive::CyclicSetPointsChanged>(&event)) {
+        m_travels = travel->on;
     } else if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
         // One that is out of step for a moment is bounded by the silence.
         const bool answers =
@@ -233,9 +233,9 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     if (!ended.reason.empty())
         why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
-        "reading its bus voltage", "", "what it writes", "what the start goes to", "the start",
-        "the way to the first speed", "a step of it", "the way back", "what was there before",
-        "reading what is there afterwards", ""};
+        "reading its bus voltage", "", "set-points with every exchange", "what it writes",
+        "what the start goes to", "the start", "the way to the first speed", "a step of it",
+        "the way back", "what was there before", "reading what is there afterwards", ""};
     giveUp(End::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
 }
 
@@ -285,7 +285,7 @@ void Runner::advance(TimePoint now)
         if (!m_answered)
             break;
         enter(Phase::Watching, kAnswerWithin, now);
-        return ask(watch(), now);
+        return ask(watchOf(m_experiment), now);
     case Phase::Watching:
         if (!m_answered)
             break;
@@ -294,6 +294,10 @@ void Runner::advance(TimePoint now)
         if (m_status->state != MotorState::Idle)
             return giveUp(End::Refused, noRestText(*m_status), now);
         if (stands(*m_status, m_experiment) || (late && !turnsBack(*m_status, m_experiment)))
+            return lend(now);
+        break;
+    case Phase::Travelling:
+        if (m_answered)
             return lend(now);
         break;
     case Phase::Lending:
@@ -434,10 +438,10 @@ void Runner::onRead(TimePoint now)
                 + " is not 0, and would be afterwards: bring it to 0 first");
     if (m_experiment.subject.polled) {
         enter(Phase::Watching, kAnswerWithin, now);
-        return ask(watch(), now);
+        return ask(watchOf(m_experiment), now);
     }
     enter(Phase::Streaming, kAnswerWithin, now);
-    ask(stream(), now);
+    ask(streamOf(m_experiment), now);
 }
 
 /// What would not be bounded although the board tells it, or would break its bound at once.
@@ -451,28 +455,6 @@ std::string Runner::unbounded() const
         return "the board is at " + celsiusText(*m_before_c) + ", and " + celsiusText(kHottest_c)
             + " end an experiment: let it cool down first";
     return {};
-}
-
-drive::Stream Runner::stream() const
-{
-    drive::Stream stream;
-    stream.fast = m_conditions.recorded;
-    stream.fastEvery = m_experiment.subject.fastEvery(stream.fast.size());
-    return stream;
-}
-
-drive::Watch Runner::watch() const
-{
-    drive::Watch watch{.registers = {}, .period = kPolls};
-    for (const drive::RegisterId id :
-        {m_experiment.subject.registers.bus, m_experiment.subject.registers.temperature})
-        if (id != 0)
-            watch.registers.push_back(id);
-    if (m_experiment.subject.polled)
-        std::ranges::copy_if(m_conditions.recorded, std::back_inserter(watch.drawn),
-            [](drive::RegisterId id) { return id != 0; });
-    watch.registers.insert(watch.registers.end(), watch.drawn.begin(), watch.drawn.end());
-    return watch;
 }
 
 /// What the bus may have been: boards cut 23.99 V down to 23.
@@ -535,6 +517,10 @@ void Runner::coast(TimePoint now)
 
 void Runner::lend(TimePoint now)
 {
+    if (m_conditions.travels && m_phase == Phase::Coasting) {
+        enter(Phase::Travelling, kAnswerWithin, now);
+        return ask(drive::CyclicSetPoints{true}, now);
+    }
     if (m_conditions.lent.empty())
         return aim(now);
     enter(Phase::Lending, kAnswerWithin, now);
@@ -640,6 +626,8 @@ void Runner::restore(TimePoint now)
     if (m_conditions.beginning != Beginning::WhileStarting)
         m_restores.push_back(drive::SpeedRamp{
             m_experiment.subject.motor, static_cast<int>(std::lround(m_before_rpm)), m_beforeRamp});
+    if (m_travels)
+        m_restores.push_back(drive::CyclicSetPoints{false});
     restoreNext(now);
 }
 
@@ -725,9 +713,9 @@ void Runner::giveUp(End end, const std::string &reason, TimePoint now)
         m_soFar.end = end;
         m_soFar.reason = reason;
     }
-    if (!m_commanded && !m_lent)
+    if (!m_commanded && !m_lent && !m_travels)
         return finish();
-    if (m_phase == Phase::Lending || m_phase == Phase::Aiming
+    if (m_phase == Phase::Travelling || m_phase == Phase::Lending || m_phase == Phase::Aiming
         || (m_phase == Phase::Starting && m_stands))
         return restore(now);
     if (m_phase == Phase::Returning || m_phase == Phase::Starting)
@@ -821,6 +809,8 @@ void Runner::finish()
         for (const std::string &text : leftTexts(lent))
             say(text);
     }
+    if (m_travels)
+        say("set-points leave with every exchange still");
     if (m_byTorque)
         say(m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
                            : "the motor is in torque control now, it was in speed control");

@@ -61,6 +61,7 @@ private:
         Streaming, ///< until the board records
         Watching, ///< until the rest is polled
         Coasting, ///< until the rotor of a motor that was stopped a moment ago stands
+        Travelling, ///< until set-points go with every exchange, while the motor rests
         Lending, ///< of the registers that the plan writes, while the motor rests
         Aiming, ///< of a motor at rest: until its start goes to the first speed, or to no current
         Starting, ///< until it runs
@@ -114,8 +115,6 @@ private:
     std::optional<double> busRise() const;
     double mostBefore_v() const;
     milliseconds wayTo(double rpm) const;
-    drive::Stream stream() const;
-    drive::Watch watch() const;
     std::optional<double> shown(drive::RegisterId id) const;
 
     static constexpr const char *kStopping = "every motor was told to stop";
@@ -142,6 +141,7 @@ private:
     std::vector<drive::RegisterWrite> m_old; ///< of the borrowed registers
     std::optional<TimePoint> m_ranAt;
     bool m_lent = false; ///< they may hold what the experiment wrote
+    bool m_travels = false; ///< set-points do, with every exchange, since this asked for it
     bool m_cut = false; ///< it has ended, and only gives those back
     std::deque<Ask> m_restores; ///< still to be asked for
     double m_before_rpm = 0.0; ///< the set-point

@@ -236,7 +236,7 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
     const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
     return {.lowRpm = static_cast<int>(std::lround(low)),
         .highRpm = static_cast<int>(std::lround(high)),
-        .length = subject.polled                              ? 5 * SpinPlan::kRound
+        .length = !subject.records()                          ? 5 * SpinPlan::kRound
             : byHall(subject.nameOf(subject.registers.angle)) ? kLength
                                                               : kSlowLength,
         .caps = caps};
@@ -263,11 +263,11 @@ SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
 
 std::string objectionTo(const SpinPlan &plan, const Subject &subject)
 {
-    if (std::string why =
-            subject.polled ? objectionToPolled(plan, subject) : objectionToRecorded(plan, subject);
+    if (std::string why = !subject.records() ? objectionToPolled(plan, subject)
+                                             : objectionToRecorded(plan, subject);
         !why.empty())
         return why;
-    if (subject.polled && plan.length < SpinPlan::kRound)
+    if (!subject.records() && plan.length < SpinPlan::kRound)
         return "its ramps take " + decimalText(toSeconds(SpinPlan::kRound), 3) + " s";
     if (plan.length < 1s || plan.length > 30s)
         return "it takes 1 to 30 s";
@@ -289,8 +289,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length,
-        .steady = plan.fluxAmps > 0.0 || subject.polled};
-    if (subject.polled) {
+        .steady = plan.fluxAmps > 0.0 || !subject.records()};
+    if (!subject.records()) {
         conditions.recorded = {registers.speed, registers.current};
         return conditions;
     }
@@ -312,7 +312,7 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 {
-    if (subject.polled)
+    if (!subject.records())
         return std::make_unique<ToAndFro>(subject.motor, ToAndFro::Way{plan.highRpm, SpinPlan::kUp},
             ToAndFro::Way{plan.lowRpm, SpinPlan::kDown}, SpinPlan::kHold,
             plan.length / SpinPlan::kRound);

@@ -21,7 +21,7 @@ constexpr double kUndershoot = 0.1, kUndershootDigits = 2.0;
 
 std::string objectionTo(const StepPlan &plan, const Subject &subject)
 {
-    if (subject.polled && plan.caps.maxCurrentAmps > 0.0 && subject.registers.current == 0)
+    if (!subject.records() && plan.caps.maxCurrentAmps > 0.0 && subject.registers.current == 0)
         return "nothing tells its current in A, so that none could be held against your limit: say "
                "what the full scale of its currents is";
     if (plan.fromRpm == plan.toRpm)

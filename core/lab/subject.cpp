@@ -37,8 +37,8 @@ drive::RegisterId streamed(const catalog::Catalog &catalog, std::string_view nam
 std::string lackOf(const drive::StreamLimits &streaming, const Registers &registers)
 {
     if (streaming.frameOverhead > 0)
-        return "This board sends its samples once an exchange: experiments need them at the rate "
-               "of its control loop.";
+        return "This board sends its samples once an exchange: this is measured by samples at the "
+               "rate of its control loop.";
     if (registers.speed == 0)
         return "This board does not record the speed that its main sensor tells.";
     if (registers.reference == 0 || registers.current == 0)
@@ -109,6 +109,8 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
 /// start-up without a sensor has. Where that is not said nothing is known, and none is assumed.
 bool Subject::seesRotor() const
 {
+    if (exchanged) // servo drives are made for a sensor
+        return true;
     if (polled)
         return registers.startUp == 0 && catalog && catalog->find("RUC_STAGE_NBR") != nullptr;
     const std::string speed = nameOf(registers.speed);
@@ -158,18 +160,26 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
 Result<Subject, std::string> pollableSubjectOf(const drive::Identified &board, int motor)
 {
     using drive::Feature;
-    if (!(board.streaming.readsPerSecond > 0.0)) // else what is drawn is read as often as it goes
+    const bool exchanged = board.streaming.frameOverhead > 0;
+    const bool polled = board.streaming.readsPerSecond > 0.0; // what is drawn, as often as it goes
+    if (!exchanged && !polled)
         return subjectOf(board, motor);
     if (auto why = reasonAgainst(board, motor, {Feature::SpeedRamp, Feature::Start}); !why.empty())
         return fail(std::move(why));
     Subject found = unrecorded(board, motor);
-    found.polled = true;
+    found.polled = !exchanged;
+    found.exchanged = exchanged;
+    found.tickHz = board.streaming.tickHz;
+    found.linkBytesPerSecond = board.streaming.linkBytesPerSecond;
     Registers &registers = found.registers;
-    registers.speed = idOf(*board.catalog, "SPEED_MEAS", motor);
+    const auto id = exchanged ? streamed : idOf;
+    registers.speed = id(*board.catalog, "SPEED_MEAS", motor);
     if (registers.speed == 0)
         return fail(std::string("This board does not tell the speed of its motor."));
+    if (exchanged)
+        registers.reference = streamed(*board.catalog, "I_Q_REF", motor);
     // In digits it would bound nothing and say nothing, and each read makes the others rarer.
-    const drive::RegisterId current = idOf(*board.catalog, "I_Q_MEAS", motor);
+    const drive::RegisterId current = id(*board.catalog, "I_Q_MEAS", motor);
     if (board.catalog->readScale(current).unit == "A")
         registers.current = current;
     // Beside the one that a start goes to, to say what it goes on showing.

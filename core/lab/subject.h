@@ -23,7 +23,8 @@ struct Registers {
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
     /// The stages of a start without a sensor; written, not recorded.
     drive::RegisterId startUp = 0;
-    drive::RegisterId speedReference = 0; ///< in force, rpm; read with the set-point
+    /// In force, rpm; read with the set-point, and recorded where samples come with each exchange.
+    drive::RegisterId speedReference = 0;
 };
 
 /// What the angle's register is called tells its sensor.
@@ -34,11 +35,17 @@ struct Subject {
     int motor = 1;
     /// The board records nothing by itself: speed and Iq are read one after the other, and there are no other signals.
     bool polled = false;
+    /// It does not record, either: its signals come with each exchange of the line, all of one instant, up to a thousand
+    /// times a second.
+    bool exchanged = false;
     Registers registers;
     std::shared_ptr<const catalog::Catalog> catalog;
     drive::MotorLimits limits; ///< of the motor
     std::vector<drive::RegisterId> setPoint; ///< drive::startRegisters()
     double tickHz = 0.0, linkBytesPerSecond = 0.0;
+
+    /// As fast as its control loop works.
+    bool records() const { return !polled && !exchanged; }
 
     std::string nameOf(drive::RegisterId id) const; ///< empty for 0
     /// One sample every so many control periods, so that this many signals leave room on the link for everything else.
@@ -52,8 +59,9 @@ struct Subject {
 
 /// The motor of this number; or why nothing can be measured with this board, in a sentence.
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor);
-/// The same for what polled values tell as well, steps of the speed and the mechanics: a board that records nothing
-/// will do, whose registers are read one after the other as often as the line gives.
+/// The same for what fewer values tell as well, steps of the speed and the mechanics: a board that records nothing will
+/// do, whose registers are read one after the other as often as the line gives, or come with each exchange; these tell
+/// the response of a speed, too.
 Result<Subject, std::string> pollableSubjectOf(const drive::Identified &board, int motor);
 
 } // namespace lab

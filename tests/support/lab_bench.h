@@ -35,8 +35,10 @@ inline QString outcomeText(const lab::Outcome &outcome)
         .arg(QString::fromStdString(outcome.reason));
 }
 
-struct LabBench {
-    Session pair;
+/// @tparam Pair  the drive and its board: a Session, or what is as one
+template <class Pair>
+struct LabBenchOn {
+    Pair pair;
     lab::Experiment experiment;
     lab::StepPlan steps{
         .fromRpm = 1000, .toRpm = 1500, .repeat = 2}; ///< unless told otherwise, what is tried
@@ -51,8 +53,9 @@ struct LabBench {
     std::function<void(recorded::Nanos, const recorded::Entry &)> eachEntry; ///< for a file of it
     std::function<bool(const recorded::Entry &)> loses; ///< and keeps out of the capture
 
-    explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
-        : pair(true, options, seed)
+    template <class... Args>
+    explicit LabBenchOn(const Args &...args)
+        : pair(args...)
         , restorer(capture)
     {
         const auto subject = pair.ready ? lab::pollableSubjectOf(*pair.identified, 1)
@@ -184,6 +187,13 @@ private:
     recorded::DriveEntries entries;
     recorded::Restorer restorer;
     std::deque<std::pair<TimePoint, drive::Wish>> waiting;
+};
+
+struct LabBench : LabBenchOn<Session> {
+    explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
+        : LabBenchOn(true, options, seed)
+    {
+    }
 };
 
 } // namespace support

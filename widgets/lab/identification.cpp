@@ -75,7 +75,7 @@ Result<ExperimentBar::Run, QString> Identification::mechanicalRun(bool bothWays)
     auto subject = m_experiments.subject(true);
     if (!subject)
         return fail(subject.error());
-    if (subject->polled)
+    if (!subject->records())
         subject->limits.torquePerAmp = m_findings.torqueConstant_nm();
     const lab::SpinPlan plan = lab::spinPlanFor(*subject, m_device.userLimits());
     ExperimentBar::Run run{

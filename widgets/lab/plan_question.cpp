@@ -46,7 +46,7 @@ QString spinWords(const lab::SpinPlan &plan, const lab::Subject &subject)
 {
     const QString length = secondsText(plan.length);
     const QString low = rpmText(plan.lowRpm), high = rpmText(plan.highRpm);
-    if (subject.polled)
+    if (!subject.records())
         return PlanQuestion::tr("For %1 ramps lead it from %2 to %3 and back; an ampere is taken "
                                 "for %4.")
             .arg(length, low, high, siText(subject.limits.torquePerAmp, QStringLiteral("N m")));
@@ -152,7 +152,7 @@ QStringList busWords(const std::vector<lab::Experiment> &experiments)
         });
     const bool ramps =
         std::any_of(experiments.begin(), experiments.end(), [](const lab::Experiment &experiment) {
-            return experiment.subject.polled
+            return !experiment.subject.records()
                 && std::holds_alternative<lab::SpinPlan>(experiment.plan);
         });
     QStringList lines;
@@ -266,7 +266,7 @@ public:
                                       }
                               },
                        [&](const lab::SpinPlan &plan) {
-                           if (experiment.subject.polled)
+                           if (!experiment.subject.records())
                                return ramps(plan);
                            swing(plan.lowRpm, plan.highRpm, plan.length, 0.25, 0.25);
                        },

@@ -38,6 +38,7 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "reading the motor's state: %1"),
     QT_TRANSLATE_NOOP("Lab", "recording its signals: %1"),
     QT_TRANSLATE_NOOP("Lab", "reading its bus voltage: %1"),
+    QT_TRANSLATE_NOOP("Lab", "set-points with every exchange: %1"),
     QT_TRANSLATE_NOOP("Lab", "what it writes: %1"),
     QT_TRANSLATE_NOOP("Lab", "what the start goes to: %1"),
     QT_TRANSLATE_NOOP("Lab", "the start: %1"),
@@ -160,14 +161,23 @@ constexpr const char *kLabTexts[] = {
         "%1 rpm of the board, which counts by %2 pole pairs, and %3 rpm of the shaft make %4, "
         "which is no whole number: read both again, at a constant speed"),
     QT_TRANSLATE_NOOP("Lab",
-        "its speed and current were read one after the other, and its torques are counted by %1 N "
-        "m for an ampere, as was given"),
+        "its board records nothing by itself, and its torques are counted by %1 N m for an ampere, "
+        "as was given"),
     QT_TRANSLATE_NOOP("Lab",
         "nothing tells its current in A, so that none could be held against your limit: say what "
         "the full scale of its currents is"),
     QT_TRANSLATE_NOOP("Lab",
-        "This board sends its samples once an exchange: experiments need them at the rate of its "
-        "control loop."),
+        "This board sends its samples once an exchange: this is measured by samples at the rate of "
+        "its control loop."),
+    QT_TRANSLATE_NOOP("Lab",
+        "this board sends its samples once an exchange: only steps and response of the speed, "
+        "inertia and friction are told from them"),
+    QT_TRANSLATE_NOOP(
+        "Lab", "this drive does not send its speed, its current and what they are to be"),
+    QT_TRANSLATE_NOOP("Lab",
+        "the motor turns, and its set-points can begin to leave with every exchange only while it "
+        "rests: stop it first"),
+    QT_TRANSLATE_NOOP("Lab", "set-points leave with every exchange still"),
     QT_TRANSLATE_NOOP("Lab", "This board does not record the speed that its main sensor tells."),
     QT_TRANSLATE_NOOP(
         "Lab", "This board does not record both the current of its motor and what it is to be."),

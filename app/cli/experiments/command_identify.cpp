@@ -13,13 +13,13 @@ Outcome<lab::Subject> subjectOf(const Desk &desk, const ExperimentRun &run, bool
 {
     auto subject = run.subject(mechanical);
     const double given_nm = desk.arguments.torqueConstant_nm;
-    if (subject && subject->polled && subject->registers.current != 0 && given_nm == 0.0)
+    if (subject && !subject->records() && subject->registers.current != 0 && given_nm == 0.0)
         return failure(kRefused,
             QStringLiteral("This board does not tell which torque an ampere makes: give it with "
                            "--torque-constant."));
     if (!subject || given_nm == 0.0)
         return subject;
-    if (!subject->polled)
+    if (subject->records())
         return failure(kRefused,
             QStringLiteral("This board tells its torque constant itself: leave --torque-constant "
                            "out."));

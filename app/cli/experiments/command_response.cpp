@@ -10,7 +10,7 @@ Outcome<int> runResponse(Desk &desk)
 {
     const ResponseArguments &asked = desk.arguments.response;
     ExperimentRun run(desk);
-    const auto subject = run.subject();
+    const auto subject = run.subject(!asked.current);
     if (!subject)
         return tl::make_unexpected(subject.error());
     const drive::UserLimits &limits = desk.arguments.limits;

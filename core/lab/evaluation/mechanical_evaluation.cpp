@@ -386,7 +386,7 @@ DrivenRun drivenRun(const capture::Capture &capture, const SpinChannels &channel
             return;
         run.spans.push_back(*span);
         const auto all = channels.read
-            ? segmentsOfReads(turns, *channels.current, span->from, span->to)
+            ? segmentsOfReads(turns, std::array{channels.current}, span->from, span->to)
             : segmentsOf(turns, signalsOf(capture, plan), span->from, span->to);
         const auto turning = whileTurning(all, leastTurning_degPerS(plan), edgeOf(plan));
         run.stood_s += timeOf(all) - timeOf(turning);
@@ -424,9 +424,8 @@ void noteRun(Mechanics &found, const DrivenRun &run, bool both, const RecordedMo
         found.notes.emplace_back(
             "the speed did not come to rest before the first torque: its speed loop swings");
     if (run.ofReads)
-        found.notes.push_back(
-            "its speed and current were read one after the other, and its torques "
-            "are counted by "
+        found.notes.push_back("its board records nothing by itself, and its torques "
+                              "are counted by "
             + decimalText(of.torquePerAmp, 3) + " N m for an ampere, as was given");
     if (run.ofTwo && !both)
         found.notes.emplace_back("it was driven in one of its two directions only");

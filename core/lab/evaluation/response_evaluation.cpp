@@ -25,11 +25,41 @@ constexpr double kTransform_s = 2.048;
 constexpr double kBand = 0.25;
 constexpr std::size_t kMostBins = 4;
 constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
+constexpr double kHighestExchanged_hz = 200.0; ///< by set-points that leave with every exchange
 /// Of an observed speed: beyond these it says little of the shaft's, once what follows the current is taken out, and as
 /// it was.
 constexpr double kCorrected_hz = 25.0, kObserved_hz = 10.0;
 constexpr int kLeastSegments = 4;
 enum Signal : std::size_t { Speed, Current, Reference, Sensed, kSignals };
+
+/// The signals of a recording: of the board's control loop, or as they came with each exchange.
+struct Signals {
+    /// The current's reference, the current, the speed; of those that were exchanged the speed's reference.
+    std::vector<const capture::Channel *> all;
+    const capture::Channel *turns = nullptr; ///< the angle, or the speed
+    bool exchanged = false;
+
+    Signals(const capture::Capture &capture, const RecordedMotor &of)
+        : exchanged(of.angle.empty())
+    {
+        turns =
+            exchanged ? polledChannel(capture, of.speed, "rpm") : fastChannel(capture, of.angle);
+        if (exchanged)
+            all = {polledChannel(capture, of.reference, "A"),
+                polledChannel(capture, of.current, "A"), turns,
+                polledChannel(capture, of.speedReference, "rpm")};
+        else
+            all = {fastChannel(capture, of.reference), fastChannel(capture, of.current),
+                fastChannel(capture, of.speed)};
+    }
+    bool whole() const { return turns != nullptr && std::ranges::find(all, nullptr) == all.end(); }
+    std::vector<Segment> between(Nanos from, Nanos to) const
+    {
+        constexpr double kExchange_s = 1e-3, kFarthest_s = 5e-3;
+        return exchanged ? segmentsOfReads(*turns, all, from, to, kExchange_s, kFarthest_s)
+                         : segmentsOf(*turns, all, from, to);
+    }
+};
 
 struct Edge {
     Nanos at = 0;
@@ -124,12 +154,14 @@ double sinc(double x)
 
 /// How often signals are taken, once in about a millisecond, and what their means leave of a frequency.
 struct Pace {
-    explicit Pace(double sample_s)
+    Pace(double sample_s, bool ofExchanged)
         : step_s(sample_s)
+        , exchanged(ofExchanged)
         , every(2 * static_cast<std::size_t>(std::max(1L, std::lround(kPeriod_s / sample_s / 2.0))))
     {
     }
     double step_s; ///< between two samples
+    bool exchanged;
     std::size_t every; ///< samples; even, so that one of them is in the middle of a mean
 
     double period_s() const { return static_cast<double>(every) * step_s; }
@@ -139,13 +171,16 @@ struct Pace {
         return 2 * static_cast<std::size_t>(std::lround(kTransform_s / period_s() / 2.0));
     }
     /// Of a current: the mean by trapezoids over a period.
-    double ofMean(double hz) const
+    double ofMean(double hz, int periods = 1) const
     {
-        const double phase = std::numbers::pi * hz * step_s, many = static_cast<double>(every);
+        const double phase = std::numbers::pi * hz * step_s, many = double(periods) * double(every);
         return std::sin(many * phase) / (many * std::tan(phase));
     }
-    /// Of the shaft's speed: the difference of its angle over two periods.
-    double ofSpeed(double hz) const { return sinc(2.0 * hz * period_s()); }
+    /// Of the shaft's speed: the difference of its angle over two periods, which may be the sum of its speed.
+    double ofSpeed(double hz) const
+    {
+        return exchanged ? ofMean(hz, 2) : sinc(2.0 * hz * period_s());
+    }
 };
 
 /// Signals once a period: the set-point, then those of Signal.
@@ -154,7 +189,7 @@ std::array<std::vector<double>, kSignals + 1> resampled(
 {
     std::array<std::vector<double>, kSignals + 1> signals;
     const std::size_t every = pace.every;
-    const double toRad = std::numbers::pi / 180.0 / polePairs;
+    const double toRad = std::numbers::pi / 180.0 / (pace.exchanged ? 1.0 : polePairs);
     const auto mean = [&](std::size_t value, std::size_t from) {
         const std::vector<double> &samples = segment.values[value];
         double sum = (samples[from] + samples[from + every]) / 2.0;
@@ -168,7 +203,7 @@ std::array<std::vector<double>, kSignals + 1> resampled(
         const Nanos time = segment.at + capture::toNanos(static_cast<double>(centre) * pace.step_s);
         while (edge + 1 != edges.end() && (edge + 1)->at <= time)
             ++edge;
-        signals[0].push_back(edge->rpm);
+        signals[0].push_back(pace.exchanged ? mean(3, at) : edge->rpm);
         signals[1 + Speed].push_back(
             (segment.turned_deg[centre + every] - segment.turned_deg[centre - every]) * toRad
             / (2.0 * pace.period_s()));
@@ -203,7 +238,8 @@ void addPoints(SpeedResponse &found, const CrossSpectra &fine, const Pace &pace)
         ResponsePoint point;
         point.hz = lowest + static_cast<double>(width - 1) / 2.0 * fine.binHz;
         point.coherence = std::min(spectra.coherence(Speed, bin), spectra.coherence(Current, bin));
-        if (point.hz < kLowest_hz || point.hz > kHighest_hz
+        if (point.hz < kLowest_hz
+            || point.hz > (pace.exchanged ? kHighestExchanged_hz : kHighest_hz)
             || point.coherence < kLeastMarginCoherence)
             continue;
         const auto cross = [&](Signal signal) { return spectra.cross[signal][bin]; };
@@ -211,10 +247,18 @@ void addPoints(SpeedResponse &found, const CrossSpectra &fine, const Pace &pace)
             cross(Speed) / cross(Current) * pace.ofMean(point.hz) / pace.ofSpeed(point.hz);
         point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
             + varianceOf(spectra.coherence(Current, bin), spectra.averages));
-        if (found.regulator.proportional != 0.0)
+        const Complex follows =
+            cross(Sensed) / spectra.instrument[bin]; // what the set-point makes of the speed
+        if (pace.exchanged)
+            point.loop = follows / (1.0 - follows);
+        else if (found.regulator.proportional != 0.0)
             point.loop = cross(Sensed) / cross(Reference) * regulatorAt(found.regulator, point.hz);
         point.loopRelative = std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages)
             + varianceOf(spectra.coherence(Reference, bin), spectra.averages));
+        if (pace.exchanged)
+            point.loopRelative =
+                std::sqrt(varianceOf(spectra.coherence(Sensed, bin), spectra.averages))
+                / std::abs(1.0 - follows);
         found.points.push_back(point);
     }
 }
@@ -404,12 +448,10 @@ Result<SpeedResponse, std::string> evaluateResponse(
     const auto [plan, after] = planIn<ResponsePlan>(all);
     if (!plan || plan->plan.current != 0)
         return fail(std::string("it is no recording of a speed's frequency response"));
-    const std::array others{fastChannel(capture, plan->reference),
-        fastChannel(capture, plan->current), fastChannel(capture, plan->speed)};
-    const capture::Channel *angle = fastChannel(capture, plan->angle);
-    if (angle == nullptr || std::find(others.begin(), others.end(), nullptr) != others.end())
+    const Signals signals(capture, *plan);
+    if (!signals.whole())
         return fail(std::string("it holds no samples of the signals that it needs"));
-    Edges edges(*plan, *others[0]);
+    Edges edges(*plan, *signals.all[0]);
     for (auto at = after.begin(); at != after.end() && !edges.over; ++at)
         edges.accept(at->first, at->second);
     edges.settle();
@@ -417,9 +459,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(std::string("the set-point was never moved in it"));
     if (edges.gainsChanged)
         return fail(std::string(kGainsChanged));
-    const std::vector<Segment> segments =
-        segmentsOf(*angle, others, edges.edges.front().at, edges.end);
-    const Pace pace(segments.empty() ? kPeriod_s : segments.front().step_s);
+    const std::vector<Segment> segments = signals.between(edges.edges.front().at, edges.end);
+    const Pace pace(segments.empty() ? kPeriod_s : segments.front().step_s, signals.exchanged);
     if (auto why = tooFarApart(pace.step_s, false); !why.empty())
         return fail(std::move(why));
     CrossSpectrum sum(pace.transform(), 1.0 / pace.period_s(), kSignals);
@@ -435,11 +476,11 @@ Result<SpeedResponse, std::string> evaluateResponse(
     addPoints(found, fine, pace);
     if (found.points.empty())
         return fail(std::string("nothing in it follows the set-point"));
-    if (!byEncoder(plan->angle))
+    if (!signals.exchanged && !byEncoder(plan->angle))
         correctObserved(found, plan->polePairs);
     noteGaps(found.notes, missingIn(segments));
     noteEnd(found.notes, edges.over, edges.reason);
-    if (plan->regulator.proportional != 0.0)
+    if (signals.exchanged || plan->regulator.proportional != 0.0)
         addMargins(found, kLeastMarginCoherence);
     return found;
 }

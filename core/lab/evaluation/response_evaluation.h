@@ -19,8 +19,9 @@ namespace lab {
 
 struct ResponsePoint {
     double hz = 0.0;
-    /// Speed of the shaft by Iq: (rad/s)/A, an observed one without what its angle owes to the current alone; of a
-    /// current loop Iq by its reference.
+    /// Speed of the shaft by Iq: (rad/s)/A, an observed one without what its angle owes to the current alone; where
+    /// samples came with each exchange, the speed as the drive takes it, which is a mean; of a current loop Iq by its
+    /// reference.
     std::complex<double> plant;
     bool plantKnown = true; ///< else what an observer adds is too much of it
     double relative = 0.0; ///< standard error of its gain, and of its phase in rad

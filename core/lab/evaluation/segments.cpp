@@ -68,16 +68,15 @@ public:
         });
     }
     /// Instants that do not fall. Empty: not between two that are close enough.
-    std::optional<double> at(double instant_s)
+    std::optional<double> at(double instant_s, double farthest_s)
     {
-        constexpr double kFarthest_s = 0.1;
         while (m_next < m_all.size() && m_all[m_next].first <= instant_s)
             ++m_next;
         if (m_next == 0 || m_next == m_all.size())
             return std::nullopt;
         const auto &[from_s, one] = m_all[m_next - 1];
         const auto &[to_s, other] = m_all[m_next];
-        if (to_s - from_s > kFarthest_s)
+        if (to_s - from_s > farthest_s)
             return std::nullopt;
         return one + (other - one) * (instant_s - from_s) / (to_s - from_s);
     }
@@ -164,12 +163,18 @@ std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::stri
     return segmentsOf(*turns, channels, from, to);
 }
 
-std::vector<Segment> segmentsOfReads(const capture::Channel &speed, const capture::Channel &current,
-    capture::Nanos from, capture::Nanos to)
+std::vector<Segment> segmentsOfReads(const capture::Channel &speed,
+    std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to,
+    double step_s, double farthest_s)
 {
-    constexpr double kStep_s = 5e-3, kDegPerS = 6.0; // an rpm
+    constexpr double kDegPerS = 6.0; // an rpm
     constexpr std::size_t kLeast = 3;
-    Reads speeds(speed, from, to), currents(current, from, to);
+    Reads speeds(speed, from, to);
+    std::vector<Reads> all;
+    double end_s =
+        std::min(speeds.end_s(), 60.0); // of what moves a motor by itself; a file may say years
+    for (const capture::Channel *channel : others)
+        end_s = std::min(end_s, all.emplace_back(*channel, from, to).end_s());
     std::vector<Segment> segments;
     Segment now;
     double before = 0.0;
@@ -177,17 +182,21 @@ std::vector<Segment> segmentsOfReads(const capture::Channel &speed, const captur
         if (now.turned_deg.size() >= kLeast)
             segments.push_back(std::move(now));
         now = {};
-        now.step_s = kStep_s;
-        now.values.resize(1);
+        now.step_s = step_s;
+        now.values.resize(all.size());
     };
     finish();
-    constexpr double kLongest_s = 60.0; // of what moves a motor by itself; a file may say years
-    const auto steps = static_cast<std::size_t>(
-        std::min({speeds.end_s(), currents.end_s(), kLongest_s}) / kStep_s);
-    for (std::size_t step = 0; step <= steps; ++step) {
-        const double at_s = static_cast<double>(step) * kStep_s;
-        const auto rpm = speeds.at(at_s), amps = currents.at(at_s);
-        if (!rpm || !amps) {
+    std::vector<double> values(all.size());
+    for (std::size_t step = 0; step <= static_cast<std::size_t>(end_s / step_s); ++step) {
+        const double at_s = static_cast<double>(step) * step_s;
+        const auto rpm = speeds.at(at_s, farthest_s);
+        bool whole = rpm.has_value();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto value = all[i].at(at_s, farthest_s);
+            whole = whole && value;
+            values[i] = value.value_or(0.0);
+        }
+        if (!whole) {
             finish();
             continue;
         }
@@ -195,8 +204,9 @@ std::vector<Segment> segmentsOfReads(const capture::Channel &speed, const captur
             now.at = from + capture::toNanos(at_s);
         now.turned_deg.push_back(now.turned_deg.empty()
                 ? 0.0
-                : now.turned_deg.back() + (before + *rpm) / 2.0 * kDegPerS * kStep_s);
-        now.values[0].push_back(*amps);
+                : now.turned_deg.back() + (before + *rpm) / 2.0 * kDegPerS * step_s);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            now.values[i].push_back(values[i]);
         before = *rpm;
     }
     finish();

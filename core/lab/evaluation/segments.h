@@ -30,12 +30,13 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
 std::vector<Segment> segmentsOf(const capture::Capture &capture, const std::string &angle,
     const std::vector<std::string> &others, capture::Nanos from, capture::Nanos to);
 
-/// The same of a speed and a current that were read one after the other, with the current as its value: on even steps,
-/// on straight lines between what was read. Nothing where two of either are further apart than 0.1 s. The angle is
-/// mechanical, and counts from the beginning.
+/// The same of a speed and others that were read one after the other, or came with each exchange: on even steps, on
+/// straight lines between what was read. The angle is mechanical, and counts from the beginning.
 /// @param speed  rpm
-std::vector<Segment> segmentsOfReads(const capture::Channel &speed, const capture::Channel &current,
-    capture::Nanos from, capture::Nanos to);
+/// @param farthest_s  nothing where two values of a channel are further apart
+std::vector<Segment> segmentsOfReads(const capture::Channel &speed,
+    std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to,
+    double step_s = 5e-3, double farthest_s = 0.1);
 
 /// Between the segments of segmentsOf(), s: samples that are not in any of them.
 double missingIn(const std::vector<Segment> &segments);

@@ -246,11 +246,11 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
     StepFinder finder(*plan);
     for (auto at = after.begin(); at != after.end() && !finder.over; ++at)
         finder.accept(at->first, at->second);
-    const bool polled = plan->reference.empty();
+    const bool polled = fastChannel(capture, plan->speed) == nullptr;
     const auto signal = [&](const std::string &name, std::string_view unit) {
         return polled ? polledChannel(capture, name, unit) : fastChannel(capture, name);
     };
-    const StepChannels channels{signal(plan->reference, "A"), signal(plan->current, "A"),
+    const StepChannels channels{fastChannel(capture, plan->reference), signal(plan->current, "A"),
         signal(plan->speed, "rpm"), signal(plan->angle, {})};
     if ((channels.reference == nullptr && !polled) || channels.speed == nullptr)
         return fail(std::string("it holds no samples of the signals of its series of steps"));

@@ -119,7 +119,7 @@ std::optional<lab::GainCandidate> LoopTuning::candidate(lab::Goal goal) const
 
 Result<ExperimentBar::Run, QString> LoopTuning::speedRun(std::chrono::milliseconds length)
 {
-    const auto subject = m_experiments.subject();
+    const auto subject = m_experiments.subject(true);
     if (!subject)
         return fail(subject.error());
     if (!lab::gainRegisters(*subject).empty() && (!present() || !m_facts.known()))

@@ -1,0 +1,249 @@
+// Experiments on drives that send their samples with each exchange, some thousand times a second: steps and response of
+// the speed, inertia and friction. The response is measured by set-points that leave with each exchange, too.
+#include "core/lab/estimate_checks.h"
+#include "lab/evaluation/finding.h"
+#include "lab/evaluation/response_evaluation.h"
+#include "motor/constants.h"
+#include "simulation/plant/presets.h"
+#include "support/lab_bench.h"
+#include "support/mcb/pair.h"
+
+#include <numbers>
+
+using lab::End;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct ServoSession : support::McbPair {
+    explicit ServoSession(const simulation::McbBoardOptions &options)
+        : McbPair(options)
+        , ready(meet())
+    {
+        drive->arm();
+        exchange();
+    }
+    bool ready;
+};
+
+struct ServoBench : support::LabBenchOn<ServoSession> {
+    explicit ServoBench(const simulation::McbBoardOptions &options = {})
+        : LabBenchOn(options)
+    {
+        experiment.subject.limits.torquePerAmp =
+            motor::ktOfFlux_nmpa(truth.motor.flux_wb, truth.motor.polePairs);
+        steps = {.fromRpm = 1000, .toRpm = 1500, .repeat = 2};
+        pair.onEvent = [this, before = pair.onEvent](const drive::Event &event) {
+            if (const auto *changed = std::get_if<drive::CyclicSetPointsChanged>(&event)) {
+                travel = changed->on;
+                began = began || travel;
+            }
+            before(event);
+        };
+    }
+    bool travel = false, began = false; ///< set-points, with every exchange
+    Result<lab::Finding, std::string> finding() const
+    {
+        return lab::findingIn(capture, happenings);
+    }
+    bool idles() { return pair.runUntilState(drive::MotorState::Idle); }
+    const simulation::PlantParameters truth = *simulation::findPreset("servo24");
+};
+
+} // namespace
+
+class TestExchangedSamples : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void stepsAreThoseOfTheRotor();
+    void theMechanicsAreThoseOfTheMotor();
+    void theResponseIsThatOfTheShaft();
+    void theLoopIsThatOfItsGains();
+    void setPointsThatTravelledBeforeGoOn();
+    void aBrokenBoundIsAStop();
+    void aLineThatFallsSilentBreaksIt();
+    void whatNeedsMoreIsRefused();
+};
+
+void TestExchangedSamples::stepsAreThoseOfTheRotor()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    std::vector<std::pair<lab::Nanos, double>> rotor;
+    bench.eachTurn = [&] {
+        rotor.emplace_back(
+            bench.pair.now.time_since_epoch().count(), bench.pair.board->truth(1).rpm);
+    };
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY2(!outcome.leaves, outcome.reason.c_str());
+    QCOMPARE(bench.stops, 0);
+    QVERIFY(bench.idles());
+    const auto series = bench.series();
+    QVERIFY2(series, series ? "" : series.error().c_str());
+    QCOMPARE(series->runs.size(), 4U);
+    for (const lab::StepRun &run : series->runs) {
+        QVERIFY(run.rise_s && run.overshoot_pct && run.settling_s && run.peakIq_a);
+        QVERIFY(run.pollDistance_s < 2.5e-3);
+        const double from = run.up ? 1000.0 : 1500.0, way = run.up ? 500.0 : -500.0;
+        const auto when = [&](double share) {
+            const auto at = std::find_if(rotor.begin(), rotor.end(), [&](const auto &one) {
+                return one.first > run.at - 20'000'000 && (one.second - from) / way >= share;
+            });
+            return at == rotor.end() ? lab::Nanos{0} : at->first;
+        };
+        double most = 0.0;
+        for (const auto &[at, rpm] : rotor)
+            if (at > run.at && at < run.until)
+                most = std::max(most, (rpm - from) / way);
+        const double rise_s = capture::toSeconds(when(0.9) - when(0.1));
+        QVERIFY2(std::abs(*run.rise_s - rise_s) < 4e-3,
+            qPrintable(QStringLiteral("%1, not %2").arg(*run.rise_s).arg(rise_s)));
+        QVERIFY2(std::abs(*run.overshoot_pct / 100.0 - (most - 1.0)) < 0.04,
+            qPrintable(QStringLiteral("%1, not %2").arg(*run.overshoot_pct).arg(most)));
+    }
+}
+
+void TestExchangedSamples::theMechanicsAreThoseOfTheMotor()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    bench.experiment.plan = lab::spinPlanFor(bench.experiment.subject, {});
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY2(!outcome.leaves, outcome.reason.c_str());
+    const auto finding = bench.finding();
+    QVERIFY2(finding, finding ? "" : finding.error().c_str());
+    const auto &found = std::get<lab::Mechanics>(*finding);
+    VERIFY_WITHIN(found.inertia_kgm2, bench.truth.motor.inertia_kgm2, 10.0);
+    VERIFY_HOLDS(found.inertia_kgm2, bench.truth.motor.inertia_kgm2);
+    VERIFY_HOLDS(found.dry_nm, bench.truth.motor.coulomb_nm);
+    VERIFY_HOLDS(found.viscous_nms, bench.truth.motor.viscous_nms);
+}
+
+/// Kt / (J s + B), seen through the drive's mean of eight speeds a millisecond apart. Set-points leave with every
+/// exchange meanwhile, and do not before and behind it.
+void TestExchangedSamples::theResponseIsThatOfTheShaft()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    bench.experiment.plan = lab::responsePlanFor(bench.experiment.subject, {});
+    const bool &travel = bench.travel;
+    bool whileDriven = true;
+    bench.eachTurn = [&] {
+        whileDriven = whileDriven && (travel || !bench.pair.board->truth(1).driven);
+    };
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY2(!outcome.leaves, outcome.reason.c_str());
+    QVERIFY(bench.began && whileDriven && !travel);
+    const auto finding = bench.finding();
+    QVERIFY2(finding, finding ? "" : finding.error().c_str());
+    const auto &found = std::get<lab::SpeedResponse>(*finding);
+    QVERIFY(found.notes.empty());
+    int clear = 0;
+    for (const lab::ResponsePoint &point : found.points) {
+        if (point.coherence < 0.95 || point.hz < 4.0)
+            continue;
+        ++clear;
+        using Complex = std::complex<double>;
+        const double w = 2.0 * std::numbers::pi * point.hz;
+        constexpr int kMeanOf = 8;
+        Complex mean = 0.0;
+        for (int late = 0; late < kMeanOf; ++late)
+            mean += std::polar(1.0 / kMeanOf, -w * 1e-3 * (late + 0.5));
+        const Complex truth = mean * bench.experiment.subject.limits.torquePerAmp
+            / Complex(bench.truth.motor.viscous_nms, w * bench.truth.motor.inertia_kgm2);
+        const Complex off = point.plant / truth;
+        QVERIFY2(std::abs(std::abs(off) - 1.0) < 0.06 && std::abs(std::arg(off)) < 0.08,
+            qPrintable(QStringLiteral("%1 Hz: %2, %3 rad")
+                           .arg(point.hz)
+                           .arg(std::abs(off))
+                           .arg(std::arg(off))));
+    }
+    QVERIFY2(clear >= 18, qPrintable(QString::number(clear)));
+}
+
+/// The same motor behind the same loops as that of a board whose regulator is known by its gains, and is used there.
+void TestExchangedSamples::theLoopIsThatOfItsGains()
+{
+    support::LabBench recorded;
+    ServoBench bench;
+    QVERIFY(recorded.pair.ready && bench.pair.ready);
+    recorded.experiment.plan = lab::responsePlanFor(recorded.experiment.subject, {});
+    bench.experiment.plan = lab::responsePlanFor(bench.experiment.subject, {});
+    VERIFY_END(recorded.run(), End::Complete);
+    VERIFY_END(bench.run(), End::Complete);
+    const auto one = lab::evaluateResponse(recorded.capture, recorded.happenings);
+    const auto other = lab::evaluateResponse(bench.capture, bench.happenings);
+    QVERIFY(one && one->crossover_hz && one->phaseMargin_deg && one->ms);
+    QVERIFY(other && other->crossover_hz && other->phaseMargin_deg && other->ms);
+    VERIFY_WITHIN(*other->crossover_hz, one->crossover_hz->value, 8.0);
+    QVERIFY(std::abs(other->phaseMargin_deg->value - one->phaseMargin_deg->value) < 4.0);
+    VERIFY_WITHIN(*other->ms, one->ms->value, 8.0);
+}
+
+void TestExchangedSamples::setPointsThatTravelledBeforeGoOn()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    QCOMPARE(bench.pair.ask(drive::CyclicSetPoints{true}).outcome, drive::Outcome::Ok);
+    QVERIFY(bench.travel);
+    auto plan = lab::responsePlanFor(bench.experiment.subject, {});
+    plan.length = 4s;
+    bench.experiment.plan = plan;
+    VERIFY_END(bench.run(), End::Complete);
+    bench.pair.runFor(500ms);
+    QVERIFY(bench.travel);
+}
+
+void TestExchangedSamples::aBrokenBoundIsAStop()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    bench.steps.caps.maxCurrentAmps = 1.0;
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Aborted);
+    QVERIFY2(outcome.reason.find("a current of") != std::string::npos, outcome.reason.c_str());
+    QCOMPARE(bench.stops, 1);
+    QVERIFY(bench.idles());
+}
+
+void TestExchangedSamples::aLineThatFallsSilentBreaksIt()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.pair.board->truth(1).rpm > 900.0; }));
+    bench.pair.toDrive = [](Bytes &in) { std::ranges::fill(in, std::uint8_t{0}); };
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }));
+    const lab::Outcome outcome = bench.runner->outcome();
+    QVERIFY2(outcome.end == End::Lost || outcome.end == End::Aborted, outcome.reason.c_str());
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    bench.pair.toDrive = nullptr;
+    QVERIFY(bench.idles());
+}
+
+void TestExchangedSamples::whatNeedsMoreIsRefused()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    const lab::Subject &subject = bench.experiment.subject;
+    QVERIFY(subject.exchanged && subject.seesRotor());
+    QVERIFY(!lab::subjectOf(*bench.pair.identified, 1));
+    const std::string why =
+        "this board sends its samples once an exchange: only steps and response "
+        "of the speed, inertia and friction are told from them";
+    for (const lab::Plan &plan : {lab::Plan(lab::restPlanFor(subject, {})),
+             lab::Plan(lab::currentResponsePlanFor(subject, {})),
+             lab::Plan(lab::powerPlanFor(subject, {}))})
+        QCOMPARE(lab::objectionTo({plan, subject}), why);
+    QVERIFY(!lab::objectionTo({lab::fluxPlanFor(subject, {}), subject}).empty());
+    const lab::Experiment response{lab::responsePlanFor(subject, {}), subject};
+    QCOMPARE(lab::objectionTo(response), std::string());
+    QVERIFY(lab::objectionWhileTurning(response, 500.0).find("stop it first") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestExchangedSamples)
+#include "tst_exchanged_samples.moc"
