@@ -31,8 +31,8 @@ Happenings carriedOut(const Happenings &all);
 
 /// The signal of this name that was recorded at the control rate; nullptr: none, or the name is empty.
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name);
-/// The same of values that were read one after the other, or came with each exchange. The same register has another channel in another unit: before
-/// a current's scale was told it is in digits.
+/// The same of values that were read one after the other, or came with each exchange. The same register has another
+/// channel in another unit: before a current's scale was told it is in digits.
 const capture::Channel *polledChannel(
     const capture::Capture &capture, const std::string &name, std::string_view unit);
 

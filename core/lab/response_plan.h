@@ -1,7 +1,7 @@
 // The course by which frequency responses are measured: the set-point of the speed is above or below a speed at random,
 // each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's
-// zeros. Where set-points leave with every exchange of the line it is 5 or 10 ms, and some 200 Hz. The current loop is measured by the same: its reference jumps with each set-point, and moves with each turn of
-// the speed loop.
+// zeros. Where set-points leave with every exchange of the line it is 5 or 10 ms, and some 200 Hz. The current loop is
+// measured by the same: its reference jumps with each set-point, and moves with each turn of the speed loop.
 #pragma once
 
 #include "lab/course.h"

@@ -35,8 +35,8 @@ struct Subject {
     int motor = 1;
     /// The board records nothing by itself: speed and Iq are read one after the other, and there are no other signals.
     bool polled = false;
-    /// It does not record, either: its signals come with each exchange of the line, all of one instant, up to a thousand
-    /// times a second.
+    /// It does not record, either: its signals come with each exchange of the line, all of one instant, up to a
+    /// thousand times a second.
     bool exchanged = false;
     Registers registers;
     std::shared_ptr<const catalog::Catalog> catalog;

@@ -55,7 +55,7 @@ struct Signals {
     bool whole() const { return turns != nullptr && std::ranges::find(all, nullptr) == all.end(); }
     std::vector<Segment> between(Nanos from, Nanos to) const
     {
-        constexpr double kExchange_s = 1e-3, kFarthest_s = 5e-3;
+        constexpr double kExchange_s = 1e-3, kFarthest_s = 25e-3; // a computer is late now and then
         return exchanged ? segmentsOfReads(*turns, all, from, to, kExchange_s, kFarthest_s)
                          : segmentsOf(*turns, all, from, to);
     }
@@ -247,8 +247,8 @@ void addPoints(SpeedResponse &found, const CrossSpectra &fine, const Pace &pace)
             cross(Speed) / cross(Current) * pace.ofMean(point.hz) / pace.ofSpeed(point.hz);
         point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
             + varianceOf(spectra.coherence(Current, bin), spectra.averages));
-        const Complex follows =
-            cross(Sensed) / spectra.instrument[bin]; // what the set-point makes of the speed
+        // What the set-point makes of the speed.
+        const Complex follows = cross(Sensed) / spectra.instrument[bin];
         if (pace.exchanged)
             point.loop = follows / (1.0 - follows);
         else if (found.regulator.proportional != 0.0)

@@ -171,8 +171,8 @@ std::vector<Segment> segmentsOfReads(const capture::Channel &speed,
     constexpr std::size_t kLeast = 3;
     Reads speeds(speed, from, to);
     std::vector<Reads> all;
-    double end_s =
-        std::min(speeds.end_s(), 60.0); // of what moves a motor by itself; a file may say years
+    constexpr double kLongest_s = 60.0; // of what moves a motor by itself; a file may say years
+    double end_s = std::min(speeds.end_s(), kLongest_s);
     for (const capture::Channel *channel : others)
         end_s = std::min(end_s, all.emplace_back(*channel, from, to).end_s());
     std::vector<Segment> segments;
