@@ -1669,6 +1669,54 @@
         <source>set-points leave with every exchange still</source>
         <translation>Sollwerte gehen immer noch mit jedem Austausch</translation>
     </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Torque of the load</source>
+        <translation>Drehmoment der Last</translation>
+    </message>
+    <message>
+        <source>The speed gives way by</source>
+        <translation>Die Drehzahl gibt nach um</translation>
+    </message>
+    <message>
+        <source>For each ampere by</source>
+        <translation>Je Ampere um</translation>
+    </message>
+    <message>
+        <source>Back within</source>
+        <translation>Zurück nach</translation>
+    </message>
+    <message>
+        <source>Peak Iq</source>
+        <translation>Spitze Iq</translation>
+    </message>
+    <message>
+        <source>it takes 2 to 30 s</source>
+        <translation>es dauert 2 bis 30 s</translation>
+    </message>
+    <message>
+        <source>it is no recording of a load that changes</source>
+        <translation>es ist keine Aufzeichnung einer wechselnden Last</translation>
+    </message>
+    <message>
+        <source>no load came or went while the speed was held: nothing moved it out of its noise</source>
+        <translation>keine Last kam oder ging, während die Drehzahl gehalten wurde: nichts bewegte sie aus ihrem Rauschen</translation>
+    </message>
+    <message>
+        <source>the load changed, and the speed did not come back before the end, or before it changed again</source>
+        <translation>die Last wechselte, und die Drehzahl kam vor dem Ende oder dem nächsten Wechsel nicht zurück</translation>
+    </message>
+    <message>
+        <source>the load came %1 times and went %2 times</source>
+        <translation>die Last kam %1-mal und ging %2-mal</translation>
+    </message>
+    <message>
+        <source>a change of the load was not over at the end, or before the next one: it does not count</source>
+        <translation>ein Lastwechsel war am Ende oder vor dem nächsten nicht vorbei: er zählt nicht</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3039,6 +3087,14 @@
         <source>A ramp down brakes a heavy rotor, which feeds the bus.</source>
         <translation>Eine Rampe nach unten bremst einen schweren Rotor, was den Zwischenkreis speist.</translation>
     </message>
+    <message>
+        <source>For %1 it is held at %2, while you change its load.</source>
+        <translation>Für %1 wird er bei %2 gehalten, während Sie seine Last ändern.</translation>
+    </message>
+    <message>
+        <source>Changes of the load</source>
+        <translation>Lastwechsel</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3254,6 +3310,14 @@
         <source>Ended: %1.</source>
         <translation>Beendet: %1.</translation>
     </message>
+    <message>
+        <source>load %1 A, gives way by %2 rpm, back in %3 ms</source>
+        <translation>Last %1 A, gibt nach um %2 rpm, zurück nach %3 ms</translation>
+    </message>
+    <message>
+        <source>Load at %1 rpm</source>
+        <translation>Last bei %1 rpm</translation>
+    </message>
 </context>
 <context>
     <name>Setpoint</name>
@@ -3423,6 +3487,11 @@
     <message>
         <source>Not conclusive: %1</source>
         <translation>Nicht schlüssig: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>a number</comment>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -10076,6 +10145,18 @@ mN·m</translation>
     <message>
         <source>Steps up and down; then the motor is as it was (Ctrl+Shift+T).</source>
         <translation>Springt auf und ab; danach ist der Motor wie zuvor (Strg+Umschalt+T).</translation>
+    </message>
+    <message>
+        <source>The speed is held: put the load on, and take it off.</source>
+        <translation>Die Drehzahl wird gehalten: Last aufbringen und wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Holds the speed that the motor has for 10 s, in which you put a load on it and take it off: says how far the speed gives way, and when it is back.</source>
+        <translation>Hält die Drehzahl des Motors für 10 s, in denen Sie eine Last aufbringen und wegnehmen: sagt, wie weit die Drehzahl nachgibt und wann sie zurück ist.</translation>
     </message>
 </context>
 <context>

@@ -1669,6 +1669,54 @@
         <source>set-points leave with every exchange still</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed gives way by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For each ampere by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it takes 2 to 30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of a load that changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no load came or went while the speed was held: nothing moved it out of its noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load changed, and the speed did not come back before the end, or before it changed again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load came %1 times and went %2 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a change of the load was not over at the end, or before the next one: it does not count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3039,6 +3087,14 @@
         <source>A ramp down brakes a heavy rotor, which feeds the bus.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>For %1 it is held at %2, while you change its load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes of the load</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3254,6 +3310,14 @@
         <source>Ended: %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>load %1 A, gives way by %2 rpm, back in %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load at %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Setpoint</name>
@@ -3422,6 +3486,11 @@
     </message>
     <message>
         <source>Not conclusive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>a number</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10068,6 +10137,18 @@ mN·m</source>
     </message>
     <message>
         <source>Steps up and down; then the motor is as it was (Ctrl+Shift+T).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed is held: put the load on, and take it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds the speed that the motor has for 10 s, in which you put a load on it and take it off: says how far the speed gives way, and when it is back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -55,13 +55,13 @@ struct TuningArguments {
 
 /// Of step.
 struct StepArguments {
-    enum class Kind : std::uint8_t { Speed, Torque, Flux };
+    enum class Kind : std::uint8_t { Speed, Torque, Flux, Load };
     Kind kind = Kind::Speed;
     int fromRpm = 0, toRpm = 0; ///< of Speed
     double fromAmps = 0.0, toAmps = 0.0; ///< of the others
     int repeat = 5;
     int hold_ms = 0; ///< 0: as long as usual
-    std::optional<int> rpm; ///< at which the motor turns, of the others
+    std::optional<int> rpm; ///< at which the motor turns, but for Speed
 };
 
 /// Of response.

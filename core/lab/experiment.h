@@ -5,6 +5,7 @@
 #include "base/time.h"
 #include "lab/course.h"
 #include "lab/current_step_plan.h"
+#include "lab/load_plan.h"
 #include "lab/power_plan.h"
 #include "lab/response_plan.h"
 #include "lab/rest_plan.h"
@@ -20,7 +21,8 @@
 
 namespace lab {
 
-using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan, PowerPlan>;
+using Plan =
+    std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan, PowerPlan, LoadPlan>;
 
 struct Experiment {
     Plan plan;

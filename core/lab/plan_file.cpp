@@ -174,8 +174,11 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
             return withNumbers(restPlanFor(subject, lower), numbers);
         if (kind == "power")
             return withNumbers(powerPlanFor(subject, lower), numbers);
+        if (kind == "load")
+            return withNumbers(loadPlanFor(subject, lower), numbers);
         return fail("there is no experiment \"" + kind
-            + "\", there are step, current_step, spin, rest, response, current_response and power");
+            + "\", there are step, current_step, spin, rest, response, current_response, power and "
+              "load");
     }();
     if (plan)
         std::visit([&](auto &of) { of.caps = lower; }, *plan);

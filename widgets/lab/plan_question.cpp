@@ -104,6 +104,11 @@ QString workWords(const lab::Experiment &experiment)
                 const QString length = secondsText(2 * plan.hold);
                 return PlanQuestion::tr("For %1 it is held at %2.")
                     .arg(length, rpmText(plan.fromRpm));
+            },
+            [](const lab::LoadPlan &plan) {
+                const QString length = secondsText(2 * plan.hold);
+                return PlanQuestion::tr("For %1 it is held at %2, while you change its load.")
+                    .arg(length, rpmText(plan.fromRpm));
             }},
         experiment.plan);
 }
@@ -333,7 +338,8 @@ QString experimentName(const lab::Experiment &experiment)
             },
             [](const lab::RestPlan &) { return PlanQuestion::tr("Resistance"); },
             [](const lab::CurrentStepPlan &) { return PlanQuestion::tr("Steps of the current"); },
-            [](const lab::PowerPlan &) { return PlanQuestion::tr("Power"); }},
+            [](const lab::PowerPlan &) { return PlanQuestion::tr("Power"); },
+            [](const lab::LoadPlan &) { return PlanQuestion::tr("Changes of the load"); }},
         experiment.plan);
 }
 

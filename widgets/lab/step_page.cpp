@@ -13,6 +13,7 @@
 #include "widgets/lab/step_overlay.h"
 #include "widgets/lab/step_runs.h"
 #include "widgets/lab/text.h"
+#include "widgets/lab/told_figures.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -51,7 +52,10 @@ int stepsIn(const lab::Happenings &happenings)
 
 ExperimentBar::Progress progress(const lab::Happenings &happenings)
 {
-    const auto plan = lab::recordedPlan<lab::StepPlan>(happenings.front().second);
+    const recorded::Happening &begun = happenings.front().second;
+    if (lab::recordedPlan<lab::LoadPlan>(begun) && stepsIn(happenings) == 1)
+        return {1, 2, StepPage::tr("The speed is held: put the load on, and take it off.")};
+    const auto plan = lab::recordedPlan<lab::StepPlan>(begun);
     if (!plan)
         return {}; // a current is stepped by milliseconds: the time tells it
     const int all = 2 * plan->plan.repeat;
@@ -133,6 +137,10 @@ void StepPage::makeBar()
         [this] { return wanted(); }, Qt::CTRL | Qt::SHIFT | Qt::Key_T};
     run.settled = [this] { return gains().settled(); };
     m_bar->add(std::move(run));
+    m_bar->add({tr("Load"), "stepLoad",
+        tr("Holds the speed that the motor has for 10 s, in which you put a load on it and take it "
+           "off: says how far the speed gives way, and when it is back."),
+        [this] { return loadWanted(); }});
     m_bar->setLook(progress);
     m_bar->setPollable(true);
     m_reference = named(new QPushButton(tr("Reference"), m_bar), "stepReference");
@@ -228,6 +236,18 @@ Result<ExperimentBar::Run, QString> StepPage::wanted()
         return fail(QString());
     return ExperimentBar::Run{
         {{*plan, *subject}}, evaluation(*subject), {.proportional = gains().jumpPerRpm(*subject)}};
+}
+
+Result<ExperimentBar::Run, QString> StepPage::loadWanted()
+{
+    const auto subject = m_parts.lab.experiments.subject();
+    if (!subject)
+        return fail(subject.error());
+    lab::LoadPlan plan = lab::loadPlanFor(*subject, m_parts.device.userLimits());
+    const drive::MotorStatus status = m_parts.device.status(subject->motor);
+    if (status.state == drive::MotorState::Running)
+        plan.fromRpm = plan.toRpm = qRound(status.speedRpm.value_or(plan.fromRpm));
+    return ExperimentBar::Run{{{plan, *subject}}, tellsFigures()};
 }
 
 /// Also of a series that ended early, as far as it went.

@@ -53,6 +53,7 @@ private:
 
     void boardChanged();
     Result<ExperimentBar::Run, QString> wanted();
+    Result<ExperimentBar::Run, QString> loadWanted();
     ExperimentBar::Evaluate evaluation(const lab::Subject &subject);
     QStringList addResult(StepResult result, const SpeedGains &gains,
         const SpeedGains::Values &begunWith, bool complete);

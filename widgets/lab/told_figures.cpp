@@ -19,9 +19,10 @@ QString told(const lab::Figure &figure)
         return siText(value, QString::fromUtf8(figure.unit), place);
     };
     const lab::Estimate &value = *figure.value;
+    if (!value.low || !value.high)
+        return ToldFigures::tr("%1: %2.", "a number").arg(labText(figure.name), text(value.value));
     return ToldFigures::tr("%1: %2 (%3 to %4).", "a number and its interval")
-        .arg(labText(figure.name), text(value.value), text(value.low.value_or(value.value)),
-            text(value.high.value_or(value.value)));
+        .arg(labText(figure.name), text(value.value), text(*value.low), text(*value.high));
 }
 
 QStringList figuresIn(const lab::Finding &finding)

@@ -84,6 +84,10 @@ QString numbersText(const QJsonObject &result)
     if (kind == QLatin1String("power"))
         return RunText::tr("electrical %1 W, shaft %2 W, efficiency %3")
             .arg(shown(at("electrical_w"), 1), shown(at("shaft_w"), 1), shown(at("efficiency"), 3));
+    if (kind == QLatin1String("load"))
+        return RunText::tr("load %1 A, gives way by %2 rpm, back in %3 ms")
+            .arg(shown(at("load_a"), 2), shown(at("dip_rpm"), 0),
+                shown(at("recovery_s") * kMilli, 0));
     if (kind == QLatin1String("response")
         && anyIn(result, {"crossover_hz", "phase_margin_deg", "ms"}))
         return RunText::tr("crossover %1 Hz, phase margin %2\u00b0, Ms %3")
@@ -112,6 +116,8 @@ QString experimentText(const session::Run &run)
                                                           : RunText::tr("Electrics, turning");
     if (run.experiment == QLatin1String("power plan"))
         return RunText::tr("Power at %1 rpm").arg(field(run, "rpm"));
+    if (run.experiment == QLatin1String("load plan"))
+        return RunText::tr("Load at %1 rpm").arg(field(run, "rpm"));
     if (run.experiment == QLatin1String("rest plan"))
         return RunText::tr("Electrics");
     if (run.experiment == QLatin1String("response plan"))

@@ -48,6 +48,8 @@ PlanKind kindOf(const recorded::Happening &what)
             : PlanKind{"response speed", evaluated<evaluateResponse>, response->motor};
     if (const auto power = recordedPlan<PowerPlan>(what))
         return {"power", evaluated<evaluatePower>, power->motor};
+    if (const auto load = recordedPlan<LoadPlan>(what))
+        return {"step load", evaluated<evaluateLoad>, load->motor};
     const auto rest = recordedPlan<RestPlan>(what);
     const auto spin = recordedPlan<SpinPlan>(what);
     if (spin && !(spin->plan.fluxAmps > 0.0))

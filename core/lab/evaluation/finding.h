@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/load_evaluation.h"
 #include "lab/evaluation/mechanical_evaluation.h"
 #include "lab/evaluation/power_evaluation.h"
 #include "lab/evaluation/response_evaluation.h"
@@ -12,8 +13,8 @@
 namespace lab {
 
 /// A response that is not of the speed is of a current.
-using Finding =
-    std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse, Power>;
+using Finding = std::variant<MeasuredSteps, Mechanics, Electrics, SpeedResponse, FrequencyResponse,
+    Power, LoadSteps>;
 
 /// Where the runs of a recording begin. A run is what one command or one button of the window measures: an experiment,
 /// or two that say one thing together: those of an electrical identification, at rest and turning, or of a mechanical

@@ -24,6 +24,11 @@ inline lab::Plan drawnPlan(Random &random, const lab::Subject &subject)
             power.fromRpm = power.toRpm = from;
             power.hold = 800ms;
             drawn = power;
+        } else if (steps.repeat == 2 && steps.toRpm % 2 == 0) {
+            lab::LoadPlan load = lab::loadPlanFor(subject, {});
+            load.fromRpm = load.toRpm = from;
+            load.hold = 1s;
+            drawn = load;
         }
         break;
     }

@@ -48,6 +48,10 @@ private Q_SLOTS:
         held.rsOhm = 0.3;
         held.deadVolts = 0.4;
         QCOMPARE(std::get<PowerPlan>(*power), held);
+        const auto load = planOf("load", {{"rpm", 900}, {"length_ms", 4000}}, subject, {});
+        QVERIFY(load);
+        QCOMPARE(std::get<LoadPlan>(*load).toRpm, 900);
+        QCOMPARE(std::get<LoadPlan>(*load).hold, std::chrono::milliseconds(2000));
         for (const char *key : {"rs_ohm", "dead_time_v"}) { // who does not know it leaves it out
             const auto below = planOf("power", {{key, -0.1}}, subject, {});
             QVERIFY(!below && below.error().find(key) != std::string::npos);
@@ -190,8 +194,8 @@ private Q_SLOTS:
                 "the key \"from\" is not known, its plan may have from_rpm, to_rpm, repeat, "
                 "hold_ms, approach_ms, max_rpm, max_a"));
         const std::string kinds = planOf("autotune", {}, subject, {}).error();
-        for (const char *kind :
-            {"step", "current_step", "spin", "rest", "response", "current_response", "power"}) {
+        for (const char *kind : {"step", "current_step", "spin", "rest", "response",
+                 "current_response", "power", "load"}) {
             QVERIFY2(kinds.find(kind) != std::string::npos, kinds.c_str());
             const auto known = planOf(kind, {{"x", 1}}, subject, {}).error();
             QVERIFY2(known.starts_with("the key \"x\""), known.c_str());

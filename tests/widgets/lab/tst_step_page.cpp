@@ -121,6 +121,28 @@ private Q_SLOTS:
         QTRY_VERIFY(refused("Connect to a board first."));
     }
 
+    /// Nobody loads this motor, which is said, and makes no row.
+    void aLoadIsAskedAboutAndWaitedFor()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.LabWindow::arm("stepLoad"));
+        bench.press("stepLoad");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QStringLiteral("while you change its load")), qPrintable(words));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.agree();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.said().contains(QLatin1String("put the load on")), kSeriesMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), LabWindow::kRunMs);
+        QTRY_VERIFY2(
+            bench.said().contains(QLatin1String("no load came or went"), Qt::CaseInsensitive),
+            qPrintable(bench.said()));
+        QCOMPARE(bench.rows().rowCount(), 0);
+        QTRY_COMPARE(bench.state(), MotorState::Idle);
+    }
+
     void threeSeriesAreSeenInASmallWindow()
     {
         Bench bench; // 1280x720

@@ -231,6 +231,20 @@ private Q_SLOTS:
         theFileSaysTheSame(program);
     }
 
+    /// Without anybody who changes it nothing follows, and all is as it was.
+    void aLoadThatDoesNotChangeIsNotConclusive()
+    {
+        ExperimentProgram program(kServo, "step load --speed 1200 --hold 2000");
+        QVERIFY(program.board().ready());
+        program.begin({QStringLiteral("-o"), program.file()});
+        COMPARE_END(program, 1);
+        const QString said = program.run().err;
+        QVERIFY2(said.contains(QLatin1String("put the load on and take it off")), qPrintable(said));
+        QVERIFY2(said.contains(QLatin1String("no load came or went"), Qt::CaseInsensitive),
+            qPrintable(said));
+        COMPARE_STATUS(program.board().cli("step load --from 100 --to 200"), 2);
+    }
+
     void aStandingMotorStandsAndARunningOneRunsAfterwards()
     {
         ExperimentProgram program(kServo, "step speed --from 900 --to 1300 --repeat 1 --hold 100");
