@@ -1717,6 +1717,10 @@
         <source>a change of the load was not over at the end, or before the next one: it does not count</source>
         <translation>ein Lastwechsel war am Ende oder vor dem nächsten nicht vorbei: er zählt nicht</translation>
     </message>
+    <message>
+        <source>for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there</source>
+        <translation>für %1 % der Zeit kam 5 ms oder länger kein Austausch: dort stehen gerade Linien</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3094,6 +3098,10 @@
     <message>
         <source>Changes of the load</source>
         <translation>Lastwechsel</translation>
+    </message>
+    <message>
+        <source>Its set-points leave with every exchange meanwhile.</source>
+        <translation>Seine Sollwerte gehen währenddessen mit jedem Austausch.</translation>
     </message>
 </context>
 <context>

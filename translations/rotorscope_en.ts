@@ -1717,6 +1717,10 @@
         <source>a change of the load was not over at the end, or before the next one: it does not count</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3093,6 +3097,10 @@
     </message>
     <message>
         <source>Changes of the load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its set-points leave with every exchange meanwhile.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

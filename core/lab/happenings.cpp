@@ -45,18 +45,14 @@ Happenings carriedOut(const Happenings &all)
 namespace {
 
 /// @param unit  empty: any
-const capture::Channel *channelOf(
-    const capture::Capture &capture, const std::string &name, bool fast, std::string_view unit = {})
+const capture::Channel *channelOf(const capture::Capture &capture, const std::string &name,
+    capture::ChannelInfo::Kind kind, std::string_view unit = {})
 {
-    using Kind = capture::ChannelInfo::Kind;
     if (name.empty())
         return nullptr;
-    for (const capture::ChannelInfo &info : capture.channels()) {
-        const bool meant =
-            fast ? info.kind == Kind::Fast : info.kind == Kind::Polled || info.kind == Kind::Slow;
-        if (info.name == name && meant && (unit.empty() || info.unit == unit))
+    for (const capture::ChannelInfo &info : capture.channels())
+        if (info.name == name && info.kind == kind && (unit.empty() || info.unit == unit))
             return capture.channel(info.id);
-    }
     return nullptr;
 }
 
@@ -64,13 +60,16 @@ const capture::Channel *channelOf(
 
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name)
 {
-    return channelOf(capture, name, true);
+    return channelOf(capture, name, capture::ChannelInfo::Kind::Fast);
 }
 
 const capture::Channel *polledChannel(
     const capture::Capture &capture, const std::string &name, std::string_view unit)
 {
-    return channelOf(capture, name, false, unit);
+    using Kind = capture::ChannelInfo::Kind;
+    // Of what comes with each exchange some may have been read besides, a few times a second.
+    const capture::Channel *exchanged = channelOf(capture, name, Kind::Slow, unit);
+    return exchanged != nullptr ? exchanged : channelOf(capture, name, Kind::Polled, unit);
 }
 
 bool drivesByTorque(const recorded::Happening &what)

@@ -63,11 +63,14 @@ QString spinWords(const lab::SpinPlan &plan, const lab::Subject &subject)
               .arg(length, low, high);
 }
 
-QString responseWords(const lab::ResponsePlan &plan)
+QString responseWords(const lab::ResponsePlan &plan, const lab::Subject &subject)
 {
-    const QString words = PlanQuestion::tr("For %1 its speed jumps at random between %2 and %3.")
-                              .arg(secondsText(plan.length), rpmText(plan.rpm - plan.amplitudeRpm),
-                                  rpmText(plan.rpm + plan.amplitudeRpm));
+    QString words = PlanQuestion::tr("For %1 its speed jumps at random between %2 and %3.")
+                        .arg(secondsText(plan.length), rpmText(plan.rpm - plan.amplitudeRpm),
+                            rpmText(plan.rpm + plan.amplitudeRpm));
+    if (subject.exchanged)
+        words += QLatin1Char(' ')
+            + PlanQuestion::tr("Its set-points leave with every exchange meanwhile.");
     return plan.kp == 0 ? words
                         : words + QLatin1Char(' ')
             + PlanQuestion::tr("Its gains are Kp %1 and Ki %2 meanwhile.")
@@ -97,7 +100,7 @@ QString workWords(const lab::Experiment &experiment)
     return std::visit(
         Overloaded{[](const lab::StepPlan &plan) { return stepWords(plan); },
             [&](const lab::SpinPlan &plan) { return spinWords(plan, experiment.subject); },
-            [](const lab::ResponsePlan &plan) { return responseWords(plan); },
+            [&](const lab::ResponsePlan &plan) { return responseWords(plan, experiment.subject); },
             [&](const lab::RestPlan &plan) { return restWords(plan, experiment.subject); },
             [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); },
             [](const lab::PowerPlan &plan) {

@@ -298,6 +298,8 @@ constexpr const char *kLabTexts[] = {
         "electrical degrees an ampere if all that turns is one inertia: that is taken out, and "
         "above 25 Hz the motor's own response is not told"),
     QT_TRANSLATE_NOOP("Lab", "nothing in it follows the set-point"),
+    QT_TRANSLATE_NOOP("Lab",
+        "for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there"),
     QT_TRANSLATE_NOOP("Lab", "the current does not follow its reference in it"),
     QT_TRANSLATE_NOOP("Lab", "the gains were changed while it was measured"),
     QT_TRANSLATE_NOOP("Lab",

@@ -55,9 +55,22 @@ struct Signals {
     bool whole() const { return turns != nullptr && std::ranges::find(all, nullptr) == all.end(); }
     std::vector<Segment> between(Nanos from, Nanos to) const
     {
-        constexpr double kExchange_s = 1e-3, kFarthest_s = 25e-3; // a computer is late now and then
+        constexpr double kExchange_s = 1e-3, kFarthest_s = 0.1;
         return exchanged ? segmentsOfReads(*turns, all, from, to, kExchange_s, kFarthest_s)
                          : segmentsOf(*turns, all, from, to);
+    }
+    /// A computer that has other work is late now and then: how much of the time straight lines stand for exchanges.
+    double bridged(Nanos from, Nanos to) const
+    {
+        constexpr double kLate_s = 5e-3;
+        double last_s = 0.0, late_s = 0.0;
+        const auto add = [&](double at_s, double, bool) {
+            late_s += at_s - last_s > kLate_s ? at_s - last_s : 0.0;
+            last_s = at_s;
+        };
+        if (exchanged)
+            scope::SampleRange(*turns, from, to).visit(add);
+        return last_s > 0.0 ? late_s / last_s : 0.0;
     }
 };
 
@@ -478,6 +491,10 @@ Result<SpeedResponse, std::string> evaluateResponse(
         return fail(std::string("nothing in it follows the set-point"));
     if (!signals.exchanged && !byEncoder(plan->angle))
         correctObserved(found, plan->polePairs);
+    constexpr double kNoticeable = 0.01, kPercent = 100.0;
+    if (const double late = signals.bridged(edges.edges.front().at, edges.end); late > kNoticeable)
+        found.notes.push_back("for " + decimalText(late * kPercent, 2)
+            + " % of the time no exchange came for 5 ms or longer: straight lines stand there");
     noteGaps(found.notes, missingIn(segments));
     noteEnd(found.notes, edges.over, edges.reason);
     if (signals.exchanged || plan->regulator.proportional != 0.0)

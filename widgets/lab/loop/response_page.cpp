@@ -158,6 +158,7 @@ void ResponsePage::makeTable()
 void ResponsePage::makeBar()
 {
     LoopTuning &tuning = m_parts.tuning;
+    m_bar->setPollable(true);
     m_bar->add({tr("S&peed"), "speedResponseRun",
         tr("Measures how motor and speed loop follow each frequency; then the motor is as it was."),
         [this, &tuning] { return tuning.speedRun(length()); }});
@@ -339,8 +340,10 @@ void ResponsePage::showRows()
     if (const auto &measured = tuning.measured()) {
         LoopRow row{"measured", tr("measured"), tr("With the gains that the board held then"),
             kMeasuredSlot, true};
-        row.kp = measured->loop.proportional;
-        row.ki = measured->loop.integral;
+        if (measured->gainsKnown()) {
+            row.kp = measured->loop.proportional;
+            row.ki = measured->loop.integral;
+        }
         setMargins(row, measured->response);
         rows.push_back(std::move(row));
     }
@@ -416,8 +419,9 @@ void ResponsePage::enableButtons()
         button.setToolTip(plainToolTip(why.isEmpty() ? help : why));
     };
     const bool measured = tuning.measured().has_value();
-    m_kp->setEnabled(measured);
-    m_ki->setEnabled(measured);
+    const bool known = measured && tuning.measured()->gainsKnown();
+    m_kp->setEnabled(known);
+    m_ki->setEnabled(known);
     enable(*m_propose, measured ? QString() : tr("Measure the response of the speed first."),
         tr("Three candidates from the measured motor: stiff, medium, quick"));
     enable(*m_apply,

@@ -274,6 +274,8 @@ QString LoopTuning::applyHint(const Gains &gains) const
 {
     if (!m_measured)
         return tr("Measure the response of the speed first.");
+    if (!m_measured->gainsKnown())
+        return labSentence(m_measured->whyNone);
     if (m_experiments.running())
         return tr("An experiment is running.");
     if (gains == present())

@@ -29,6 +29,7 @@ public:
         std::vector<lab::GainCandidate> candidates;
         std::string whyNone; ///< there are none
         lab::Forecaster forecaster; ///< empty: for the same reason
+        bool gainsKnown() const { return loop.digits.proportional != 0.0; }
     };
     struct Proof {
         lab::SpeedResponse response;
