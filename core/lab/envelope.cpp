@@ -140,10 +140,11 @@ std::optional<double> Envelope::turnedRpm(const capture::SampleBlock &block) con
 
 std::optional<std::string> Envelope::speed(double rpm)
 {
-    m_rpm = rpm;
+    if (std::isfinite(rpm))
+        m_rpm = rpm;
     if (m_caps.mostRpm == m_caps.leastRpm)
         return std::nullopt;
-    if (rpm > m_caps.mostRpm)
+    if (!(rpm <= m_caps.mostRpm)) // nor what is no number
         return broken("a speed", rpm, m_caps.mostRpm, "rpm");
     if (rpm < m_caps.leastRpm)
         return broken("a speed", rpm, m_caps.leastRpm, "rpm");
@@ -152,7 +153,7 @@ std::optional<std::string> Envelope::speed(double rpm)
 
 std::optional<std::string> Envelope::current(double amps) const
 {
-    return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
+    return m_caps.mostAmps > 0.0 && !(std::abs(amps) <= m_caps.mostAmps)
         ? std::optional(broken("a current", std::abs(amps), m_caps.mostAmps, "A"))
         : std::nullopt;
 }

@@ -77,6 +77,11 @@ bool drivesByTorque(const recorded::Happening &what)
     return what.name == "torque ramp" || what.name == "current reference";
 }
 
+bool setsSpeedAtOnce(const recorded::Happening &what)
+{
+    return what.name == "speed ramp" && numberOf(what, "ms") == 0.0;
+}
+
 std::optional<DrivenSpan> drivenSpan(int motor, Happenings::const_iterator at,
     Happenings::const_iterator end, Nanos last,
     const std::function<bool(const recorded::Happening &)> &drives)

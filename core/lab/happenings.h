@@ -46,6 +46,9 @@ struct DrivenSpan {
 /// A torque, or a current.
 bool drivesByTorque(const recorded::Happening &what);
 
+/// A speed at once, as steps are, and one that is held.
+bool setsSpeedAtOnce(const recorded::Happening &what);
+
 /// @param at  behind the plan's entry
 /// @param last  when nothing says that it ended
 /// @param drives  whether an act does

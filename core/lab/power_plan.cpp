@@ -1,21 +1,14 @@
 #include "lab/power_plan.h"
 
-#include "drive/motion_limits.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace lab {
 
+using namespace std::chrono_literals;
+
 PowerPlan powerPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
-    constexpr double kUsualSpeed = 0.5;
-    PowerPlan plan;
-    plan.caps = caps;
-    plan.hold = milliseconds(2500);
-    plan.fromRpm = plan.toRpm =
-        static_cast<int>(std::lround(kUsualSpeed * drive::realBoundsOf(subject.limits, caps).rpm));
-    return plan;
+    return {heldPlanFor(subject, caps, 5s)};
 }
 
 std::string objectionTo(const PowerPlan &plan, const Subject &subject)
@@ -29,18 +22,15 @@ std::string objectionTo(const PowerPlan &plan, const Subject &subject)
                "known";
     if (plan.fromRpm == 0)
         return "the motor has to turn";
-    return plan.hold < milliseconds(500) || plan.hold > milliseconds(15'000) ? "it takes 1 to 30 s"
-                                                                             : "";
+    return plan.length() < 1s || plan.length() > 30s ? "it takes 1 to 30 s" : "";
 }
 
 Conditions conditionsOf(const PowerPlan &plan, const Subject &subject)
 {
-    constexpr double kMargin = 0.25; // of the speed: loads jump
+    constexpr double kLoadsJump = 0.25;
     const Registers &of = subject.registers;
-    Conditions conditions = conditionsOf(static_cast<const StepPlan &>(plan), subject);
-    conditions.margin_rpm = std::max(kLeastMargin_rpm, kMargin * std::abs(plan.fromRpm));
-    conditions.recorded = {of.current, of.currentD, of.voltage, of.voltageD, of.speed, of.angle};
-    return conditions;
+    return conditionsOf(plan, subject, kLoadsJump,
+        {of.current, of.currentD, of.voltage, of.voltageD, of.speed, of.angle});
 }
 
 } // namespace lab

@@ -222,6 +222,8 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
         m_byTorque = m_byTorque && !m_answered;
         m_asked_rpm.reset();
     }
+    if (m_phase == Phase::Travelling && ended.outcome == drive::Outcome::Unknown)
+        m_travels = true; // or may
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
     if (m_answered)
         return;

@@ -104,12 +104,12 @@ QString workWords(const lab::Experiment &experiment)
             [&](const lab::RestPlan &plan) { return restWords(plan, experiment.subject); },
             [](const lab::CurrentStepPlan &plan) { return currentStepWords(plan); },
             [](const lab::PowerPlan &plan) {
-                const QString length = secondsText(2 * plan.hold);
+                const QString length = secondsText(plan.length());
                 return PlanQuestion::tr("For %1 it is held at %2.")
                     .arg(length, rpmText(plan.fromRpm));
             },
             [](const lab::LoadPlan &plan) {
-                const QString length = secondsText(2 * plan.hold);
+                const QString length = secondsText(plan.length());
                 return PlanQuestion::tr("For %1 it is held at %2, while you change its load.")
                     .arg(length, rpmText(plan.fromRpm));
             }},

@@ -46,7 +46,7 @@ int stepsIn(const lab::Happenings &happenings)
 {
     int steps = 0;
     for (const auto &[at, what] : lab::carriedOut(happenings))
-        steps += what.name == "speed ramp" && lab::numberOf(what, "ms") == 0.0 ? 1 : 0;
+        steps += lab::setsSpeedAtOnce(what) ? 1 : 0;
     return steps;
 }
 

@@ -27,9 +27,6 @@ lab::Plan planFor(const StepArguments &asked, const lab::Subject &subject, const
             plan.hold = std::chrono::milliseconds(asked.hold_ms) / 2;
         if (asked.rpm)
             plan.fromRpm = plan.toRpm = *asked.rpm;
-        Output::error(QStringLiteral("The speed will be held for %1 s: put the load on and take it "
-                                     "off meanwhile, and wait until the speed is back each time.")
-                          .arg(2 * plan.hold / std::chrono::seconds(1)));
         return plan;
     }
     lab::CurrentStepPlan plan = lab::currentStepPlanFor(
@@ -48,7 +45,12 @@ Outcome<int> runStep(Desk &desk)
     const auto subject = run.subject(desk.arguments.step.kind == Kind::Speed);
     if (!subject)
         return tl::make_unexpected(subject.error());
-    return run.run(*subject, {planFor(desk.arguments.step, *subject, desk)});
+    const lab::Plan plan = planFor(desk.arguments.step, *subject, desk);
+    if (const auto *load = std::get_if<lab::LoadPlan>(&plan))
+        Output::error(QStringLiteral("The speed will be held for %1 s: put the load on and take it "
+                                     "off meanwhile, and wait until the speed is back each time.")
+                          .arg(load->length() / std::chrono::seconds(1)));
+    return run.run(*subject, {plan});
 }
 
 constexpr OptionText kStepOptions[] = {

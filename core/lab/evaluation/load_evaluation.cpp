@@ -135,13 +135,14 @@ Figures figuresFrom(const std::vector<Change> &changes, const Recorded<LoadPlan>
     for (const Change &change : changes)
         if (change.load_a > 0.0)
             yields.push_back(change.dip_rpm / change.load_a);
+    // An angle that stands aside, by an observer or an alignment against friction, makes less of an ampere.
+    constexpr double kTorque = 0.03;
+    const double kt = of.torquePerAmp;
     std::optional<Estimate> torque;
-    if (load && of.torquePerAmp > 0.0) {
-        const auto scaled = [&](std::optional<double> amps) {
-            return amps ? std::optional(*amps * of.torquePerAmp) : std::nullopt;
-        };
-        torque = Estimate{load->value * of.torquePerAmp, scaled(load->low), scaled(load->high)};
-    }
+    if (load && kt > 0.0)
+        torque = load->low && load->high
+            ? withScale({load->value * kt, *load->low * kt, *load->high * kt}, kTorque)
+            : Estimate{load->value * kt, {}, {}};
     return {{"load_a", "Load", "A", load}, {"load_nm", "Torque of the load", "N m", torque},
         {"dip_rpm", "The speed gives way by", "rpm", meanOver(changes, &Change::dip_rpm)},
         {"dip_rpm_per_a", "For each ampere by", "rpm/A", meanOf(yields)},
@@ -156,10 +157,8 @@ Result<LoadSteps, std::string> evaluateLoad(const capture::Capture &capture, con
     const auto [of, after] = planIn<LoadPlan>(all);
     if (!of)
         return fail(std::string("it is no recording of a load that changes"));
-    const auto span = drivenSpan(of->motor, after.begin(), after.end(),
-        std::numeric_limits<Nanos>::max(), [](const recorded::Happening &what) {
-            return what.name == "speed ramp" && numberOf(what, "ms") == 0.0;
-        });
+    const auto span = drivenSpan(
+        of->motor, after.begin(), after.end(), std::numeric_limits<Nanos>::max(), setsSpeedAtOnce);
     if (!span)
         return fail(std::string("the set-point was never moved in it"));
     const std::vector<Segment> segments =

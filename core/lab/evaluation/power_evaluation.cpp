@@ -65,10 +65,8 @@ Result<Power, std::string> evaluatePower(const capture::Capture &capture, const 
     const auto [of, after] = planIn<PowerPlan>(all);
     if (!of)
         return fail(std::string("it is no recording of a motor's power"));
-    const auto span = drivenSpan(of->motor, after.begin(), after.end(),
-        std::numeric_limits<Nanos>::max(), [](const recorded::Happening &what) {
-            return what.name == "speed ramp" && numberOf(what, "ms") == 0.0;
-        });
+    const auto span = drivenSpan(
+        of->motor, after.begin(), after.end(), std::numeric_limits<Nanos>::max(), setsSpeedAtOnce);
     if (!span)
         return fail(std::string("the set-point was never moved in it"));
     const std::vector<Segment> segments = segmentsOf(capture, of->angle,

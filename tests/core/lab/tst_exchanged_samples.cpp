@@ -1,6 +1,7 @@
 // Experiments on drives that send their samples with each exchange, some thousand times a second: steps and response of
 // the speed, inertia and friction. The response is measured by set-points that leave with each exchange, too.
 #include "core/lab/estimate_checks.h"
+#include "lab/envelope.h"
 #include "lab/evaluation/finding.h"
 #include "lab/evaluation/response_evaluation.h"
 #include "motor/constants.h"
@@ -8,6 +9,8 @@
 #include "support/lab_bench.h"
 #include "support/mcb/pair.h"
 
+#include <bit>
+#include <limits>
 #include <numbers>
 
 using lab::End;
@@ -69,6 +72,8 @@ private Q_SLOTS:
     void theLoopIsThatOfItsGains();
     void setPointsThatTravelledBeforeGoOn();
     void aBrokenBoundIsAStop();
+    void whatIsNoNumberBreaksIt();
+    void anAnswerThatIsLostLeavesNothingTravelling();
     void aLineThatFallsSilentBreaksIt();
     void whatNeedsMoreIsRefused();
 };
@@ -217,6 +222,52 @@ void TestExchangedSamples::aBrokenBoundIsAStop()
     QVERIFY2(outcome.reason.find("a current of") != std::string::npos, outcome.reason.c_str());
     QCOMPARE(bench.stops, 1);
     QVERIFY(bench.idles());
+}
+
+/// A drive's floats are whatever it sends: a speed that is no number is not within any bound.
+void TestExchangedSamples::whatIsNoNumberBreaksIt()
+{
+    const catalog::Catalog none;
+    for (const std::size_t wrong : {0U, 1U}) {
+        lab::Envelope envelope({.speed = 1, .current = 2});
+        envelope.set({.leastRpm = -100.0, .mostRpm = 2000.0, .mostAmps = 5.0}, TimePoint(1s));
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = 1e6;
+        layout.slow = {{1, "speed", "rpm"}, {2, "current", "A"}};
+        for (capture::StreamSignal &signal : layout.slow)
+            signal.real = true;
+        QVERIFY(!envelope.accept(drive::StreamStarted{layout}, none, TimePoint(1s)));
+        capture::SampleBlock block;
+        block.stream = 1;
+        const auto bits = [](float value) { return std::bit_cast<std::int32_t>(value); };
+        block.slow = {{0, {bits(1000.0F), bits(-3.0F)}}};
+        QVERIFY(!envelope.accept(block, none, TimePoint(1s)));
+        QCOMPARE(envelope.rpm(), std::optional(1000.0));
+        QCOMPARE(envelope.amps(), std::optional(-3.0));
+        block.slow.front().values[wrong] = bits(std::numeric_limits<float>::quiet_NaN());
+        QVERIFY(envelope.accept(block, none, TimePoint(1s)));
+        QCOMPARE(envelope.rpm(), std::optional(1000.0));
+    }
+}
+
+/// It may have begun all the same: it is ended again, and nothing was started.
+void TestExchangedSamples::anAnswerThatIsLostLeavesNothingTravelling()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    bench.experiment.plan = lab::responsePlanFor(bench.experiment.subject, {});
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return !bench.asked<drive::CyclicSetPoints>().empty(); }));
+    bench.runner->accept(
+        drive::Ended{bench.wishes.back().id, drive::Outcome::Unknown, "no answer", {}},
+        bench.pair.now);
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }));
+    VERIFY_END(bench.runner->outcome(), End::Refused);
+    QVERIFY(!bench.asked<drive::CyclicSetPoints>().back().on);
+    QVERIFY(bench.asked<drive::Command>().empty());
+    bench.pair.runFor(500ms);
+    QVERIFY(!bench.travel);
 }
 
 void TestExchangedSamples::aLineThatFallsSilentBreaksIt()

@@ -39,6 +39,7 @@ struct ChangingLoad {
     std::vector<double> changes_s{2.0, 4.0, 6.0};
     bool back = true; ///< else it stays where it went
     std::string sensor = "ENCODER_EL_ANGLE";
+    int planned_rpm = static_cast<int>(kHeldRpm); ///< as the file says it
 
     Result<lab::Finding, std::string> found() const
     {
@@ -82,7 +83,7 @@ struct ChangingLoad {
         capture.append(block);
 
         lab::LoadPlan plan;
-        plan.fromRpm = plan.toRpm = static_cast<int>(kHeldRpm);
+        plan.fromRpm = plan.toRpm = planned_rpm;
         plan.hold = 3500ms;
         recorded::Happening entry{lab::LoadPlan::kEntry,
             {{"motor", "1"}, {"pole pairs", "4"}, {"torque Nm per A", "0.05"},
@@ -148,6 +149,7 @@ void TestLoad::whatIsNotBackIsNotTold()
     QVERIFY(loadSays(found, "the load came 1 times and went 0 times"));
     QVERIFY(loadSays(found, "it does not count"));
     QVERIFY(!loadFigure(found, "dip_rpm")->low); // nothing is known of the spread
+    QVERIFY(!loadFigure(found, "load_nm")->low);
 }
 
 void TestLoad::withoutAChangeNothingFollows()
@@ -156,6 +158,11 @@ void TestLoad::withoutAChangeNothingFollows()
     made.changes_s.clear();
     QVERIFY(!made.found());
     QVERIFY(made.found().error().starts_with("no load came or went"));
+    made.sensor = "HALL_EL_ANGLE"; // whose means are as long as a turn
+    made.planned_rpm = 0;
+    QVERIFY(!made.found());
+    made.planned_rpm = 1;
+    QVERIFY(!made.found());
 }
 
 void TestLoad::aBrakeIsToldAsTheRotorFeelsIt_data()
@@ -207,6 +214,8 @@ void TestLoad::aBrakeIsToldAsTheRotorFeelsIt()
     QVERIFY2(
         loadSays(found, "the load came 2 times and went 2 times"), found.notes.front().c_str());
     VERIFY_WITHIN(*loadFigure(found, "load_nm"), brake_nm, 6.0);
+    const lab::Estimate load_nm = *loadFigure(found, "load_nm");
+    QVERIFY(*load_nm.high - load_nm.value >= 0.03 * load_nm.value);
     double dip_rpm = 0.0;
     for (std::size_t change = 1; change < farthest.size(); ++change)
         dip_rpm += farthest[change] / 4.0;
