@@ -3,6 +3,7 @@
 #include "drive/motion_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -141,7 +142,7 @@ drive::Watch watchOf(const Experiment &experiment)
     const auto there = [](drive::RegisterId id) { return id != 0; };
     const Registers &registers = experiment.subject.registers;
     drive::Watch watch{.registers = {}, .period = kPolls};
-    std::ranges::copy_if(std::initializer_list{registers.bus, registers.temperature},
+    std::ranges::copy_if(std::array{registers.bus, registers.temperature},
         std::back_inserter(watch.registers), there);
     if (experiment.subject.polled)
         std::ranges::copy_if(

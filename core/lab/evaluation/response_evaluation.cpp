@@ -7,6 +7,7 @@
 #include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
 #include "recorded/gain_stretches.h"
+#include "scope/sample_range.h"
 
 #include <algorithm>
 #include <array>

@@ -234,7 +234,7 @@ void TestLoad::aGapTakesWhatItTakes()
         if (std::exchange(braked, bench.pair.now > TimePoint(9s)) != braked)
             bench.pair.board->setLoadTorque(1, 0.05);
     };
-    const LostSamples lost(bench, 5500ms, 200ms);
+    const lab::LostSamples lost(bench, 5500ms, 200ms);
     VERIFY_END(bench.run(), End::Complete);
     const auto finding = lab::findingIn(bench.capture, bench.happenings);
     QVERIFY2(finding, finding ? "" : finding.error().c_str());

@@ -135,7 +135,7 @@ private Q_SLOTS:
         bench.agree();
         QTRY_VERIFY_WITH_TIMEOUT(
             bench.said().contains(QLatin1String("put the load on")), kSeriesMs);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), LabWindow::kRunMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), Bench::kRunMs);
         QTRY_VERIFY2(
             bench.said().contains(QLatin1String("no load came or went"), Qt::CaseInsensitive),
             qPrintable(bench.said()));
@@ -274,10 +274,11 @@ private Q_SLOTS:
         QVERIFY(bench.asks());
         auto *dialog = bench.find<QMessageBox>("experimentQuestion");
         const QString words = dialog->informativeText();
-        for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250",
-                 "up to 250\u202frpm beyond the plan, and 1.25 times the nominal current.",
-                 "A step down brakes the motor, which feeds the bus: only the cap of the bus "
-                 "voltage bounds that."})
+        const char *const braking = "A step down brakes the motor, which feeds the bus: only the "
+                                    "cap of the bus voltage bounds that.";
+        for (const char *word :
+            {"1000", "1500", "3 time", "200", "1750", "-250",
+                "up to 250\u202frpm beyond the plan, and 1.25 times the nominal current.", braking})
             QVERIFY2(words.contains(QString::fromUtf8(word)), qPrintable(words));
         QVERIFY(dialog->findChild<widgets::PlanPicture *>()->isVisible());
         QTest::keyClick(dialog, Qt::Key_Return); // Enter does not say yes
