@@ -8,22 +8,21 @@ namespace simulation {
 
 Bus::Bus(const InverterParameters &inverter)
     : m_supply_v(inverter.supply_v)
-    , m_source_ohm(inverter.supplyResistance_ohm)
-    , m_bleeder_ohm(inverter.bleeder_ohm)
     , m_capacitance_f(inverter.busCapacitance_f)
+    , m_source_s(1.0 / inverter.supplyResistance_ohm)
+    , m_bleeder_s(1.0 / inverter.bleeder_ohm)
     , m_absorbs(inverter.supplyAbsorbs)
-    , m_v(m_supply_v * m_bleeder_ohm / (m_source_ohm + m_bleeder_ohm))
+    , m_v(m_supply_v * m_source_s / (m_source_s + m_bleeder_s))
     , m_mean_v(m_v)
 {
 }
 
 Bus::Path Bus::path(bool fed) const
 {
-    Path path;
-    path.conductance_s = 1.0 / m_bleeder_ohm + (fed ? 1.0 / m_source_ohm : 0.0);
-    path.feed_a = fed ? m_supply_v / m_source_ohm : 0.0;
-    path.kept = std::exp(-m_step_s * path.conductance_s / m_capacitance_f);
-    return path;
+    const double conductance_s = m_bleeder_s + (fed ? m_source_s : 0.0);
+    const double share = m_step_s * conductance_s / m_capacitance_f; // of its time constant
+    return {1.0 / conductance_s, fed ? m_supply_v * m_source_s : 0.0, std::exp(-share),
+        -std::expm1(-share) / share};
 }
 
 void Bus::prepare(double step_s)
@@ -37,10 +36,9 @@ void Bus::prepare(double step_s)
 
 void Bus::relax(const Path &path, double bridge_a)
 {
-    const double end_v = (path.feed_a - bridge_a) / path.conductance_s;
+    const double end_v = (path.feed_a - bridge_a) * path.resistance_ohm;
     const double away_v = m_v - end_v;
-    m_mean_v =
-        end_v + away_v * (1.0 - path.kept) * m_capacitance_f / (path.conductance_s * m_step_s);
+    m_mean_v = end_v + away_v * path.meanKept;
     m_v = std::max(0.0, end_v + away_v * path.kept);
 }
 
@@ -57,12 +55,13 @@ void Bus::step(double bridge_a)
     }
     if (!fed)
         relax(m_alone, bridge_a);
-    m_work.board_j += m_mean_v * m_mean_v / m_bleeder_ohm * m_step_s;
+    m_work.board_j += m_mean_v * m_mean_v * m_bleeder_s * m_step_s;
     if (!fed)
         return;
-    const double source_a = (m_supply_v - m_mean_v) / m_source_ohm;
-    m_work.supply_j += m_supply_v * source_a * m_step_s;
-    m_work.source_j += m_source_ohm * source_a * source_a * m_step_s;
+    const double across_v = m_supply_v - m_mean_v;
+    const double source_as = across_v * m_source_s * m_step_s;
+    m_work.supply_j += m_supply_v * source_as;
+    m_work.source_j += across_v * source_as;
 }
 
 } // namespace simulation

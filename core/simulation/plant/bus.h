@@ -28,13 +28,16 @@ public:
     const Work &work() const { return m_work; } ///< since the start
 
 private:
-    struct Path { ///< what the capacitor sees besides the bridge
-        double conductance_s = 0.0, feed_a = 0.0, kept = 1.0;
+    /// What the capacitor sees besides the bridge: where a current leads it, and how much of its way there is left at
+    /// the end of a step, and in its mean.
+    struct Path {
+        double resistance_ohm = 0.0, feed_a = 0.0, kept = 1.0, meanKept = 1.0;
     };
     Path path(bool fed) const;
     void relax(const Path &path, double bridge_a);
 
-    double m_supply_v, m_source_ohm, m_bleeder_ohm, m_capacitance_f;
+    double m_supply_v, m_capacitance_f;
+    double m_source_s, m_bleeder_s; ///< conductances
     bool m_absorbs;
     double m_step_s = 0.0;
     Path m_fed, m_alone;

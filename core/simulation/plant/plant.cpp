@@ -8,6 +8,8 @@ namespace simulation {
 
 namespace {
 
+constexpr int kFacedEvery = 16; ///< periods: roundings of so few are nothing, a sine is slow
+
 /// Cogs pull a rotor without current to where they do not pull: it rests at one of them.
 double restingAngle(const MotorParameters &motor, double share)
 {
@@ -66,7 +68,8 @@ double Plant::angle_rad() const
 
 void Plant::faceAngle()
 {
-    m_rotor.beginPeriod();
+    m_sinceFaced = 0;
+    m_rotor.faceCogs();
     m_frame = Rotation::of(angle_rad());
 }
 
@@ -93,7 +96,9 @@ void Plant::advance(double dt_s)
     }
     m_winding.warm(m_sum.copper_j - copper_j, dt_s);
     m_heatsink.warm(m_sum.inverter_j - inverter_j, dt_s);
-    faceAngle();
+    m_rotor.wrap();
+    if (++m_sinceFaced == kFacedEvery)
+        faceAngle();
     sample();
 }
 

@@ -139,6 +139,7 @@ private:
     Energies m_sum; ///< since the start; the stored ones are looked up when asked for
 
     Rotation m_frame; ///< of the electrical angle
+    int m_sinceFaced = 0; ///< periods
     Phases m_phases;
 };
 

@@ -63,7 +63,8 @@ struct Phases {
     /// What is common to all three does not reach a star without neutral.
     Stationary stationary() const
     {
-        return {(2.0 * a - b - c) / 3.0, (b - c) / (2.0 * kHalfRoot3)};
+        constexpr double kThird = 1.0 / 3.0, kPerRoot3 = 0.5 / kHalfRoot3;
+        return {(2.0 * a - b - c) * kThird, (b - c) * kPerRoot3};
     }
 };
 

@@ -18,8 +18,8 @@ public:
     const LoadParameters &load() const { return m_load; }
     void place(double angle_rad, double speed_radps);
 
-    /// Before the steps of a period: wraps the angle, faces the cogs anew.
-    void beginPeriod();
+    void wrap(); ///< the angle, between two periods
+    void faceCogs(); ///< anew from the angle, so that no rounding adds up
     /// Half of a step: the angle moves on by the speed. Returns the mechanical angle it turned.
     double drift(double step_s);
     /// The other half: torques change the speed.
@@ -37,7 +37,7 @@ public:
     double cogging_j() const;
 
 private:
-    double m_inertia_kgm2, m_viscous_nms, m_coulomb_nm, m_cogging_nm;
+    double m_inertia_kgm2, m_perInertia, m_viscous_nms, m_coulomb_nm, m_cogging_nm;
     int m_cogs;
     LoadParameters m_load;
     double m_angle_rad = 0.0, m_speed_radps = 0.0;
