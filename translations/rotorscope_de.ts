@@ -1721,6 +1721,58 @@
         <source>for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there</source>
         <translation>für %1 % der Zeit kam 5 ms oder länger kein Austausch: dort stehen gerade Linien</translation>
     </message>
+    <message>
+        <source>the motor is in position control now, it was in speed control</source>
+        <translation>der Motor ist jetzt in Positionsregelung, er war in Drehzahlregelung</translation>
+    </message>
+    <message>
+        <source>the motor may be in position control now, it was in speed control</source>
+        <translation>der Motor ist jetzt vielleicht in Positionsregelung, er war in Drehzahlregelung</translation>
+    </message>
+    <message>
+        <source>this board does not control the position of its shaft</source>
+        <translation>dieses Board regelt die Position ihrer Welle nicht</translation>
+    </message>
+    <message>
+        <source>a shaft is moved by 1 to 3600 degrees</source>
+        <translation>eine Welle wird um 1 bis 3600 Grad bewegt</translation>
+    </message>
+    <message>
+        <source>a move takes 1 ms to 10 s</source>
+        <translation>eine Bewegung dauert 1 ms bis 10 s</translation>
+    </message>
+    <message>
+        <source>a position is held for 100 ms to 10 s</source>
+        <translation>eine Position wird 100 ms bis 10 s gehalten</translation>
+    </message>
+    <message>
+        <source>it is no recording of moves of a shaft</source>
+        <translation>es ist keine Aufnahme von Bewegungen einer Welle</translation>
+    </message>
+    <message>
+        <source>the shaft moved by %1 degrees instead of %2 at the worst, as friction makes it</source>
+        <translation>die Welle bewegte sich schlimmstenfalls um %1 Grad statt um %2, wie Reibung es macht</translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its position</source>
+        <translation>%1 wurde abgebrochen: von seiner Position wird nichts genannt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their position is held</source>
+        <translation>%1 von %2 Sprüngen regeln nicht aus, solange ihre Position gehalten wird</translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its position</source>
+        <translation>in %1 fehlen Messwerte: von der Position wird nichts gesagt</translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the position</source>
+        <translation>%1 ist in der Position nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its position is held</source>
+        <translation>%1 regelt nicht aus, solange die Position gehalten wird</translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3103,6 +3155,21 @@
         <source>Its set-points leave with every exchange meanwhile.</source>
         <translation>Seine Sollwerte gehen währenddessen mit jedem Austausch.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n time(s): its shaft is moved by %1 and back, each way in %2.</source>
+        <translation>
+            <numerusform>%n-mal: seine Welle wird um %1 bewegt und zurück, jeder Weg in %2.</numerusform>
+            <numerusform>%n-mal: seine Welle wird um %1 bewegt und zurück, jeder Weg in %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each move ends by braking, which feeds the bus.</source>
+        <translation>Jede Bewegung endet mit Bremsen, und das speist den Zwischenkreis.</translation>
+    </message>
+    <message>
+        <source>Steps of the position</source>
+        <translation>Sprünge der Position</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3325,6 +3392,10 @@
     <message>
         <source>Load at %1 rpm</source>
         <translation>Last bei %1 rpm</translation>
+    </message>
+    <message>
+        <source>Position step %1°</source>
+        <translation>Positionssprung %1°</translation>
     </message>
 </context>
 <context>
@@ -9860,6 +9931,11 @@ mN·m</translation>
         <comment>Kp or Ki</comment>
         <translation>%1 des Flussreglers</translation>
     </message>
+    <message>
+        <source>%1 of the position loop</source>
+        <comment>Kp or Ki</comment>
+        <translation>%1 des Positionsreglers</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StateBox</name>
@@ -10055,9 +10131,31 @@ mN·m</translation>
         <translation>Wie lange jeder Strom gehalten wird: nichts hält dabei die Drehzahl</translation>
     </message>
     <message>
-        <source>%1, A</source>
-        <comment>a field</comment>
-        <translation>%1, A</translation>
+        <source>How long each position is held: longer than the loop takes to settle</source>
+        <translation>Wie lange jede Position gehalten wird: länger, als der Regler zum Ausregeln braucht</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <comment>a time</comment>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>The time of each move, there and back</source>
+        <translation>Die Zeit jeder Bewegung, hin und zurück</translation>
+    </message>
+    <message>
+        <source>B&amp;y</source>
+        <comment>an angle</comment>
+        <translation>&amp;um</translation>
+    </message>
+    <message>
+        <source>How far the shaft is moved from where it rests, and back</source>
+        <translation>Wie weit die Welle von ihrer Ruhestellung bewegt wird, und zurück</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a field, its unit</comment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -10089,6 +10187,10 @@ mN·m</translation>
     <message>
         <source>Id [A]</source>
         <translation>Id [A]</translation>
+    </message>
+    <message>
+        <source>Position [°]</source>
+        <translation>Position [°]</translation>
     </message>
 </context>
 <context>
@@ -10165,6 +10267,10 @@ mN·m</translation>
     <message>
         <source>Holds the speed that the motor has for 10 s, in which you put a load on it and take it off: says how far the speed gives way, and when it is back.</source>
         <translation>Hält die Drehzahl des Motors für 10 s, in denen Sie eine Last aufbringen und wegnehmen: sagt, wie weit die Drehzahl nachgibt und wann sie zurück ist.</translation>
+    </message>
+    <message>
+        <source>This board does not control the position of its shaft.</source>
+        <translation>Dieses Board regelt die Position ihrer Welle nicht.</translation>
     </message>
 </context>
 <context>
@@ -10245,6 +10351,10 @@ mN·m</translation>
     <message>
         <source>Speed</source>
         <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
 </context>
 <context>

@@ -1721,6 +1721,58 @@
         <source>for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the motor is in position control now, it was in speed control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motor may be in position control now, it was in speed control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this board does not control the position of its shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a shaft is moved by 1 to 3600 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a move takes 1 ms to 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a position is held for 100 ms to 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no recording of moves of a shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shaft moved by %1 degrees instead of %2 at the worst, as friction makes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was cut short: nothing is told of its position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps do not settle while their position is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are missing in %1: nothing is told of its position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not seen in the position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not settle while its position is held</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Laid</name>
@@ -3103,6 +3155,21 @@
         <source>Its set-points leave with every exchange meanwhile.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n time(s): its shaft is moved by %1 and back, each way in %2.</source>
+        <translation>
+            <numerusform>%n time: its shaft is moved by %1 and back, each way in %2.</numerusform>
+            <numerusform>%n times: its shaft is moved by %1 and back, each way in %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each move ends by braking, which feeds the bus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of the position</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3324,6 +3391,10 @@
     </message>
     <message>
         <source>Load at %1 rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position step %1°</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9853,6 +9924,11 @@ mN·m</source>
         <comment>Kp or Ki</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 of the position loop</source>
+        <comment>Kp or Ki</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StateBox</name>
@@ -10048,8 +10124,30 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, A</source>
-        <comment>a field</comment>
+        <source>How long each position is held: longer than the loop takes to settle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <comment>a time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of each move, there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B&amp;y</source>
+        <comment>an angle</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the shaft is moved from where it rests, and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a field, its unit</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10081,6 +10179,10 @@ mN·m</source>
     </message>
     <message>
         <source>Id [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position [°]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10157,6 +10259,10 @@ mN·m</source>
     </message>
     <message>
         <source>Holds the speed that the motor has for 10 s, in which you put a load on it and take it off: says how far the speed gives way, and when it is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not control the position of its shaft.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10237,6 +10343,10 @@ mN·m</source>
     </message>
     <message>
         <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

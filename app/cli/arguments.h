@@ -55,13 +55,15 @@ struct TuningArguments {
 
 /// Of step.
 struct StepArguments {
-    enum class Kind : std::uint8_t { Speed, Torque, Flux, Load };
+    enum class Kind : std::uint8_t { Speed, Torque, Flux, Load, Position };
     Kind kind = Kind::Speed;
     int fromRpm = 0, toRpm = 0; ///< of Speed
-    double fromAmps = 0.0, toAmps = 0.0; ///< of the others
+    double fromAmps = 0.0, toAmps = 0.0; ///< of Torque and Flux
+    double byDegrees = 0.0; ///< of Position
+    int in_ms = 0; ///< each move of it; 0: as long as usual
     int repeat = 5;
     int hold_ms = 0; ///< 0: as long as usual
-    std::optional<int> rpm; ///< at which the motor turns, but for Speed
+    std::optional<int> rpm; ///< at which the motor turns, of Torque, Flux and Load
 };
 
 /// Of response.

@@ -62,6 +62,7 @@ public:
         /// then.
         std::optional<double> rpm, amps;
         bool answered = true; ///< what was asked for last
+        std::optional<double> position_rad = {}; ///< of the shaft, as it was read last
         /// How far the bus has gone from what it was to its bound, by a reading since that answer.
         std::optional<double> busRise = {};
     };

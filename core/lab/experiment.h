@@ -6,6 +6,7 @@
 #include "lab/course.h"
 #include "lab/current_step_plan.h"
 #include "lab/load_plan.h"
+#include "lab/position_plan.h"
 #include "lab/power_plan.h"
 #include "lab/response_plan.h"
 #include "lab/rest_plan.h"
@@ -21,8 +22,8 @@
 
 namespace lab {
 
-using Plan =
-    std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan, PowerPlan, LoadPlan>;
+using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan, CurrentStepPlan, PowerPlan,
+    LoadPlan, PositionPlan>;
 
 struct Experiment {
     Plan plan;

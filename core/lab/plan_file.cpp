@@ -176,9 +176,11 @@ Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &num
             return withNumbers(powerPlanFor(subject, lower), numbers);
         if (kind == "load")
             return withNumbers(loadPlanFor(subject, lower), numbers);
+        if (kind == "position")
+            return withNumbers(PositionPlan{}, numbers, {"by_deg"});
         return fail("there is no experiment \"" + kind
-            + "\", there are step, current_step, spin, rest, response, current_response, power and "
-              "load");
+            + "\", there are step, current_step, spin, rest, response, current_response, power, "
+              "load and position");
     }();
     if (plan)
         std::visit([&](auto &of) { of.caps = lower; }, *plan);

@@ -134,8 +134,11 @@ void Runner::ask(Ask what, TimePoint now)
     const auto *currents = std::get_if<drive::CurrentReference>(&what);
     if (currents != nullptr)
         m_currents = *currents;
-    const bool torque = currents != nullptr || std::holds_alternative<drive::TorqueRamp>(what);
+    const bool position = std::holds_alternative<drive::PositionRamp>(what);
+    const bool torque =
+        position || currents != nullptr || std::holds_alternative<drive::TorqueRamp>(what);
     m_byTorque = m_byTorque || torque;
+    m_byPosition = torque ? position : m_byPosition;
     m_commanded = m_commanded || torque || m_asked_rpm;
     m_answered = false;
     m_asked = std::move(what);
@@ -575,7 +578,8 @@ void Runner::work(TimePoint now)
 {
     const auto amps =
         m_swings ? std::optional(m_ampSum / std::max(1, m_ampCount)) : m_envelope.amps();
-    if (auto what = m_course->next({now, m_envelope.rpm(), amps, m_answered, busRise()})) {
+    if (auto what = m_course->next({now, m_envelope.rpm(), amps, m_answered,
+            shown(m_experiment.subject.registers.position), busRise()})) {
         m_until = now + kAnswerWithin;
         const auto *to = std::get_if<drive::SpeedRamp>(&*what);
         const double rpm = m_envelope.rpm().value_or(0.0);
@@ -814,8 +818,8 @@ void Runner::finish()
     if (m_travels)
         say("set-points leave with every exchange still");
     if (m_byTorque)
-        say(m_waiting != 0 ? "the motor may be in torque control now, it was in speed control"
-                           : "the motor is in torque control now, it was in speed control");
+        say(std::string("the motor ") + (m_waiting != 0 ? "may be" : "is") + " in "
+            + (m_byPosition ? "position" : "torque") + " control now, it was in speed control");
     if (m_soFar.leaves)
         m_soFar.shows.reset(); // a start goes elsewhere, too, or may
     m_outcome = m_soFar;

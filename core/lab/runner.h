@@ -156,7 +156,9 @@ private:
     int m_tries = 0; ///< of it, that were too late
     std::optional<int> m_asked_rpm; ///< on its way
     bool m_stands = false; ///< the start was refused
-    bool m_byTorque = false; ///< a torque was asked for, and no speed was taken since
+    /// A torque was asked for, or a position, and no speed was taken since.
+    bool m_byTorque = false;
+    bool m_byPosition = false; ///< that was the last of them
     drive::CurrentReference m_currents; ///< that were asked for last
     bool m_ran = false; ///< the motor did
     Outcome m_soFar;

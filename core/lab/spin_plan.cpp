@@ -312,10 +312,12 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 {
+    const auto to = [&](int rpm, milliseconds ramp) {
+        return ToAndFro::Way{drive::SpeedRamp{subject.motor, rpm, ramp}, ramp};
+    };
     if (!subject.records())
-        return std::make_unique<ToAndFro>(subject.motor, ToAndFro::Way{plan.highRpm, SpinPlan::kUp},
-            ToAndFro::Way{plan.lowRpm, SpinPlan::kDown}, SpinPlan::kHold,
-            plan.length / SpinPlan::kRound);
+        return std::make_unique<ToAndFro>(to(plan.highRpm, SpinPlan::kUp),
+            to(plan.lowRpm, SpinPlan::kDown), SpinPlan::kHold, plan.length / SpinPlan::kRound);
     return std::make_unique<SpinCourse>(plan, subject);
 }
 

@@ -53,8 +53,10 @@ Conditions conditionsOf(const StepPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject)
 {
-    return std::make_unique<ToAndFro>(subject.motor, ToAndFro::Way{plan.toRpm},
-        ToAndFro::Way{plan.fromRpm}, plan.hold, plan.repeat);
+    const auto to = [&](int rpm) {
+        return ToAndFro::Way{drive::SpeedRamp{subject.motor, rpm, 0ms}, 0ms};
+    };
+    return std::make_unique<ToAndFro>(to(plan.toRpm), to(plan.fromRpm), plan.hold, plan.repeat);
 }
 
 double jumpPerRpm(const Subject &subject, double gain, double exponent)

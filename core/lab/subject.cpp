@@ -148,6 +148,8 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     registers.voltageD = streamed(catalog, "V_D", motor);
     registers.speed = streamed(catalog, speed, motor);
     registers.angle = streamed(catalog, angleNameOf(speed), motor);
+    if (reasonAgainst(board, motor, {Feature::PositionRamp}).empty())
+        registers.position = idOf(catalog, "CURRENT_POSITION", motor);
     registers.gain = idOf(catalog, "SPEED_KP", motor);
     registers.gainExponent = idOf(catalog, "SPEED_KP_DIV", motor);
     registers.integral = idOf(catalog, "SPEED_KI", motor);

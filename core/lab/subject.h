@@ -23,6 +23,7 @@ struct Registers {
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
     /// The stages of a start without a sensor; written, not recorded.
     drive::RegisterId startUp = 0;
+    drive::RegisterId position = 0; ///< of the shaft, rad; where the board controls it
     /// In force, rpm; read with the set-point, and recorded where samples come with each exchange.
     drive::RegisterId speedReference = 0;
 };

@@ -1,4 +1,4 @@
-// The course in which the speed goes to and fro between two set-points, by a ramp each way, and is held at either end.
+// The course in which a motor goes to and fro between two set-points, by a ramp each way, and is held at either end.
 #pragma once
 
 #include "lab/course.h"
@@ -10,16 +10,15 @@ namespace lab {
 class ToAndFro : public Course {
 public:
     struct Way {
-        int rpm = 0; ///< where it ends
+        Ask what; ///< where it ends
         milliseconds ramp{0}; ///< 0: at once
     };
 
     /// @param hold    at either end, behind its ramp
     /// @param rounds  there and back
-    ToAndFro(int motor, Way there, Way back, milliseconds hold, std::int64_t rounds)
-        : m_motor(motor)
-        , m_there(there)
-        , m_back(back)
+    ToAndFro(Way there, Way back, milliseconds hold, std::int64_t rounds)
+        : m_there(std::move(there))
+        , m_back(std::move(back))
         , m_hold(hold)
         , m_rounds(rounds)
     {
@@ -36,7 +35,7 @@ public:
         m_timed = false;
         if (over())
             return std::nullopt;
-        return drive::SpeedRamp{m_motor, way().rpm, way().ramp};
+        return way().what;
     }
     TimePoint due() const override { return m_due; }
     bool over() const override { return m_ways > 2 * m_rounds; }
@@ -44,7 +43,6 @@ public:
 private:
     const Way &way() const { return m_ways % 2 == 1 ? m_there : m_back; } ///< the last one
 
-    int m_motor;
     Way m_there, m_back;
     milliseconds m_hold;
     std::int64_t m_rounds;

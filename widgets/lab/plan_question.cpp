@@ -94,6 +94,13 @@ QString currentStepWords(const lab::CurrentStepPlan &plan)
         .arg(ampsText(plan.fromAmps), ampsText(plan.toAmps));
 }
 
+QString positionWords(const lab::PositionPlan &plan)
+{
+    return PlanQuestion::tr(
+        "%n time(s): its shaft is moved by %1 and back, each way in %2.", nullptr, plan.repeat)
+        .arg(numberText(plan.byDegrees, 1) + QChar(0xb0), msText(plan.ramp));
+}
+
 /// What is done once the motor is where it begins.
 QString workWords(const lab::Experiment &experiment)
 {
@@ -112,7 +119,8 @@ QString workWords(const lab::Experiment &experiment)
                 const QString length = secondsText(plan.length());
                 return PlanQuestion::tr("For %1 it is held at %2, while you change its load.")
                     .arg(length, rpmText(plan.fromRpm));
-            }},
+            },
+            [](const lab::PositionPlan &plan) { return positionWords(plan); }},
         experiment.plan);
 }
 
@@ -163,7 +171,10 @@ QStringList busWords(const std::vector<lab::Experiment> &experiments)
             return !experiment.subject.records()
                 && std::holds_alternative<lab::SpinPlan>(experiment.plan);
         });
+    const bool moves = std::holds_alternative<lab::PositionPlan>(experiments.front().plan);
     QStringList lines;
+    if (moves)
+        lines.append(PlanQuestion::tr("Each move ends by braking, which feeds the bus."));
     if (ramps)
         lines.append(PlanQuestion::tr("A ramp down brakes a heavy rotor, which feeds the bus."));
     if (!told)
@@ -285,6 +296,9 @@ public:
                        [&](const lab::RestPlan &plan) {
                            rest(plan, lab::conditionsOf(experiment).length);
                        },
+                       [&](const lab::PositionPlan &plan) {
+                           moves(plan, lab::conditionsOf(experiment).mostRpm);
+                       },
                        [&](const auto &) {
                            const lab::Conditions conditions = lab::conditionsOf(experiment);
                            to(conditions.firstRpm, secondsOf(conditions.length));
@@ -319,6 +333,18 @@ private:
                 to(rpm, secondsOf(SpinPlan::kHold));
             }
     }
+    /// There and back, at its fastest in the middle of each way.
+    void moves(const lab::PositionPlan &plan, double peak)
+    {
+        const double half = secondsOf(plan.ramp) / 2;
+        to(0.0, 0.0);
+        for (int i = 0; i < plan.repeat; ++i)
+            for (const double way : {plan.byDegrees, -plan.byDegrees}) {
+                to(way > 0.0 ? peak : -peak, half);
+                to(0.0, half);
+                to(0.0, secondsOf(plan.hold));
+            }
+    }
     SpeedPlan &m_into;
     double m_at = 0.0;
 };
@@ -342,7 +368,8 @@ QString experimentName(const lab::Experiment &experiment)
             [](const lab::RestPlan &) { return PlanQuestion::tr("Resistance"); },
             [](const lab::CurrentStepPlan &) { return PlanQuestion::tr("Steps of the current"); },
             [](const lab::PowerPlan &) { return PlanQuestion::tr("Power"); },
-            [](const lab::LoadPlan &) { return PlanQuestion::tr("Changes of the load"); }},
+            [](const lab::LoadPlan &) { return PlanQuestion::tr("Changes of the load"); },
+            [](const lab::PositionPlan &) { return PlanQuestion::tr("Steps of the position"); }},
         experiment.plan);
 }
 

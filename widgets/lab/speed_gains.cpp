@@ -16,9 +16,10 @@ using motor::GainId;
 
 namespace {
 
-/// Kp and Ki, in the order of StepKind.
-constexpr std::pair<GainId, GainId> kLoops[kStepKinds] = {{GainId::SpeedKp, GainId::SpeedKi},
-    {GainId::TorqueKp, GainId::TorqueKi}, {GainId::FluxKp, GainId::FluxKi}};
+/// Kp and Ki, in the order of StepKind. What the digits of a position come to nothing tells.
+constexpr std::pair<std::optional<GainId>, std::optional<GainId>> kLoops[kStepKinds] = {
+    {GainId::SpeedKp, GainId::SpeedKi}, {GainId::TorqueKp, GainId::TorqueKi},
+    {GainId::FluxKp, GainId::FluxKi}, {}};
 
 } // namespace
 
@@ -37,8 +38,8 @@ SpeedGains::SpeedGains(
 {
     setObjectName(QStringLiteral("speedGains"));
     auto *grid = bare(new QGridLayout(this), kGrid, kFineGrid);
-    m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(m_kpId));
-    m_ki = addGain(grid, 1, tr("K&i"), gainRegister(m_kiId));
+    m_kp = addGain(grid, 0, tr("&Kp"), m_kpId ? gainRegister(*m_kpId) : "POSITION_KP");
+    m_ki = addGain(grid, 1, tr("K&i"), m_kiId ? gainRegister(*m_kiId) : "POSITION_KI");
     for (QLabel *text : {m_kpText, m_kiText})
         text->setTextFormat(Qt::PlainText);
     grid->addWidget(m_kpText, 0, 2);
@@ -57,6 +58,7 @@ LiveGain *SpeedGains::addGain(QGridLayout *grid, int row, const QString &text, c
     label->setBuddy(gain);
     const QString of = m_kind == StepKind::Torque ? tr("%1 of the torque loop", "Kp or Ki")
         : m_kind == StepKind::Flux                ? tr("%1 of the flux loop", "Kp or Ki")
+        : m_kind == StepKind::Position            ? tr("%1 of the position loop", "Kp or Ki")
                                                   : tr("%1 of the speed loop", "Kp or Ki");
     gain->setAccessibleName(of.arg(QString(text).remove(QLatin1Char('&'))));
     gain->setFixedWidth(gain->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
@@ -103,7 +105,7 @@ bool SpeedGains::known() const
     const auto told = [](const LiveGain &gain) {
         return gain.digits() && (!gain.divisor() || gain.exponent());
     };
-    return told(*m_kp) && told(*m_ki) && m_facts.known();
+    return told(*m_kp) && told(*m_ki) && (!m_kpId || m_facts.known());
 }
 
 bool SpeedGains::settled() const { return m_kp->settled() && m_ki->settled(); }
@@ -114,12 +116,14 @@ QString SpeedGains::kpText(std::optional<double> value) const { return textOf(va
 
 QString SpeedGains::kiText(std::optional<double> value) const { return textOf(value, m_kiId); }
 
-QString SpeedGains::textOf(std::optional<double> value, GainId id) const
+QString SpeedGains::textOf(std::optional<double> value, std::optional<GainId> id) const
 {
     if (!value)
         return {};
-    if (const auto physical = motor::physicalGain(id, *value, drive::gainPlant(m_facts.facts())))
-        return gainWithUnit(*physical, gainUnit(id));
+    const auto physical = id ? motor::physicalGain(*id, *value, drive::gainPlant(m_facts.facts()))
+                             : std::optional<double>();
+    if (physical)
+        return gainWithUnit(*physical, gainUnit(*id));
     return tr("%1 digits", "a gain whose unit is not known").arg(significantText(*value));
 }
 

@@ -1,5 +1,5 @@
-// SpeedGains: the two gains of the speed loop, or of the loop of a current, as fields that move the board's own, and
-// what their digits come to.
+// SpeedGains: the two gains of the speed loop, or of that of a current or a position, as fields that move the board's
+// own, and what their digits come to.
 #pragma once
 
 #include "motor/gain_plan.h"
@@ -48,10 +48,10 @@ private:
     LiveGain *addGain(QGridLayout *grid, int row, const QString &text, const char *name);
     void adoptFacts();
     void updateTexts();
-    QString textOf(std::optional<double> value, motor::GainId id) const;
+    QString textOf(std::optional<double> value, std::optional<motor::GainId> id) const;
 
     StepKind m_kind;
-    motor::GainId m_kpId, m_kiId;
+    std::optional<motor::GainId> m_kpId, m_kiId; ///< empty: only their digits are known
     bool m_wanted;
     RegisterModel &m_model;
     RegisterEdits &m_edits;

@@ -36,7 +36,25 @@ constexpr int kCurrentNotch_ms = 5, kCurrentUsual_ms = 20, kCurrentLeast_ms = 10
 /// Of the greatest current, offered at first. A torque pushes all the time; a current along the magnets weakens them.
 constexpr double kFromTorque = 0.1, kToTorque = 0.3, kToFlux = -0.3;
 constexpr double kAnyAmps = 1e5; ///< where no board has told its limit
-constexpr double kUsualAmps = 1.0, kStep_a = 0.01, kNotch_a = 0.05;
+constexpr double kUsualAmps = 1.0;
+constexpr double kUsual_deg = 90.0, kMost_deg = 3600.0;
+
+/// Of the numbers of a kind, and of the time that each is held.
+struct Fields {
+    double digit, notch;
+    int leastHold_ms, usualHold_ms, mostHold_ms, notchHold_ms;
+};
+constexpr Fields kOfSpeed{1.0, kNotch_rpm, kLeastHold_ms, kUsual_ms, kMost_ms, kNotch_ms};
+constexpr Fields kOfCurrent{
+    0.01, 0.05, kCurrentLeast_ms, kCurrentUsual_ms, kCurrentMost_ms, kCurrentNotch_ms};
+constexpr Fields kOfPosition{0.1, 5.0, 100, kUsual_ms, kMost_ms, kNotch_ms};
+
+const Fields &fieldsOf(StepKind kind)
+{
+    return kind == StepKind::Speed   ? kOfSpeed
+        : kind == StepKind::Position ? kOfPosition
+                                     : kOfCurrent;
+}
 
 } // namespace
 
@@ -49,15 +67,15 @@ StepFields::StepFields(QWidget *parent)
     m_to = addNumber(0, 2, tr("to", "a speed"), "stepTo", m_offered);
     m_hold = addSpin(1, 0, tr("Hold"), "stepHold");
     m_approach = addSpin(1, 2, tr("ramp"), "stepApproach");
-    m_approach->setToolTip(tr("Of the ramp to the first speed, and of the way back"));
-    m_rampLabel = m_grid->itemAtPosition(1, 2)->widget();
+    m_rampLabel = qobject_cast<QLabel *>(m_grid->itemAtPosition(1, 2)->widget());
     m_turning = addNumber(1, 2, tr("at", "a speed"), "stepSpeed", m_turningOffered);
     m_turning.edit->setToolTip(
         tr("How fast the motor turns meanwhile, negative for torques that push it backwards"));
     m_repeat = addSpin(2, 0, tr("Repeat"), "stepRepeat");
     m_repeat->setToolTip(tr("So many steps up, and as many down"));
     m_which = named(new QComboBox(this), "stepKind", tr("What is stepped"));
-    for (const StepKind kind : {StepKind::Speed, StepKind::Torque, StepKind::Flux})
+    for (const StepKind kind :
+        {StepKind::Speed, StepKind::Torque, StepKind::Flux, StepKind::Position})
         m_which->addItem(StepRuns::kindText(kind));
     new WheelGuard(m_which);
     auto *label = new QLabel(tr("Kind"), this);
@@ -121,29 +139,47 @@ void StepFields::changeKind()
     Q_EMIT kindChanged();
 }
 
+void StepFields::show(const Number &number, bool shown)
+{
+    for (QWidget *part : {static_cast<QWidget *>(number.edit), static_cast<QWidget *>(number.label),
+             static_cast<QWidget *>(number.unit)})
+        part->setVisible(shown);
+}
+
 /// With what was typed for it, or what is offered.
 void StepFields::showKind()
 {
-    const bool speed = ofSpeed();
     const Typed typed = m_typed[std::size_t(m_kind)];
-    const int usual = speed ? kUsual_ms : kCurrentUsual_ms;
-    m_hold->setRange(speed ? kLeastHold_ms : kCurrentLeast_ms, speed ? kMost_ms : kCurrentMost_ms);
-    m_hold->setSingleStep(speed ? kNotch_ms : kCurrentNotch_ms);
-    m_hold->setValue(typed.hold_ms > 0 ? typed.hold_ms : usual);
-    m_hold->setToolTip(speed
+    const Fields &fields = fieldsOf(m_kind);
+    m_hold->setRange(fields.leastHold_ms, fields.mostHold_ms);
+    m_hold->setSingleStep(fields.notchHold_ms);
+    m_hold->setValue(typed.hold_ms > 0 ? typed.hold_ms : fields.usualHold_ms);
+    m_hold->setToolTip(ofSpeed()
             ? tr("How long each speed is held: longer than the loop takes to settle")
+            : ofPosition()
+            ? tr("How long each position is held: longer than the loop takes to settle")
             : tr("How long each current is held: nothing holds the speed meanwhile"));
-    m_rampLabel->setVisible(speed);
-    m_approach->setVisible(speed);
-    m_turning.edit->setVisible(!speed);
-    m_turning.label->setVisible(!speed);
-    m_turning.unit->setVisible(!speed);
+    m_rampLabel->setVisible(!ofCurrent());
+    m_rampLabel->setText(ofPosition() ? tr("in", "a time") : tr("ramp"));
+    m_approach->setAccessibleName(m_rampLabel->text());
+    m_approach->setVisible(!ofCurrent());
+    m_approach->setToolTip(ofPosition()
+            ? tr("The time of each move, there and back")
+            : tr("Of the ramp to the first speed, and of the way back"));
+    show(m_turning, ofCurrent());
+    show(m_from, !ofPosition());
+    m_to.label->setText(ofPosition() ? tr("B&y", "an angle") : tr("to", "a speed"));
+    m_to.edit->setToolTip(ofPosition() ? tr("How far the shaft is moved from where it rests, and "
+                                            "back")
+                                       : QString());
+    const QString unit = ofSpeed() ? tr("rpm")
+        : ofPosition()             ? QString(QChar(0xb0))
+                                   : QStringLiteral("A");
     for (const Number &end : {m_from, m_to}) {
         const QString name = QString(end.label->text()).remove(QLatin1Char('&'));
-        end.edit->setAccessibleName(
-            speed ? tr("%1, rpm", "a field").arg(name) : tr("%1, A", "a field").arg(name));
-        end.edit->setNotch(speed ? kNotch_rpm : kNotch_a);
-        end.unit->setText(speed ? tr("rpm") : QStringLiteral("A"));
+        end.edit->setAccessibleName(tr("%1, %2", "a field, its unit").arg(name, unit));
+        end.edit->setNotch(fields.notch);
+        end.unit->setText(unit);
     }
     m_offered = typed.offered;
     setLimits(m_limits);
@@ -159,15 +195,18 @@ void StepFields::setLimits(const Limits &limits)
     m_offering = true;
     const double rpm = limits.greatestRpm > 0.0 ? limits.greatestRpm : kAnyRpm;
     const double amps = limits.greatestAmps > 0.0 ? limits.greatestAmps : kAnyAmps;
+    const double most = ofSpeed() ? rpm : ofPosition() ? kMost_deg : amps;
     for (const Number &end : {m_from, m_to}) // the board rounds to its own steps
-        end.edit->setLimits(ofSpeed() ? rpm : amps, ofSpeed() ? 1.0 : kStep_a, end.unit->text());
+        end.edit->setLimits(most, fieldsOf(m_kind).digit, end.unit->text());
     m_turning.edit->setLimits(rpm, 1.0, tr("rpm"));
     if (m_turningOffered)
         m_turning.edit->setValue(limits.turningRpm);
     if (m_offered && ofSpeed())
         offerSpeeds();
-    else if (m_offered)
+    else if (m_offered && ofCurrent())
         offerCurrents();
+    else if (m_offered)
+        m_to.edit->setValue(kUsual_deg);
     m_offering = false;
 }
 
@@ -198,52 +237,63 @@ void StepFields::offerCurrents()
     m_to.edit->setValue((flux ? kToFlux : kToTorque) * greatest);
 }
 
-void StepFields::greyCurrents(const QString &why)
+void StepFields::grey(StepKind kind, const QString &why)
 {
-    auto *items = qobject_cast<QStandardItemModel *>(m_which->model());
-    for (int i = 1; i < m_which->count(); ++i) {
-        items->item(i)->setEnabled(why.isEmpty());
-        items->item(i)->setToolTip(plainToolTip(why));
-    }
+    auto *item = qobject_cast<QStandardItemModel *>(m_which->model())->item(int(kind));
+    item->setEnabled(why.isEmpty());
+    item->setToolTip(plainToolTip(why));
+}
+
+std::vector<StepFields::Number> StepFields::numbers() const
+{
+    if (ofPosition())
+        return {m_to};
+    return ofSpeed() ? std::vector{m_from, m_to} : std::vector{m_from, m_to, m_turning};
 }
 
 std::optional<lab::Plan> StepFields::plan(const drive::UserLimits &caps) const
 {
-    const auto from = m_from.edit->value(), to = m_to.edit->value();
-    const auto turning = m_turning.edit->value();
-    if (!from || !to || (!ofSpeed() && !turning))
+    if (!problem().isEmpty())
         return std::nullopt;
-    const auto whole = [](double rpm) { return static_cast<int>(std::lround(rpm)); };
-    const std::chrono::milliseconds hold(m_hold->value());
-    if (!ofSpeed())
-        return lab::CurrentStepPlan{.flux = m_kind == StepKind::Flux ? 1 : 0,
-            .fromAmps = *from,
-            .toAmps = *to,
+    const auto whole = [](const Number &rpm) {
+        return static_cast<int>(std::lround(rpm.edit->value().value_or(0.0)));
+    };
+    const std::chrono::milliseconds hold(m_hold->value()), approach(m_approach->value());
+    if (ofPosition())
+        return lab::PositionPlan{.byDegrees = *m_to.edit->value(),
+            .ramp = approach,
             .repeat = m_repeat->value(),
             .hold = hold,
-            .rpm = whole(*turning),
             .caps = caps};
-    return lab::StepPlan{.fromRpm = whole(*from),
-        .toRpm = whole(*to),
+    if (!ofSpeed())
+        return lab::CurrentStepPlan{.flux = m_kind == StepKind::Flux ? 1 : 0,
+            .fromAmps = *m_from.edit->value(),
+            .toAmps = *m_to.edit->value(),
+            .repeat = m_repeat->value(),
+            .hold = hold,
+            .rpm = whole(m_turning),
+            .caps = caps};
+    return lab::StepPlan{.fromRpm = whole(m_from),
+        .toRpm = whole(m_to),
         .repeat = m_repeat->value(),
         .hold = hold,
-        .approach = std::chrono::milliseconds(m_approach->value()),
+        .approach = approach,
         .caps = caps};
 }
 
 QString StepFields::problem() const
 {
-    for (const Number &number : {m_from, m_to, m_turning})
-        if (const bool counts = !ofSpeed() || number.edit != m_turning.edit;
-            counts && !number.edit->value())
+    for (const Number &number : numbers())
+        if (!number.edit->value())
             return number.edit->echo();
     return {};
 }
 
 void StepFields::focusFirst()
 {
-    m_from.edit->setFocus(Qt::ShortcutFocusReason);
-    m_from.edit->selectAll();
+    NumberEdit *first = numbers().front().edit;
+    first->setFocus(Qt::ShortcutFocusReason);
+    first->selectAll();
 }
 
 } // namespace widgets

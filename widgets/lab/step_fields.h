@@ -1,6 +1,7 @@
-// StepFields: what is to be stepped, as it is typed: a speed, a torque or the current along the magnets; from which to
-// which, how long each is held, how often; of a speed the ramp to the first one and back, of a current the speed at
-// which the motor turns. Each kind keeps what was typed for it.
+// StepFields: what is to be stepped, as it is typed: a speed, a torque, the current along the magnets or a position of
+// the shaft; from which to which, how long each is held, how often; of a speed the ramp to the first one and back, of a
+// current the speed at which the motor turns, of a position how far it is moved and in which time. Each kind keeps what
+// was typed for it.
 #pragma once
 
 #include "widgets/lab/step_result.h"
@@ -35,8 +36,8 @@ public:
         int turningRpm = 0; ///< offered for steps of a current
     };
     void setLimits(const Limits &limits);
-    /// @param why  the board cannot step currents, a sentence; empty: it can
-    void greyCurrents(const QString &why);
+    /// @param why  the board cannot step it, a sentence; empty: it can
+    void grey(StepKind kind, const QString &why);
     void focusFirst();
 
 Q_SIGNALS:
@@ -61,12 +62,16 @@ private:
     void offerSpeeds();
     void offerCurrents();
     bool ofSpeed() const { return m_kind == StepKind::Speed; }
+    bool ofPosition() const { return m_kind == StepKind::Position; }
+    bool ofCurrent() const { return !ofSpeed() && !ofPosition(); }
+    std::vector<Number> numbers() const; ///< that count for the kind
+    void show(const Number &number, bool shown);
     QSpinBox *addSpin(int row, int column, const QString &text, const char *name);
 
     QGridLayout *m_grid;
     QComboBox *m_which;
     Number m_from, m_to, m_turning;
-    QWidget *m_rampLabel;
+    QLabel *m_rampLabel;
     QSpinBox *m_hold, *m_approach, *m_repeat;
     StepKind m_kind = StepKind::Speed;
     Limits m_limits;

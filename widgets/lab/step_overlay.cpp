@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastShown_s = 0.01; ///< that the axis shows
 constexpr int kTicks = 6; ///< of a curve
 constexpr double kRoom = 0.08; ///< of what is drawn, above and below
-constexpr double kLeastRoom_rpm = 1.0, kLeastRoom_a = 0.01;
+constexpr double kLeastRoom_rpm = 1.0, kLeastRoom_a = 0.01, kLeastRoom_deg = 0.1;
 
 } // namespace
 
@@ -45,6 +45,7 @@ void StepOverlay::showSteps(const std::vector<StepResult> &results, bool up, Ste
         m_from_s = m_to_s = 0.0;
     plot().yAxis->setLabel(kind == StepKind::Torque ? tr("Iq [A]")
             : kind == StepKind::Flux                ? tr("Id [A]")
+            : kind == StepKind::Position            ? tr("Position [\u00b0]")
                                                     : tr("Speed [rpm]"));
     m_curves.clear();
     m_least_s = 0.0;
@@ -125,8 +126,10 @@ void StepOverlay::draw()
         any = true;
         drawCurve(drawn, dark);
     }
-    const double room =
-        std::max(m_kind == StepKind::Speed ? kLeastRoom_rpm : kLeastRoom_a, kRoom * (most - least));
+    const double leastRoom = m_kind == StepKind::Speed ? kLeastRoom_rpm
+        : m_kind == StepKind::Position                 ? kLeastRoom_deg
+                                                       : kLeastRoom_a;
+    const double room = std::max(leastRoom, kRoom * (most - least));
     plot().yAxis->setRange(least - room, most + room);
     const auto ticks = [](QCPAxis *axis, int pixels, int each, int close) {
         axis->ticker().dynamicCast<AxisTicker>()->setMost(

@@ -198,7 +198,11 @@ void StepPage::boardChanged()
         .greatestAmps = most.amps,
         .leastRpm = subject ? subject->leastObservedRpm(own.maxSpeedRpm) : 0.0,
         .turningRpm = recorded ? lab::currentStepPlanFor(*recorded, false, 0.0, 1.0, own).rpm : 0});
-    m_fields->greyCurrents(subject && !recorded ? recorded.error() : QString());
+    for (const StepKind kind : {StepKind::Torque, StepKind::Flux, StepKind::Position})
+        m_fields->grey(kind, subject && !recorded ? recorded.error() : QString());
+    if (recorded && recorded->registers.position == 0)
+        m_fields->grey(
+            StepKind::Position, tr("This board does not control the position of its shaft."));
     Q_EMIT watchedRegistersChanged();
     m_bar->refresh();
 }

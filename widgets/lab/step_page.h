@@ -1,6 +1,6 @@
-// StepPage: steps of the speed, the torque or the flux, again and again: from, to, Run; every series a row and a curve.
-// The gains of the loop that is stepped stand beside and are written as they are turned, so that a changed gain and its
-// new step are two actions.
+// StepPage: steps of the speed, the torque, the flux or the position, again and again: from, to, Run; every series a
+// row and a curve. The gains of the loop that is stepped stand beside and are written as they are turned, so that a
+// changed gain and its new step are two actions.
 //
 // A series is asked about once; further ones within the same caps are not, until the drive is disarmed. What it lacks
 // is told where it cannot be run.

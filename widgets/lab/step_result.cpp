@@ -1,6 +1,7 @@
 #include "widgets/lab/step_result.h"
 
 #include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/position_evaluation.h"
 #include "scope/sample_range.h"
 
 #include <algorithm>
@@ -111,6 +112,8 @@ bool StepResult::told() const
 
 StepKind StepResult::kind() const
 {
+    if (position)
+        return StepKind::Position;
     return !current ? StepKind::Speed : current->flux != 0 ? StepKind::Flux : StepKind::Torque;
 }
 
@@ -130,6 +133,28 @@ Result<StepResult, std::string> currentResult(
     const Nanos hold = std::chrono::nanoseconds(plan.plan.hold).count();
     for (const lab::StepRun &step : result.series.runs)
         result.curves.append(curveOf(*current, step, hold)); // it is there: it was evaluated
+    return result;
+}
+
+Result<StepResult, std::string> positionResult(
+    const Experiments::Run &run, const lab::Recorded<lab::PositionPlan> &plan)
+{
+    auto found = lab::positionSteps(run.capture, run.happenings);
+    if (!found)
+        return fail(found.error());
+    StepResult result;
+    static_cast<lab::MeasuredSteps &>(result.series) = std::move(*found);
+    result.position = plan.plan;
+    const capture::Channel *angle = lab::fastChannel(run.capture, plan.angle);
+    for (const lab::StepRun &step : result.series.runs) {
+        StepCurve curve;
+        curve.up = step.up;
+        const capture::Capture moved =
+            lab::positionOf(*angle, plan.polePairs, step.at - kBefore, step.until);
+        if (const auto channels = moved.channels(); !channels.empty())
+            fill(curve, *moved.channel(channels.front().id), step);
+        result.curves.append(curve);
+    }
     return result;
 }
 
@@ -153,14 +178,20 @@ Result<StepResult, std::string> speedResult(const Experiments::Run &run)
 
 Result<StepResult, std::string> stepResult(const Experiments::Run &run, const std::string &bus)
 {
-    const auto current = lab::recordedPlan<lab::CurrentStepPlan>(run.happenings.front().second);
-    auto result = current ? currentResult(run, *current) : speedResult(run);
+    const recorded::Happening &begun = run.happenings.front().second;
+    const auto current = lab::recordedPlan<lab::CurrentStepPlan>(begun);
+    const auto position = lab::recordedPlan<lab::PositionPlan>(begun);
+    auto result = current ? currentResult(run, *current)
+        : position        ? positionResult(run, *position)
+                          : speedResult(run);
     if (!result || result->series.runs.empty())
         return result;
     const auto &runs = result->series.runs;
-    const Nanos hold =
-        std::chrono::nanoseconds(current ? current->plan.hold : result->series.plan.hold).count();
-    result->bus_v = extremesOf(run.capture, bus, runs.front().at, runs.back().at + hold);
+    const std::chrono::milliseconds held = current ? current->plan.hold
+        : position                                 ? position->plan.ramp + position->plan.hold
+                                                   : result->series.plan.hold;
+    result->bus_v = extremesOf(
+        run.capture, bus, runs.front().at, runs.back().at + std::chrono::nanoseconds(held).count());
     return result;
 }
 

@@ -14,15 +14,15 @@
 
 namespace widgets {
 
-/// What is stepped: the speed, Iq, or Id.
-enum class StepKind : std::uint8_t { Speed, Torque, Flux };
-constexpr std::size_t kStepKinds = 3;
+/// What is stepped: the speed, Iq, Id, or where the shaft is.
+enum class StepKind : std::uint8_t { Speed, Torque, Flux, Position };
+constexpr std::size_t kStepKinds = 4;
 
-/// One step: the speed or the current over the time since its instant, as far as it was recorded. Empty: no stretch of
-/// it is long enough to tell a speed.
+/// One step: the speed, the current or the position over the time since its instant, as far as it was recorded. Empty:
+/// no stretch of it is long enough to tell it.
 struct StepCurve {
     bool up = true;
-    QVector<double> seconds, values; ///< rpm, or A of a current
+    QVector<double> seconds, values; ///< rpm, A of a current, or degrees
     QVector<qsizetype> gaps; ///< samples are missing before these points
 };
 
@@ -30,7 +30,9 @@ struct StepResult {
     int number = 0; ///< of the series in its table, from 1
     QString kp, ki; ///< with which it was made, with units
     lab::StepSeries series; ///< its plan is that of a speed
-    std::optional<lab::CurrentStepPlan> current; ///< empty: the speed was stepped
+    /// Empty: the speed was stepped.
+    std::optional<lab::CurrentStepPlan> current;
+    std::optional<lab::PositionPlan> position;
     QVector<StepCurve> curves;
     std::optional<std::pair<double, double>> bus_v; ///< least and greatest; empty: not known
 

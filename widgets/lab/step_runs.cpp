@@ -79,7 +79,9 @@ QString stepText(const StepResult &result)
         return numberText(value, 2).replace(QLatin1Char('-'), kMinus);
     };
     const auto &current = result.current;
-    const QString ends = current
+    const QString ends = result.position ? StepRuns::kindText(result.kind()) + QLatin1Char(' ')
+            + amps(result.position->byDegrees) + QChar(0xb0)
+        : current
         ? StepRuns::kindText(result.kind()) + QLatin1Char(' ')
             + QStringLiteral("%1 \u2192 %2").arg(amps(current->fromAmps), amps(current->toAmps))
             + kNarrow + QLatin1Char('A')
@@ -96,6 +98,9 @@ bool isSameStep(const StepResult &one, const StepResult &other)
 {
     if (one.kind() != other.kind())
         return false;
+    if (one.position)
+        return one.position->byDegrees == other.position->byDegrees
+            && one.position->ramp == other.position->ramp;
     if (one.current)
         return one.current->fromAmps == other.current->fromAmps
             && one.current->toAmps == other.current->toAmps;
@@ -107,9 +112,10 @@ bool isSameStep(const StepResult &one, const StepResult &other)
 
 QString StepRuns::kindText(StepKind kind)
 {
-    return kind == StepKind::Torque ? tr("Torque")
-        : kind == StepKind::Flux    ? tr("Flux")
-                                    : tr("Speed");
+    return kind == StepKind::Torque  ? tr("Torque")
+        : kind == StepKind::Flux     ? tr("Flux")
+        : kind == StepKind::Position ? tr("Position")
+                                     : tr("Speed");
 }
 
 StepRuns::StepRuns(QObject *parent)

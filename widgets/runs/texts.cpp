@@ -118,6 +118,8 @@ QString experimentText(const session::Run &run)
         return RunText::tr("Power at %1 rpm").arg(field(run, "rpm"));
     if (run.experiment == QLatin1String("load plan"))
         return RunText::tr("Load at %1 rpm").arg(field(run, "rpm"));
+    if (run.experiment == QLatin1String("position plan"))
+        return RunText::tr("Position step %1\u00b0").arg(field(run, "by deg"));
     if (run.experiment == QLatin1String("rest plan"))
         return RunText::tr("Electrics");
     if (run.experiment == QLatin1String("response plan"))

@@ -2,6 +2,7 @@
 
 #include "lab/evaluation/current_response_evaluation.h"
 #include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/position_evaluation.h"
 
 namespace lab {
 namespace {
@@ -50,6 +51,8 @@ PlanKind kindOf(const recorded::Happening &what)
         return {"power", evaluated<evaluatePower>, power->motor};
     if (const auto load = recordedPlan<LoadPlan>(what))
         return {"step load", evaluated<evaluateLoad>, load->motor};
+    if (const auto position = recordedPlan<PositionPlan>(what))
+        return {"step position", evaluated<positionSteps>, position->motor};
     const auto rest = recordedPlan<RestPlan>(what);
     const auto spin = recordedPlan<SpinPlan>(what);
     if (spin && !(spin->plan.fluxAmps > 0.0))

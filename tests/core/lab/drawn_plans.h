@@ -49,6 +49,12 @@ inline lab::Plan drawnPlan(Random &random, const lab::Subject &subject)
     }
     case 3:
         drawn = lab::restPlanFor(subject, {});
+        if (subject.registers.position != 0 && random.chance(0.5)) {
+            const double by_deg = random.chance(0.5) ? 30.0 : -30.0;
+            drawn = lab::PositionPlan{.byDegrees = by_deg * double(1 + random.below(4)),
+                .ramp = std::chrono::milliseconds(150 + random.below(300)),
+                .repeat = static_cast<int>(1 + random.below(3))};
+        }
         break;
     default: {
         lab::ResponsePlan plan = random.chance(0.5) ? lab::currentResponsePlanFor(subject, {})

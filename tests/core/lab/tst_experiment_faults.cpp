@@ -122,6 +122,9 @@ struct Scenario {
         simulation::BoardOptions options;
         options.motor = kMotors[random.below(kMotors.size())];
         options.seed = seed;
+        for (const simulation::BuildOption &option : simulation::buildOptions())
+            if (option.name == "position") // where there is an encoder
+                options.with.push_back(&option);
         if (lie != nullptr)
             options.lies = {{lie->lie}};
         return options;

@@ -195,7 +195,7 @@ private Q_SLOTS:
                 "hold_ms, approach_ms, max_rpm, max_a"));
         const std::string kinds = planOf("autotune", {}, subject, {}).error();
         for (const char *kind : {"step", "current_step", "spin", "rest", "response",
-                 "current_response", "power", "load"}) {
+                 "current_response", "power", "load", "position"}) {
             QVERIFY2(kinds.find(kind) != std::string::npos, kinds.c_str());
             const auto known = planOf(kind, {{"x", 1}}, subject, {}).error();
             QVERIFY2(known.starts_with("the key \"x\""), known.c_str());

@@ -62,8 +62,10 @@ struct LabWindow {
     facts::WindowRig rig;
     WindowActs acts;
 
-    explicit LabWindow(const std::string &motor, const QSize &size = {1280, 720}, int motors = 1)
-        : world(boardOf(motor, motors), drive::Protocol::Mcp)
+    /// @param with  what its firmware is built with besides
+    explicit LabWindow(const std::string &motor, const QSize &size = {1280, 720}, int motors = 1,
+        const std::vector<std::string> &with = {})
+        : world(boardOf(motor, motors, with), drive::Protocol::Mcp)
         , rig(settings(), session::makeDiskSink, world.parts())
         , acts(world, rig.window, rig.workbench.device())
     {
@@ -72,12 +74,16 @@ struct LabWindow {
     }
     ~LabWindow() { world.act(judge::Act::Kind::Leave); }
 
-    static simulation::BoardOptions boardOf(const std::string &motor, int motors)
+    static simulation::BoardOptions boardOf(
+        const std::string &motor, int motors, const std::vector<std::string> &with)
     {
         simulation::BoardOptions options;
         options.motor = motor;
         options.motors = motors;
         options.load = simulation::findPreset(motor)->load;
+        for (const simulation::BuildOption &option : simulation::buildOptions())
+            if (std::ranges::find(with, option.name) != with.end())
+                options.with.push_back(&option);
         return options;
     }
     static widgets::Settings settings()

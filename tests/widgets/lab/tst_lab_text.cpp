@@ -270,8 +270,8 @@ void TestLabText::coreAndTheWindowHaveTheSameSentences_data()
                QStringLiteral("Lq less Ld H"), QStringLiteral("current step plan"),
                QStringLiteral("dead time V"), QStringLiteral("integral A per rpm"),
                QStringLiteral("jump A per rpm"), QStringLiteral("proportional A per rpm"),
-               QStringLiteral("speed from the angle"), QStringLiteral("speed step rpm"),
-               QStringLiteral("torque Nm per A")};
+               QStringLiteral("position from the angle"), QStringLiteral("speed from the angle"),
+               QStringLiteral("speed step rpm"), QStringLiteral("torque Nm per A")};
     // What the window does not ask for, or asks about before. What a protocol says of its registers is its own word.
     QStringList acts;
     for (const char *file : {"act_task.h", "set_point_check.cpp", "start_target.cpp",

@@ -36,8 +36,9 @@ constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
 struct Bench : support::LabWindow {
     int actions = 0; ///< of the user, since the test set it to 0
 
-    explicit Bench(const char *motor = "servo24", const QSize &size = {1280, 720})
-        : LabWindow(motor, size)
+    explicit Bench(const char *motor = "servo24", const QSize &size = {1280, 720},
+        const std::vector<std::string> &with = {})
+        : LabWindow(motor, size, 1, with)
     {
         open(Qt::Key_T, Qt::ControlModifier);
     }
@@ -122,6 +123,48 @@ private Q_SLOTS:
     }
 
     /// Nobody loads this motor, which is said, and makes no row.
+    void aShaftIsMovedWhereTheBoardControlsPositions()
+    {
+        const auto positionIn = [](const Bench &bench) {
+            auto *kind = bench.find<QComboBox>("stepKind");
+            return std::pair(kind, kind->findText(QStringLiteral("Position")));
+        };
+        {
+            Bench other;
+            QVERIFY(other.connectBoard());
+            const auto [kind, row] = positionIn(other);
+            QVERIFY(!(kind->model()->flags(kind->model()->index(row, 0)) & Qt::ItemIsEnabled));
+            QVERIFY(kind->itemData(row, Qt::ToolTipRole)
+                        .toString()
+                        .contains(QLatin1String("does not control the position")));
+        }
+        Bench bench("servo24", {1280, 720}, {"position"});
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        const auto [kind, row] = positionIn(bench);
+        kind->setCurrentIndex(row);
+        QVERIFY(!bench.find("stepFrom")->isVisible());
+        QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QStringLiteral("90.0"));
+        bench.find<QSpinBox>("stepApproach")->setValue(300);
+        bench.find<QSpinBox>("stepRepeat")->setValue(1);
+        QTRY_VERIFY(bench.run()->isEnabled());
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+        const QString words = bench.find<QMessageBox>("experimentQuestion")->informativeText();
+        QVERIFY2(words.contains(QString::fromUtf8("its shaft is moved by 90.0\u00b0 and back"))
+                && words.contains(QLatin1String("ends by braking")),
+            qPrintable(words));
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.agree();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows().rowCount(), 1, kSeriesMs);
+        QVERIFY(
+            bench.cell(0, widgets::StepRuns::StepColumn).startsWith(QLatin1String("Position 90")));
+        QVERIFY(bench.cell(0, widgets::StepRuns::RiseColumn).contains(QLatin1String("ms")));
+        QVERIFY(bench.cell(0, widgets::StepRuns::KpColumn).contains(QLatin1String("digits")));
+        QVERIFY(bench.find<widgets::StepOverlay>("stepOverlay")->curves() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running(), Bench::kRunMs);
+    }
+
     void aLoadIsAskedAboutAndWaitedFor()
     {
         Bench bench;
