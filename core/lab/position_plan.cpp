@@ -115,7 +115,7 @@ bool usable(const Recorded<PositionPlan> &found)
 {
     const PositionPlan &plan = found.plan;
     return std::abs(plan.byDegrees) > 0.0 && plan.ramp >= 1ms && plan.hold >= 1ms
-        && found.polePairs > 0.0;
+        && found.polePairs >= 1.0;
 }
 
 } // namespace lab

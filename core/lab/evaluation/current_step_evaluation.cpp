@@ -22,8 +22,9 @@ public:
         if (const auto amps = current(what))
             return acceptCurrent(at, *amps);
         const bool ended = what.name == kEndEntry;
-        if (what.name == "motion")
-            return acceptAnswer(what);
+        const std::string act = what.field("act");
+        if (m_open && what.name == "motion" && (act == "TORQUE_RAMP" || act == "CURRENT_REFERENCE"))
+            takeAnswer(steps.back(), what);
         if (!ended && what.name != "speed ramp" && what.name != "command" && what.name != "stop"
             && !endsLink(what))
             return;
@@ -61,19 +62,6 @@ private:
             steps.push_back({*m_last, amps, at, at, at});
         }
         m_last = amps;
-    }
-    /// The motion log has when it was asked and answered, on the clock of the link.
-    void acceptAnswer(const recorded::Happening &motion)
-    {
-        const std::string act = motion.field("act");
-        const auto asked = numberOf(motion, "asked s");
-        const auto took = numberOf(motion, "took ms");
-        constexpr Nanos kSecond = 1'000'000'000;
-        if (!m_open || (act != "TORQUE_RAMP" && act != "CURRENT_REFERENCE") || !asked || !took)
-            return;
-        StepAsked &step = steps.back();
-        step.answered = std::clamp(capture::toNanos(*asked) + capture::toNanos(*took * 1e-3),
-            step.asked, step.asked + kSecond);
     }
     void end(Nanos at)
     {
@@ -165,10 +153,7 @@ Result<MeasuredSteps, std::string> currentSteps(
         const auto cut = cutShort(asked, *response, hold);
         found.runs.push_back(cut ? *cut : evaluate(*reference, *response, current, asked, hold));
     }
-    if (!finder.reason.empty())
-        found.notes.push_back("the series ended early: " + finder.reason);
-    else if (!finder.over)
-        found.notes.emplace_back("the recording ends before the series does");
+    noteSeriesEnd(found, finder.over, finder.reason);
     noteNoise(found, *plan, *response);
     noteRuns(found, "current");
     // Of the series: what was recorded before it may have had another rate.

@@ -1,6 +1,7 @@
 #include "lab/evaluation/position_evaluation.h"
 
 #include "lab/evaluation/segments.h"
+#include "scope/sample_range.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,8 +25,8 @@ public:
     void accept(Nanos at, const recorded::Happening &what)
     {
         const bool ended = what.name == kEndEntry;
-        if (what.name == "motion")
-            return acceptAnswer(what);
+        if (m_open && what.name == "motion" && what.field("act") == "POSITION_RAMP")
+            takeAnswer(moves.back(), what);
         if (what.name == "position ramp" && numberOf(what, "motor") == m_plan.motor)
             return acceptMove(at);
         if (!ended && what.name != "command" && what.name != "stop" && !endsLink(what))
@@ -47,18 +48,6 @@ private:
         const bool there = moves.size() % 2 == 0;
         moves.push_back({there ? 0.0 : by, there ? by : 0.0, at, at, at + m_whole});
         m_open = true;
-    }
-    /// The motion log has when it was asked and answered, on the clock of the link.
-    void acceptAnswer(const recorded::Happening &motion)
-    {
-        constexpr Nanos kSecond = 1'000'000'000;
-        const auto asked = numberOf(motion, "asked s");
-        const auto took = numberOf(motion, "took ms");
-        if (!m_open || motion.field("act") != "POSITION_RAMP" || !asked || !took)
-            return;
-        StepAsked &move = moves.back();
-        move.answered = std::clamp(capture::toNanos(*asked) + capture::toNanos(*took * 1e-3),
-            move.asked, move.asked + kSecond);
     }
     void end(Nanos at)
     {
@@ -175,10 +164,7 @@ Result<MeasuredSteps, std::string> positionSteps(
         const auto cut = cutShort(asked, *angle, whole);
         found.runs.push_back(cut ? *cut : evaluateMove(*angle, current, asked, plan->polePairs));
     }
-    if (!finder.reason.empty())
-        found.notes.push_back("the series ended early: " + finder.reason);
-    else if (!finder.over)
-        found.notes.emplace_back("the recording ends before the series does");
+    noteSeriesEnd(found, finder.over, finder.reason);
     noteRuns(found, "position");
     noteWay(found, *angle, *plan);
     double error_s = 1e-3;

@@ -194,6 +194,24 @@ void notePolls(StepSeries &series, double told_s)
 
 } // namespace
 
+void takeAnswer(StepAsked &step, const recorded::Happening &motion)
+{
+    constexpr Nanos kSecond = 1'000'000'000;
+    const auto asked = numberOf(motion, "asked s");
+    const auto took = numberOf(motion, "took ms");
+    if (asked && took)
+        step.answered = std::clamp(capture::toNanos(*asked) + capture::toNanos(*took * 1e-3),
+            step.asked, step.asked + kSecond);
+}
+
+void noteSeriesEnd(MeasuredSteps &series, bool over, const std::string &reason)
+{
+    if (!reason.empty())
+        series.notes.push_back("the series ended early: " + reason);
+    else if (!over)
+        series.notes.emplace_back("the recording ends before the series does");
+}
+
 void addMeans(MeasuredSteps &series, double digit_a, double resolution_s)
 {
     series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", resolution_s);
@@ -262,10 +280,7 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         const auto cut = cutShort(asked, *channels.speed, hold);
         series.runs.push_back(cut ? *cut : evaluateStep(channels, asked, facts));
     }
-    if (!finder.reason.empty())
-        series.notes.push_back("the series ended early: " + finder.reason);
-    else if (!finder.over)
-        series.notes.emplace_back("the recording ends before the series does");
+    noteSeriesEnd(series, finder.over, finder.reason);
     noteResolution(series, *plan);
     noteRuns(series, "speed");
     constexpr double kMilli = 1e-3;

@@ -23,6 +23,11 @@ struct StepSeries : MeasuredSteps {
     StepPlan plan;
 };
 
+/// Takes when the board had it from the motion log, which has when it was asked and answered, on the clock of the link.
+void takeAnswer(StepAsked &step, const recorded::Happening &motion);
+/// Says why a series is not whole. @param reason  why it ended early; empty: nothing says so
+void noteSeriesEnd(MeasuredSteps &series, bool over, const std::string &reason);
+
 /// Their means, with notes on steps that stand apart from the others and on means that are not of all.
 /// @param digit_a, resolution_s  differences up to it are none, of a current and of a rise
 void addMeans(MeasuredSteps &series, double digit_a, double resolution_s);
