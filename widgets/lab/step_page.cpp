@@ -53,7 +53,7 @@ int stepsIn(const lab::Happenings &happenings)
 ExperimentBar::Progress progress(const lab::Happenings &happenings)
 {
     const recorded::Happening &begun = happenings.front().second;
-    if (lab::recordedPlan<lab::LoadPlan>(begun) && stepsIn(happenings) == 1)
+    if (lab::recordedPlan<lab::LoadPlan>(begun) && stepsIn(happenings) >= 1)
         return {1, 2, StepPage::tr("The speed is held: put the load on, and take it off.")};
     const auto plan = lab::recordedPlan<lab::StepPlan>(begun);
     if (!plan)

@@ -23,7 +23,7 @@ Blocks blocksOf(const Segment &segment, const Recorded<LoadPlan> &of)
     constexpr double kBlock_s = 4e-3, kMinute_s = 60.0, kTurn_deg = 360.0;
     const double turn_s = kMinute_s / (std::abs(of.plan.fromRpm) * of.polePairs);
     Blocks blocks;
-    blocks.block_s = byHall(of.angle) ? std::max(kBlock_s, turn_s) : kBlock_s;
+    blocks.block_s = byHall(of.angle) ? turn_s * std::ceil(kBlock_s / turn_s) : kBlock_s;
     const auto length = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::lround(blocks.block_s / segment.step_s)));
     const auto count = static_cast<double>(length);
@@ -70,12 +70,14 @@ public:
         }
     }
     std::vector<Change> found;
-    bool open = false; ///< one was not over at the end, or the next one came first
+    bool open = false; ///< one was not over where the segment ends
+    bool brief = false; ///< one went before the speed was back: nothing tells how strong it was
 
 private:
     static constexpr double kDeviation = 1.4826; ///< of a normal spread, in median deviations
     static constexpr double kClear = 6.0, kLeastShare = 0.005, kLeft = 0.1, kQuiet = 3.0;
     static constexpr double kHeld_s = 0.05; ///< it stays so long; and the means before and behind
+    static constexpr double kStays = 0.3; ///< of how far the reference went meanwhile, at the least
 
     double away(std::size_t at) const { return std::abs(m_blocks.speed[at] - m_held_rpm); }
     double meanReference(std::size_t from) const
@@ -95,18 +97,24 @@ private:
             --from;
         Change change;
         change.comes = (m_blocks.speed[seen] < m_held_rpm) == m_forwards;
+        const double before_a = meanReference(from - m_hold);
+        double most_a = 0.0;
         std::size_t quiet = 0, over = seen;
         for (std::size_t at = seen; at < end; ++at) {
             change.dip_rpm = std::max(change.dip_rpm, away(at));
             change.peak_a = std::max(change.peak_a, m_blocks.peak[at]);
+            most_a = std::max(most_a, std::abs(m_blocks.reference[at] - before_a));
             const bool left = away(at) > std::max(kLeft * change.dip_rpm, kQuiet * m_noise_rpm);
             quiet = left ? 0 : quiet + 1;
             over = left ? at + 1 : over;
             if (quiet < m_hold)
                 continue;
             change.recovery_s = static_cast<double>(over - from) * m_blocks.block_s;
-            change.load_a = std::abs(meanReference(over) - meanReference(from - m_hold));
-            found.push_back(change);
+            change.load_a = std::abs(meanReference(over) - before_a);
+            if (change.load_a >= kStays * most_a)
+                found.push_back(change);
+            else
+                brief = true;
             return at;
         }
         open = true;
@@ -131,6 +139,9 @@ std::optional<Estimate> meanOver(const std::vector<Change> &changes, double Chan
 Figures figuresFrom(const std::vector<Change> &changes, const Recorded<LoadPlan> &of)
 {
     const auto load = meanOver(changes, &Change::load_a);
+    double peak_a = 0.0;
+    for (const Change &change : changes)
+        peak_a = std::max(peak_a, change.peak_a);
     std::vector<double> yields;
     for (const Change &change : changes)
         if (change.load_a > 0.0)
@@ -147,7 +158,7 @@ Figures figuresFrom(const std::vector<Change> &changes, const Recorded<LoadPlan>
         {"dip_rpm", "The speed gives way by", "rpm", meanOver(changes, &Change::dip_rpm)},
         {"dip_rpm_per_a", "For each ampere by", "rpm/A", meanOf(yields)},
         {"recovery_s", "Back within", "s", meanOver(changes, &Change::recovery_s)},
-        {"peak_iq_a", "Peak Iq", "A", meanOver(changes, &Change::peak_a)}};
+        {"peak_iq_a", "Peak Iq", "A", Estimate{peak_a, {}, {}}}};
 }
 
 } // namespace
@@ -164,7 +175,7 @@ Result<LoadSteps, std::string> evaluateLoad(const capture::Capture &capture, con
     const std::vector<Segment> segments =
         segmentsOf(capture, of->angle, {of->reference, of->current}, span->from, span->to);
     std::vector<Change> changes;
-    bool open = false;
+    bool open = false, brief = false;
     for (const Segment &segment : segments) {
         const Blocks blocks = blocksOf(segment, *of);
         if (blocks.speed.empty())
@@ -172,19 +183,24 @@ Result<LoadSteps, std::string> evaluateLoad(const capture::Capture &capture, con
         const Changes inIt(blocks, of->plan.fromRpm > 0);
         changes.insert(changes.end(), inIt.found.begin(), inIt.found.end());
         open = open || inIt.open;
+        brief = brief || inIt.brief;
     }
     if (changes.empty())
-        return fail(std::string(open ? "the load changed, and the speed did not come back before "
-                                       "the end, or before it changed again"
-                                     : "no load came or went while the speed was held: nothing "
-                                       "moved it out of its noise"));
+        return fail(std::string(open || brief
+                ? "the load changed, and the speed did not come back before the end, or before it "
+                  "went again"
+                : "no load came or went while the speed was held: nothing "
+                  "moved it out of its noise"));
     LoadSteps found{figuresFrom(changes, *of), {}};
     const auto came = std::ranges::count_if(changes, &Change::comes);
     found.notes.push_back("the load came " + std::to_string(came) + " times and went "
         + std::to_string(std::ssize(changes) - came) + " times");
     if (open)
-        found.notes.emplace_back("a change of the load was not over at the end, or before the next "
-                                 "one: it does not count");
+        found.notes.emplace_back("a change of the load was not over at the end, or where samples "
+                                 "are missing: it does not count");
+    if (brief)
+        found.notes.emplace_back(
+            "a load came and went before the speed was back: it does not count");
     noteGaps(found.notes, missingIn(segments));
     noteEnd(found.notes, span->over, span->reason);
     return found;

@@ -11,8 +11,8 @@ namespace lab {
 
 struct LoadSteps {
     static constexpr const char *kKind = "load";
-    /// load_a, load_nm, dip_rpm, dip_rpm_per_a, recovery_s, peak_iq_a: means over the changes, those that come and
-    /// those that go alike
+    /// load_a, load_nm, dip_rpm, dip_rpm_per_a, recovery_s: means over the changes, those that come and those that go
+    /// alike; peak_iq_a: the largest of all
     Figures figures;
     std::vector<std::string> notes; ///< sentences without a full stop
 };
