@@ -1706,16 +1706,8 @@
         <translation>keine Last kam oder ging, während die Drehzahl gehalten wurde: nichts bewegte sie aus ihrem Rauschen</translation>
     </message>
     <message>
-        <source>the load changed, and the speed did not come back before the end, or before it changed again</source>
-        <translation>die Last wechselte, und die Drehzahl kam vor dem Ende oder dem nächsten Wechsel nicht zurück</translation>
-    </message>
-    <message>
         <source>the load came %1 times and went %2 times</source>
         <translation>die Last kam %1-mal und ging %2-mal</translation>
-    </message>
-    <message>
-        <source>a change of the load was not over at the end, or before the next one: it does not count</source>
-        <translation>ein Lastwechsel war am Ende oder vor dem nächsten nicht vorbei: er zählt nicht</translation>
     </message>
     <message>
         <source>for %1 % of the time no exchange came for 5 ms or longer: straight lines stand there</source>
@@ -1772,6 +1764,30 @@
     <message>
         <source>%1 does not settle while its position is held</source>
         <translation>%1 regelt nicht aus, solange die Position gehalten wird</translation>
+    </message>
+    <message>
+        <source>a speed is no number</source>
+        <translation>eine Drehzahl ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a current is no number</source>
+        <translation>ein Strom ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>set-points may leave with every exchange now</source>
+        <translation>Sollwerte gehen jetzt vielleicht mit jedem Austausch</translation>
+    </message>
+    <message>
+        <source>the load changed, and the speed did not come back before the end, or before it went again</source>
+        <translation>die Last änderte sich, und die Drehzahl kam vor dem Ende, oder bevor sie wieder ging, nicht zurück</translation>
+    </message>
+    <message>
+        <source>a change of the load was not over at the end, or where samples are missing: it does not count</source>
+        <translation>eine Änderung der Last war am Ende, oder wo Messwerte fehlen, nicht vorbei: sie zählt nicht</translation>
+    </message>
+    <message>
+        <source>a load came and went before the speed was back: it does not count</source>
+        <translation>eine Last kam und ging, bevor die Drehzahl zurück war: sie zählt nicht</translation>
     </message>
 </context>
 <context>

@@ -1706,15 +1706,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the load changed, and the speed did not come back before the end, or before it changed again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the load came %1 times and went %2 times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a change of the load was not over at the end, or before the next one: it does not count</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1771,6 +1763,30 @@
     </message>
     <message>
         <source>%1 does not settle while its position is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a current is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set-points may leave with every exchange now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load changed, and the speed did not come back before the end, or before it went again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a change of the load was not over at the end, or where samples are missing: it does not count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a load came and went before the speed was back: it does not count</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

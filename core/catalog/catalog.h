@@ -36,6 +36,8 @@ struct StartRegisters {
     std::string_view torqueRamp = {};
     /// Where one is not 0 the motor follows what is no set-point: an open loop, a potentiometer.
     std::array<std::string_view, 2> sources = {};
+    /// What says how it goes to a speed, where each one that is asked for writes that; the mode last.
+    std::array<std::string_view, 3> way = {};
     bool isSource(std::string_view name) const { return name == sources[0] || name == sources[1]; }
 };
 

@@ -34,6 +34,8 @@ Caps capsOf(const Experiment &experiment, double before_rpm)
     caps.mostRpm = std::min(caps.mostRpm, allowed);
     // What the board can measure is often far above what its motor stands.
     const drive::MotorLimits &board = experiment.subject.limits;
+    if (experiment.subject.registers.current == 0)
+        return caps; // nothing tells a current that could be held against a bound
     caps.mostAmps =
         lowerKnown(lowerKnown(board.maxCurrentAmps, board.nominalCurrentAmps) * kCurrentAboveBoard,
             conditions.user.maxCurrentAmps);

@@ -26,6 +26,8 @@ std::string text(double value)
 
 std::string broken(const char *what, double value, double bound, const char *unit)
 {
+    if (!std::isfinite(value))
+        return std::string(what) + " is no number";
     return std::string(what) + " of " + text(value) + ' ' + unit
         + (std::abs(value) < std::abs(bound) ? " is below the " : " is above the ") + text(bound)
         + ' ' + unit + " that are allowed";
@@ -179,6 +181,8 @@ std::optional<std::string> Envelope::reading(
         m_currentRead = now;
         return current(value);
     }
+    if (!std::isfinite(value))
+        return std::nullopt; // not read: silence bounds it
     if (reading.id == m_watched.bus) {
         m_busRead = now;
         m_bus_v = value;

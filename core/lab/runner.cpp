@@ -79,6 +79,47 @@ bool turnsNothing(const catalog::Value &startUp)
             [](const motor::RevUpStage &stage) { return stage.speed_rpm == 0; });
 }
 
+/// By the drive, or by its board.
+std::string whyNot(const drive::Ended &ended)
+{
+    const std::string why = ended.outcome == drive::Outcome::Unknown ? "the board's answer was lost"
+        : ended.outcome == drive::Outcome::NotSent                   ? "it was not sent"
+                                                                     : "it was refused";
+    return ended.reason.empty() ? why : why + " (" + ended.reason + ")";
+}
+
+using Values = std::map<drive::RegisterId, catalog::Value>;
+
+bool areAsBefore(const std::vector<drive::RegisterWrite> &before, const Values &now)
+{
+    return std::ranges::all_of(before, [&now](const drive::RegisterWrite &one) {
+        const auto at = now.find(one.id);
+        return at != now.end() && drive::sameValue(one.value, at->second);
+    });
+}
+
+std::vector<Lent> lentOf(const std::vector<drive::RegisterWrite> &before, const Subject &subject)
+{
+    std::vector<Lent> lent;
+    for (const drive::RegisterWrite &one : before)
+        lent.push_back({subject.nameOf(one.id), typedText(one.value)});
+    return lent;
+}
+
+/// What would not be bounded although the board tells it, or would break its bound at once.
+std::string unboundedOf(
+    const Subject &subject, std::optional<double> bus_v, std::optional<double> stage_c)
+{
+    const drive::RegisterId bus = subject.registers.bus;
+    if (bus != 0 && !bus_v)
+        return "the board does not give " + subject.nameOf(bus)
+            + ", and without it nothing bounds its bus";
+    if (stage_c && *stage_c >= kHottest_c && *stage_c < kNoTemperature_c)
+        return "the board is at " + celsiusText(*stage_c) + ", and " + celsiusText(kHottest_c)
+            + " end an experiment: let it cool down first";
+    return {};
+}
+
 Watched watchedOf(const Experiment &experiment)
 {
     const Registers &registers = experiment.subject.registers;
@@ -117,6 +158,7 @@ void Runner::begin(TimePoint now, std::optional<TimePoint> ranAt)
     for (const drive::RegisterId id : m_conditions.zeroBefore)
         if (id != 0)
             read.registers.push_back(id);
+    read.registers.insert(read.registers.end(), subject.way.begin(), subject.way.end());
     ask(std::move(read), now);
 }
 
@@ -129,8 +171,10 @@ void Runner::enter(Phase phase, Duration within, TimePoint now)
 
 void Runner::ask(Ask what, TimePoint now)
 {
-    if (const auto *ramp = std::get_if<drive::SpeedRamp>(&what))
+    if (const auto *ramp = std::get_if<drive::SpeedRamp>(&what)) {
         m_asked_rpm = ramp->rpm;
+        m_wayWritten = !m_way.empty();
+    }
     const auto *currents = std::get_if<drive::CurrentReference>(&what);
     if (currents != nullptr)
         m_currents = *currents;
@@ -164,7 +208,7 @@ std::optional<double> Runner::shown(drive::RegisterId id) const
 {
     const auto at = m_values.find(id);
     const auto number = at == m_values.end() ? std::nullopt : drive::asNumber(at->second);
-    if (!number)
+    if (!number || !std::isfinite(*number))
         return std::nullopt;
     return *number * m_experiment.subject.catalog->readScale(id).factor;
 }
@@ -227,21 +271,17 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     }
     if (m_phase == Phase::Travelling && ended.outcome == drive::Outcome::Unknown)
         m_travels = true; // or may
+    if (const auto *travel = std::get_if<drive::CyclicSetPoints>(&m_asked); travel != nullptr)
+        m_travels = m_travels && (travel->on || !m_answered);
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
     if (m_answered)
         return;
-    std::string why = ended.outcome == drive::Outcome::Unknown ? "the board's answer was lost"
-        : ended.outcome == drive::Outcome::NotSent
-        // By the drive, or by its board.
-        ? "it was not sent"
-        : "it was refused";
-    if (!ended.reason.empty())
-        why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
         "reading its bus voltage", "", "set-points with every exchange", "what it writes",
         "what the start goes to", "the start", "the way to the first speed", "a step of it",
         "the way back", "what was there before", "reading what is there afterwards", ""};
-    giveUp(End::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
+    const std::string what = kAsked[static_cast<std::size_t>(m_phase)];
+    giveUp(End::Refused, what + ": " + whyNot(ended), now);
 }
 
 void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
@@ -424,14 +464,18 @@ void Runner::onRead(TimePoint now)
                   "write the motor's own stages first");
         m_old.push_back({lent.id, old->second});
     }
-    if (target.control != catalog::ControlMode::Speed || !target.rpm)
+    if (target.control != catalog::ControlMode::Speed || !std::isfinite(target.rpm.value_or(NAN)))
         return refuse("the motor is not in speed control: ask for a speed first");
+    for (const drive::RegisterId id : m_experiment.subject.way)
+        if (const auto old = m_values.find(id); old != m_values.end())
+            m_way.push_back({id, old->second});
     m_before_rpm = *target.rpm;
     m_beforeRamp = target.ramp.value_or(0ms);
     m_beforeShown_rpm = shown(m_experiment.subject.registers.speedReference);
     m_before_v = shown(m_experiment.subject.registers.bus);
     m_before_c = shown(m_experiment.subject.registers.temperature);
-    if (const std::string why = unbounded(); !why.empty())
+    if (const std::string why = unboundedOf(m_experiment.subject, m_before_v, m_before_c);
+        !why.empty())
         return refuse(why);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !isNear(m_status->speedRpm, m_before_rpm, m_experiment.subject.limits))
@@ -447,19 +491,6 @@ void Runner::onRead(TimePoint now)
     }
     enter(Phase::Streaming, kAnswerWithin, now);
     ask(streamOf(m_experiment), now);
-}
-
-/// What would not be bounded although the board tells it, or would break its bound at once.
-std::string Runner::unbounded() const
-{
-    const drive::RegisterId bus = m_experiment.subject.registers.bus;
-    if (bus != 0 && !m_before_v)
-        return "the board does not give " + m_experiment.subject.nameOf(bus)
-            + ", and without it nothing bounds its bus";
-    if (m_before_c && *m_before_c >= kHottest_c && *m_before_c < kNoTemperature_c)
-        return "the board is at " + celsiusText(*m_before_c) + ", and " + celsiusText(kHottest_c)
-            + " end an experiment: let it cool down first";
-    return {};
 }
 
 /// What the bus may have been: boards cut 23.99 V down to 23.
@@ -627,13 +658,15 @@ void Runner::catchSpeed(TimePoint now)
 /// Of what was written: while the motor rests, or turns as before. A start goes its way in the time of the last ramp.
 void Runner::restore(TimePoint now)
 {
+    if (m_travels)
+        m_restores.push_back(drive::CyclicSetPoints{false});
     if (m_lent)
         m_restores.push_back(drive::Write{m_old, drive::Reach::Parameters});
     if (m_conditions.beginning != Beginning::WhileStarting)
         m_restores.push_back(drive::SpeedRamp{
             m_experiment.subject.motor, static_cast<int>(std::lround(m_before_rpm)), m_beforeRamp});
-    if (m_travels)
-        m_restores.push_back(drive::CyclicSetPoints{false});
+    if (m_wayWritten)
+        m_restores.push_back(drive::Write{m_way, drive::Reach::References});
     restoreNext(now);
 }
 
@@ -642,6 +675,7 @@ void Runner::restore(TimePoint now)
 void Runner::endButReturn(End end, const std::string &why, TimePoint now)
 {
     m_soFar = {end, why, {}};
+    restSetPoints();
     if (!m_lent)
         return finish();
     m_cut = true;
@@ -666,17 +700,12 @@ void Runner::compare(TimePoint now)
 {
     enter(Phase::Comparing, kAnswerWithin, now);
     drive::Read read{m_experiment.subject.setPoint};
-    for (const drive::RegisterWrite &old : m_old) {
-        read.registers.push_back(old.id);
-        m_values.erase(old.id); // what is not read now is not known
-    }
+    for (const auto *all : {&m_old, &m_way})
+        for (const drive::RegisterWrite &old : *all) {
+            read.registers.push_back(old.id);
+            m_values.erase(old.id); // what is not read now is not known
+        }
     ask(std::move(read), now);
-}
-
-bool Runner::isAsBefore(const drive::RegisterWrite &old) const
-{
-    const auto at = m_values.find(old.id);
-    return at != m_values.end() && drive::sameValue(old.value, at->second);
 }
 
 /// The set-point of before, asked for at rest, is kept for the next start, and no reference until then. Only a motion
@@ -701,9 +730,8 @@ void Runner::onCompared()
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
         m_target_rpm = static_cast<int>(std::lround(target.rpm.value_or(m_target_rpm)));
-    m_lent = m_lent && !std::all_of(m_old.begin(), m_old.end(), [this](const auto &old) {
-        return isAsBefore(old);
-    });
+    m_lent = m_lent && !areAsBefore(m_old, m_values);
+    m_wayWritten = m_wayWritten && !areAsBefore(m_way, m_values);
     m_soFar.shows = shownReference();
     finish();
 }
@@ -734,6 +762,7 @@ void Runner::abort(const std::string &reason, const char *stopping)
     m_stop = true;
     const std::string first = m_soFar.reason.empty() ? std::string() : m_soFar.reason + "; then ";
     m_soFar = {End::Aborted, first + reason + "; " + stopping, {}};
+    restSetPoints();
     finish();
 }
 
@@ -742,7 +771,18 @@ void Runner::interrupt(const std::string &why)
     if (over())
         return;
     m_stop = needsEnvelope();
+    if (m_stop)
+        restSetPoints();
     cut(m_stop ? why + "; " + kStopping : why);
+}
+
+/// A Stop, and a fault, make those 0 that leave with every exchange.
+void Runner::restSetPoints()
+{
+    if (!m_travels)
+        return;
+    m_target_rpm = 0;
+    m_asked_rpm.reset();
 }
 
 /// What ended it first is kept.
@@ -757,8 +797,10 @@ void Runner::cut(const std::string &why)
 
 void Runner::stopped()
 {
-    if (!over())
-        cut("every motor was stopped");
+    if (over())
+        return;
+    restSetPoints();
+    cut("every motor was stopped");
 }
 
 /// A torque accelerates the rotor until something takes it away; a start-up that was to turn nothing goes on by itself,
@@ -790,6 +832,7 @@ void Runner::lose(const std::string &why)
 /// What is not as it was is said.
 void Runner::finish()
 {
+    const bool mayTravel = m_phase == Phase::Travelling && m_waiting != 0;
     m_wishes.clear();
     m_phase = Phase::Over;
     const auto say = [this](const std::string &what) {
@@ -808,15 +851,15 @@ void Runner::finish()
     if (m_commanded && !now.empty())
         say(std::string("the set-point ") + (m_asked_rpm ? "may be " : "is ") + now
             + " now, it was " + rpmText(m_before_rpm));
-    if (m_lent) {
-        std::vector<Lent> lent;
-        for (const drive::RegisterWrite &old : m_old)
-            lent.push_back({m_experiment.subject.nameOf(old.id), typedText(old.value)});
-        for (const std::string &text : leftTexts(lent))
-            say(text);
-    }
+    std::vector<drive::RegisterWrite> left = m_lent ? m_old : std::vector<drive::RegisterWrite>();
+    if (m_wayWritten)
+        left.insert(left.end(), m_way.begin(), m_way.end());
+    for (const std::string &text : leftTexts(lentOf(left, m_experiment.subject)))
+        say(text);
     if (m_travels)
         say("set-points leave with every exchange still");
+    else if (mayTravel)
+        say("set-points may leave with every exchange now");
     if (m_byTorque)
         say(std::string("the motor ") + (m_waiting != 0 ? "may be" : "is") + " in "
             + (m_byPosition ? "position" : "torque") + " control now, it was in speed control");

@@ -87,7 +87,6 @@ private:
     void onRead(TimePoint now);
     void onCompared();
     std::string wrongWay() const;
-    std::string unbounded() const;
     void onLate(TimePoint now);
     void approach(TimePoint now);
     void work(TimePoint now);
@@ -100,12 +99,12 @@ private:
     void giveUp(End end, const std::string &reason, TimePoint now);
     void abort(const std::string &reason, const char *stopping = kStopping);
     void cut(const std::string &why);
+    void restSetPoints();
     void finish();
     bool steadyAt(double rpm, TimePoint now);
     bool hadItsTime(TimePoint now) const;
     bool swingsThrough(TimePoint now);
     drive::StartTarget startTarget() const;
-    bool isAsBefore(const drive::RegisterWrite &old) const;
     std::optional<ShownReference> shownReference() const;
     bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
     bool needsEnvelope() const;
@@ -141,6 +140,8 @@ private:
     std::vector<drive::RegisterWrite> m_old; ///< of the borrowed registers
     std::optional<TimePoint> m_ranAt;
     bool m_lent = false; ///< they may hold what the experiment wrote
+    std::vector<drive::RegisterWrite> m_way; ///< how a start went to its speed (Subject::way)
+    bool m_wayWritten = false; ///< it may be another one
     bool m_travels = false; ///< set-points do, with every exchange, since this asked for it
     bool m_cut = false; ///< it has ended, and only gives those back
     std::deque<Ask> m_restores; ///< still to be asked for

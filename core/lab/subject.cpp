@@ -75,6 +75,9 @@ Subject unrecorded(const drive::Identified &board, int motor)
     std::erase_if(found.setPoint, [&catalog](catalog::RegisterId id) {
         return catalog.find(id)->name == catalog.start().torqueRamp;
     });
+    for (const std::string_view name : catalog.start().way)
+        if (const drive::RegisterId id = idOf(catalog, name, motor); id != 0)
+            found.way.push_back(id);
     found.registers.bus = idOf(catalog, "BUS_VOLTAGE", motor);
     found.registers.temperature = idOf(catalog, "HEATS_TEMP", motor);
     found.registers.startUp = idOf(catalog, "REVUP_DATA", motor);

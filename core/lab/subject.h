@@ -43,6 +43,8 @@ struct Subject {
     std::shared_ptr<const catalog::Catalog> catalog;
     drive::MotorLimits limits; ///< of the motor
     std::vector<drive::RegisterId> setPoint; ///< drive::startRegisters()
+    /// What says how a start goes to its speed, where each speed that is asked for writes that; the mode last.
+    std::vector<drive::RegisterId> way = {};
     double tickHz = 0.0, linkBytesPerSecond = 0.0;
 
     /// As fast as its control loop works.

@@ -22,6 +22,8 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab",
         "a speed of %1 rpm is above the %2 rpm that are allowed, and the wrong way: its sensor may "
         "be aligned wrongly, or two phases exchanged"),
+    QT_TRANSLATE_NOOP("Lab", "a speed is no number"),
+    QT_TRANSLATE_NOOP("Lab", "a current is no number"),
     QT_TRANSLATE_NOOP("Lab", "a bus voltage of %1 V is above the %2 V that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a bus voltage of %1 V is below the %2 V that are allowed"),
     QT_TRANSLATE_NOOP("Lab", "a temperature of %1 °C is above the %2 °C that are allowed"),
@@ -187,6 +189,7 @@ constexpr const char *kLabTexts[] = {
         "the motor turns, and its set-points can begin to leave with every exchange only while it "
         "rests: stop it first"),
     QT_TRANSLATE_NOOP("Lab", "set-points leave with every exchange still"),
+    QT_TRANSLATE_NOOP("Lab", "set-points may leave with every exchange now"),
     QT_TRANSLATE_NOOP("Lab", "This board does not record the speed that its main sensor tells."),
     QT_TRANSLATE_NOOP(
         "Lab", "This board does not record both the current of its motor and what it is to be."),
@@ -291,11 +294,13 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP(
         "Lab", "no load came or went while the speed was held: nothing moved it out of its noise"),
     QT_TRANSLATE_NOOP("Lab",
-        "the load changed, and the speed did not come back before the end, or before it changed "
+        "the load changed, and the speed did not come back before the end, or before it went "
         "again"),
     QT_TRANSLATE_NOOP("Lab", "the load came %1 times and went %2 times"),
     QT_TRANSLATE_NOOP("Lab",
-        "a change of the load was not over at the end, or before the next one: it does not count"),
+        "a change of the load was not over at the end, or where samples are missing: it does not "
+        "count"),
+    QT_TRANSLATE_NOOP("Lab", "a load came and went before the speed was back: it does not count"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: no step of this series could be measured"),
     QT_TRANSLATE_NOOP("Lab", "not conclusive: not all of it could be measured"),
     QT_TRANSLATE_NOOP("Lab",

@@ -38,8 +38,8 @@ constexpr Group kGroups[] = {{0x000, "State"}, {0x018, "Set-points"}, {0x030, "M
     {0x640, "Communication"}, {0x64D, "State"}, {0x650, "Communication"}, {0x6DB, "Storage"},
     {0x6E0, "Identity"}, {0x700, "Power stage"}};
 
-constexpr catalog::StartRegisters kStart{
-    {"DRV_OP_CMD"}, {}, {"CL_VEL_SET_POINT_VALUE"}, {"CL_CUR_Q_SET_POINT"}, mcbControlOf};
+constexpr catalog::StartRegisters kStart{{"DRV_OP_CMD"}, {}, {"CL_VEL_SET_POINT_VALUE"},
+    {"CL_CUR_Q_SET_POINT"}, mcbControlOf, {}, {}, {"PROF_MAX_ACC", "PROF_MAX_DEC", "DRV_OP_CMD"}};
 
 constexpr std::array<std::uint16_t, 10> kGains{
     0x500, 0x501, 0x505, 0x506, 0x50A, 0x50B, 0x50C, 0x511, 0x512, 0x513};

@@ -14,6 +14,7 @@ lab::Experiment steps(int from, int to, drive::UserLimits user = {})
     lab::Experiment experiment;
     experiment.subject.limits.maxSpeedRpm = 4000.0;
     experiment.subject.limits.maxCurrentAmps = 10.0;
+    experiment.subject.registers.current = 1;
     experiment.plan = lab::StepPlan{.fromRpm = from, .toRpm = to, .caps = user};
     return experiment;
 }
@@ -57,6 +58,9 @@ private Q_SLOTS:
         using lab::CurrentBound;
         lab::Experiment experiment = steps(1000, 1500);
         QVERIFY(lab::currentBoundOf(experiment) == CurrentBound::Board);
+        lab::Experiment untold = experiment; // nothing is held that nothing tells
+        untold.subject.registers.current = 0;
+        QVERIFY(lab::currentBoundOf(untold) == CurrentBound::None);
         experiment.subject.limits.nominalCurrentAmps = 2.0;
         QVERIFY(lab::currentBoundOf(experiment) == CurrentBound::Nominal);
         experiment.plan = lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {0.0, 2.4}};

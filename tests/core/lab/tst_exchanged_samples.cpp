@@ -74,6 +74,8 @@ private Q_SLOTS:
     void aBrokenBoundIsAStop();
     void whatIsNoNumberBreaksIt();
     void anAnswerThatIsLostLeavesNothingTravelling();
+    void aStartGoesItsWayAsBefore();
+    void aStopLeavesNoSetPointThatTravels();
     void aLineThatFallsSilentBreaksIt();
     void whatNeedsMoreIsRefused();
 };
@@ -249,6 +251,17 @@ void TestExchangedSamples::whatIsNoNumberBreaksIt()
         QVERIFY(envelope.accept(block, none, TimePoint(1s)));
         QCOMPARE(envelope.rpm(), std::optional(1000.0));
     }
+    // A bus that is told so was not read, and silence bounds it.
+    lab::Envelope envelope({.bus = 3});
+    envelope.set({.mostBus_v = 26.0, .silence = 1s}, TimePoint(1s));
+    const auto reads = [&](double volts, TimePoint at) {
+        const drive::RegistersRead read{{{3, drive::ReadStatus::Ok, volts, at}}};
+        QVERIFY(!envelope.accept(read, none, at));
+    };
+    reads(24.0, TimePoint(2s));
+    reads(std::nan(""), TimePoint(9s));
+    QVERIFY(!envelope.busSince(TimePoint(2s)));
+    QVERIFY(envelope.silence(TimePoint(9s)));
 }
 
 /// It may have begun all the same: it is ended again, and nothing was started.
@@ -266,8 +279,65 @@ void TestExchangedSamples::anAnswerThatIsLostLeavesNothingTravelling()
     VERIFY_END(bench.runner->outcome(), End::Refused);
     QVERIFY(!bench.asked<drive::CyclicSetPoints>().back().on);
     QVERIFY(bench.asked<drive::Command>().empty());
+    QVERIFY2(bench.runner->outcome().reason.find("leave with every exchange") == std::string::npos,
+        bench.runner->outcome().reason.c_str());
     bench.pair.runFor(500ms);
     QVERIFY(!bench.travel);
+
+    ServoBench disarmed; // before the drive has answered
+    disarmed.experiment.plan = lab::responsePlanFor(disarmed.experiment.subject, {});
+    disarmed.begin();
+    QVERIFY(disarmed.runUntil([&] { return !disarmed.asked<drive::CyclicSetPoints>().empty(); }));
+    disarmed.runner->disarm();
+    const lab::Outcome outcome = disarmed.runner->outcome();
+    QVERIFY2(outcome.leaves
+            && outcome.reason.find("set-points may leave with every exchange") != std::string::npos,
+        outcome.reason.c_str());
+}
+
+/// A speed is asked for by a mode and a profile of its own: a start that went there by a ramp does not jump afterwards.
+void TestExchangedSamples::aStartGoesItsWayAsBefore()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    const drive::WishId ramp = bench.pair.submit(drive::SpeedRamp{1, 800, 2000ms});
+    QVERIFY(bench.pair.runUntilEnded(ramp));
+    std::vector<double> before;
+    const std::vector<drive::RegisterId> way = bench.experiment.subject.way;
+    QCOMPARE(way.size(), std::size_t{3});
+    for (const drive::RegisterId id : way)
+        before.push_back(bench.number(id));
+    QCOMPARE(before.back(), 19.0); // by its profile
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
+    QVERIFY2(!outcome.leaves, outcome.reason.c_str());
+    for (std::size_t i = 0; i < way.size(); ++i)
+        QCOMPARE(bench.number(way[i]), before[i]);
+
+    ServoBench cut; // what cannot be given back is said
+    QVERIFY(cut.pair.runUntilEnded(cut.pair.submit(drive::SpeedRamp{1, 800, 2000ms})));
+    cut.begin();
+    QVERIFY(cut.runUntil([&] { return cut.pair.board->truth(1).rpm > 900.0; }));
+    cut.runner->stopped();
+    QVERIFY2(cut.runner->outcome().reason.find("DRV_OP_CMD=19") != std::string::npos,
+        cut.runner->outcome().reason.c_str());
+}
+
+void TestExchangedSamples::aStopLeavesNoSetPointThatTravels()
+{
+    ServoBench bench;
+    QVERIFY(bench.pair.ready);
+    QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(drive::SpeedRamp{1, 500, 0ms})));
+    bench.experiment.plan = lab::responsePlanFor(bench.experiment.subject, {});
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<drive::SpeedRamp>().size() > 6; }));
+    bench.runner->stopped();
+    bench.pair.drive->stop(bench.pair.now);
+    const std::string &reason = bench.runner->outcome().reason;
+    QVERIFY2(reason.find("the set-point is 0 rpm now, it was 500 rpm") != std::string::npos,
+        reason.c_str());
+    QVERIFY(bench.idles());
+    QCOMPARE(bench.number(bench.experiment.subject.setPoint.back()), 0.0);
 }
 
 void TestExchangedSamples::aLineThatFallsSilentBreaksIt()
