@@ -101,6 +101,7 @@ bool areAsBefore(const std::vector<drive::RegisterWrite> &before, const Values &
 std::vector<Lent> lentOf(const std::vector<drive::RegisterWrite> &before, const Subject &subject)
 {
     std::vector<Lent> lent;
+    lent.reserve(before.size());
     for (const drive::RegisterWrite &one : before)
         lent.push_back({subject.nameOf(one.id), typedText(one.value)});
     return lent;
