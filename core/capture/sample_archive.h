@@ -28,6 +28,10 @@ public:
 
     /// A thread that reads the state sees what was done before the deposit was made.
     Deposit() { m_state.store(State::Waiting, std::memory_order_release); }
+    Deposit(const Deposit &) = delete;
+    Deposit &operator=(const Deposit &) = delete;
+    /// Behind what was settled, whoever lets go of it last.
+    ~Deposit() { (void)state(); }
 
     State state() const { return m_state.load(std::memory_order_acquire); }
     void wait() const { m_state.wait(State::Waiting, std::memory_order_acquire); }
