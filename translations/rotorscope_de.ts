@@ -1742,10 +1742,6 @@
         <translation>es ist keine Aufnahme von Bewegungen einer Welle</translation>
     </message>
     <message>
-        <source>the shaft moved by %1 degrees instead of %2 at the worst, as friction makes it</source>
-        <translation>die Welle bewegte sich schlimmstenfalls um %1 Grad statt um %2, wie Reibung es macht</translation>
-    </message>
-    <message>
         <source>%1 was cut short: nothing is told of its position</source>
         <translation>%1 wurde abgebrochen: von seiner Position wird nichts genannt</translation>
     </message>
@@ -1788,6 +1784,22 @@
     <message>
         <source>a load came and went before the speed was back: it does not count</source>
         <translation>eine Last kam und ging, bevor die Drehzahl zurück war: sie zählt nicht</translation>
+    </message>
+    <message>
+        <source>the shaft moved by %1 degrees instead of %2 at the worst</source>
+        <translation>die Welle bewegte sich im schlechtesten Fall um %1 Grad statt um %2</translation>
+    </message>
+    <message>
+        <source>the shaft does not come to rest without a current</source>
+        <translation>die Welle kommt ohne Strom nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>the board does not tell where its shaft is</source>
+        <translation>das Board sagt nicht, wo seine Welle steht</translation>
+    </message>
+    <message>
+        <source>the shaft is too far from where the board was switched on, and positions count from there: switch the board off and on</source>
+        <translation>die Welle ist zu weit von der Stelle, an der das Board eingeschaltet wurde, und Positionen zählen von dort: Board aus- und wieder einschalten</translation>
     </message>
 </context>
 <context>
@@ -10287,6 +10299,10 @@ mN·m</translation>
     <message>
         <source>This board does not control the position of its shaft.</source>
         <translation>Dieses Board regelt die Position ihrer Welle nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing holds your own limit of the speed in position control: take it away first.</source>
+        <translation>In der Positionsregelung hält nichts Ihre eigene Grenze der Drehzahl ein: Nehmen Sie diese zuerst weg.</translation>
     </message>
 </context>
 <context>

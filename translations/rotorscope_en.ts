@@ -1742,10 +1742,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the shaft moved by %1 degrees instead of %2 at the worst, as friction makes it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 was cut short: nothing is told of its position</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1787,6 +1783,22 @@
     </message>
     <message>
         <source>a load came and went before the speed was back: it does not count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shaft moved by %1 degrees instead of %2 at the worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shaft does not come to rest without a current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board does not tell where its shaft is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shaft is too far from where the board was switched on, and positions count from there: switch the board off and on</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10279,6 +10291,10 @@ mN·m</source>
     </message>
     <message>
         <source>This board does not control the position of its shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing holds your own limit of the speed in position control: take it away first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -14,7 +14,6 @@ namespace drive {
 namespace {
 
 constexpr double kGreatestDigits = 32767.0;
-constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radian there
 constexpr double kShortest_s = 0.001, kLongest_s = 65.535;
 
 double roundedDigits(const BoardFacts &board, int motor, double amps)

@@ -49,6 +49,9 @@ std::string refuseStages(const BoardFacts &board, int motor, ByteView raw);
 /// Whether stages read back as they were written, but for the speeds, which firmware keeps in steps of 0.1 Hz.
 bool sameStages(const catalog::Value &written, const catalog::Value &read);
 
+/// From where a board was switched on: a float resolves a thousandth of a radian there.
+inline constexpr double kFarthest_rad = 1e4;
+
 /// Where a position ramp goes.
 struct Move {
     double radians = 0.0, seconds = 0.0;

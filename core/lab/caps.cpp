@@ -68,14 +68,18 @@ Agreement agreementTo(const Experiment &experiment, double before_rpm)
     const auto *step = std::get_if<CurrentStepPlan>(&experiment.plan);
     const bool flux =
         (spin != nullptr && spin->fluxAmps != 0.0) || (step != nullptr && step->flux != 0);
+    const auto *position = std::get_if<PositionPlan>(&experiment.plan);
+    const double by = position != nullptr ? position->byDegrees : 0.0;
     return {experiment.plan.index(), flux, capsOf(experiment, before_rpm), lengthOf(experiment),
-        conditionsOf(experiment).lent};
+        conditionsOf(experiment).lent, std::min(by, 0.0), std::max(by, 0.0)};
 }
 
 bool covers(const Agreement &agreed, const Agreement &wanted)
 {
     const bool lent = wanted.lent.empty() || wanted.lent == agreed.lent;
-    return agreed.kind == wanted.kind && agreed.flux == wanted.flux
+    const bool way =
+        wanted.leastDegrees >= agreed.leastDegrees && wanted.mostDegrees <= agreed.mostDegrees;
+    return agreed.kind == wanted.kind && agreed.flux == wanted.flux && way
         && wanted.length <= agreed.length && lent && covers(agreed.caps, wanted.caps);
 }
 

@@ -37,6 +37,7 @@ struct Agreement {
     Caps caps;
     milliseconds length{};
     std::vector<drive::RegisterWrite> lent = {};
+    double leastDegrees = 0.0, mostDegrees = 0.0; ///< that a shaft is moved by, from where it rests
 };
 Agreement agreementTo(const Experiment &experiment, double before_rpm);
 /// What is borrowed has to be the same, or nothing.

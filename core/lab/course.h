@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lab {
@@ -77,6 +78,8 @@ public:
     virtual std::optional<Ask> next(const Moment &moment) = 0;
     virtual TimePoint due() const = 0;
     virtual bool over() const = 0;
+    /// Why it is over although it could not be carried out, without a full stop; empty: it could.
+    virtual std::string problem() const { return {}; }
 };
 
 } // namespace lab

@@ -185,6 +185,9 @@ void Runner::ask(Ask what, TimePoint now)
     m_byTorque = m_byTorque || torque;
     m_byPosition = torque ? position : m_byPosition;
     m_commanded = m_commanded || torque || m_asked_rpm;
+    if (const auto *read = std::get_if<drive::Read>(&what))
+        for (const drive::RegisterId id : read->registers)
+            m_values.erase(id); // what is not read now is not known
     m_answered = false;
     m_asked = std::move(what);
     again(now);
@@ -380,7 +383,7 @@ void Runner::advance(TimePoint now)
             break;
         if (m_ran && m_byTorque)
             return catchSpeed(now);
-        if (m_ran && m_target_rpm != std::lround(m_before_rpm))
+        if (m_ran && std::lround(m_target_rpm) != std::lround(m_before_rpm))
             return ramp(static_cast<int>(std::lround(m_before_rpm)), wayTo(m_before_rpm), now);
         if (m_ran ? steadyAt(m_before_rpm, now) || (m_swings && hadItsTime(now))
                   : m_status->state == MotorState::Idle)
@@ -481,7 +484,7 @@ void Runner::onRead(TimePoint now)
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !isNear(m_status->speedRpm, m_before_rpm, m_experiment.subject.limits))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
-    m_target_rpm = static_cast<int>(std::lround(*target.rpm));
+    m_target_rpm = m_before_rpm;
     for (const drive::RegisterId id : m_conditions.zeroBefore)
         if (m_ran && flows(shown(id).value_or(0.0), m_experiment.subject.limits))
             return refuse(m_experiment.subject.nameOf(id)
@@ -619,6 +622,8 @@ void Runner::work(TimePoint now)
             m_braked = std::max(m_braked, rpm * rpm - double(to->rpm) * to->rpm);
         return ask(std::move(*what), now);
     }
+    if (const std::string why = m_course->problem(); !why.empty())
+        return giveUp(End::Refused, why, now);
     if (m_course->over())
         return giveBack(now);
     if (m_answered)
@@ -702,10 +707,8 @@ void Runner::compare(TimePoint now)
     enter(Phase::Comparing, kAnswerWithin, now);
     drive::Read read{m_experiment.subject.setPoint};
     for (const auto *all : {&m_old, &m_way})
-        for (const drive::RegisterWrite &old : *all) {
+        for (const drive::RegisterWrite &old : *all)
             read.registers.push_back(old.id);
-            m_values.erase(old.id); // what is not read now is not known
-        }
     ask(std::move(read), now);
 }
 
@@ -723,14 +726,11 @@ std::optional<ShownReference> Runner::shownReference() const
 void Runner::onCompared()
 {
     const drive::StartTarget target = startTarget();
-    m_byTorque = target.control == catalog::ControlMode::Torque;
-    const double same_rpm = toleratedRpm(m_experiment.subject.limits);
+    m_byPosition = m_byPosition && target.control == catalog::ControlMode::Other;
+    m_byTorque = m_byPosition || target.control == catalog::ControlMode::Torque;
     if (target.rpm)
         m_asked_rpm.reset();
-    if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= same_rpm)
-        m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
-    else
-        m_target_rpm = static_cast<int>(std::lround(target.rpm.value_or(m_target_rpm)));
+    m_target_rpm = target.rpm.value_or(m_target_rpm);
     m_lent = m_lent && !areAsBefore(m_old, m_values);
     m_wayWritten = m_wayWritten && !areAsBefore(m_way, m_values);
     m_soFar.shows = shownReference();

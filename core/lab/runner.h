@@ -152,7 +152,7 @@ private:
     std::optional<double> m_before_c; ///< of the power stage
     /// Most square of speed, rpm^2, that a step took away, and no bound was broken.
     double m_braked = 0.0;
-    int m_target_rpm = 0; ///< the set-point that the board may have taken last
+    double m_target_rpm = 0.0; ///< the set-point that the board may have taken last
     Ask m_asked; ///< last
     int m_tries = 0; ///< of it, that were too late
     std::optional<int> m_asked_rpm; ///< on its way

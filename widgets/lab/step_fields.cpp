@@ -43,11 +43,13 @@ constexpr double kUsual_deg = 90.0, kMost_deg = 3600.0;
 struct Fields {
     double digit, notch;
     int leastHold_ms, usualHold_ms, mostHold_ms, notchHold_ms;
+    int usualApproach_ms; ///< of a position the time of a move
 };
-constexpr Fields kOfSpeed{1.0, kNotch_rpm, kLeastHold_ms, kUsual_ms, kMost_ms, kNotch_ms};
+constexpr Fields kOfSpeed{
+    1.0, kNotch_rpm, kLeastHold_ms, kUsual_ms, kMost_ms, kNotch_ms, kUsual_ms};
 constexpr Fields kOfCurrent{
-    0.01, 0.05, kCurrentLeast_ms, kCurrentUsual_ms, kCurrentMost_ms, kCurrentNotch_ms};
-constexpr Fields kOfPosition{0.1, 5.0, 100, kUsual_ms, kMost_ms, kNotch_ms};
+    0.01, 0.05, kCurrentLeast_ms, kCurrentUsual_ms, kCurrentMost_ms, kCurrentNotch_ms, kUsual_ms};
+constexpr Fields kOfPosition{0.1, 5.0, 100, kUsual_ms, kMost_ms, kNotch_ms, 300};
 
 const Fields &fieldsOf(StepKind kind)
 {
@@ -85,7 +87,6 @@ StepFields::StepFields(QWidget *parent)
     connect(m_which, &QComboBox::currentIndexChanged, this, &StepFields::changeKind);
     m_approach->setRange(1, kMost_ms);
     m_approach->setSingleStep(kNotch_ms);
-    m_approach->setValue(kUsual_ms);
     for (QSpinBox *time : {m_hold, m_approach})
         time->setSuffix(QStringLiteral("\u202fms"));
     m_repeat->setRange(1, kMostRepeats);
@@ -132,7 +133,7 @@ QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const ch
 void StepFields::changeKind()
 {
     m_typed[std::size_t(m_kind)] = {
-        m_from.edit->text(), m_to.edit->text(), m_hold->value(), m_offered};
+        m_from.edit->text(), m_to.edit->text(), m_hold->value(), m_approach->value(), m_offered};
     m_kind = static_cast<StepKind>(m_which->currentIndex());
     showKind();
     Q_EMIT changed();
@@ -159,6 +160,7 @@ void StepFields::showKind()
             : ofPosition()
             ? tr("How long each position is held: longer than the loop takes to settle")
             : tr("How long each current is held: nothing holds the speed meanwhile"));
+    m_approach->setValue(typed.approach_ms > 0 ? typed.approach_ms : fields.usualApproach_ms);
     m_rampLabel->setVisible(!ofCurrent());
     m_rampLabel->setText(ofPosition() ? tr("in", "a time") : tr("ramp"));
     m_approach->setAccessibleName(m_rampLabel->text());

@@ -53,7 +53,7 @@ private:
     /// What was typed for a kind that is not shown.
     struct Typed {
         QString from, to;
-        int hold_ms = 0; ///< 0: as offered
+        int hold_ms = 0, approach_ms = 0; ///< 0: as offered
         bool offered = true;
     };
     Number addNumber(int row, int column, const QString &text, const char *name, bool &offered);

@@ -203,6 +203,10 @@ void StepPage::boardChanged()
     if (recorded && recorded->registers.position == 0)
         m_fields->grey(
             StepKind::Position, tr("This board does not control the position of its shaft."));
+    else if (recorded && own.maxSpeedRpm > 0.0)
+        m_fields->grey(StepKind::Position,
+            tr("Nothing holds your own limit of the speed in position control: take it away "
+               "first."));
     Q_EMIT watchedRegistersChanged();
     m_bar->refresh();
 }

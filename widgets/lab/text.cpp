@@ -103,8 +103,12 @@ constexpr const char *kLabTexts[] = {
     QT_TRANSLATE_NOOP("Lab", "a move takes 1 ms to 10 s"),
     QT_TRANSLATE_NOOP("Lab", "a position is held for 100 ms to 10 s"),
     QT_TRANSLATE_NOOP("Lab", "it is no recording of moves of a shaft"),
-    QT_TRANSLATE_NOOP(
-        "Lab", "the shaft moved by %1 degrees instead of %2 at the worst, as friction makes it"),
+    QT_TRANSLATE_NOOP("Lab", "the shaft moved by %1 degrees instead of %2 at the worst"),
+    QT_TRANSLATE_NOOP("Lab", "the shaft does not come to rest without a current"),
+    QT_TRANSLATE_NOOP("Lab", "the board does not tell where its shaft is"),
+    QT_TRANSLATE_NOOP("Lab",
+        "the shaft is too far from where the board was switched on, and positions count from "
+        "there: switch the board off and on"),
     QT_TRANSLATE_NOOP("Lab", "the motor was started all the same"),
     QT_TRANSLATE_NOOP("Lab", "what comes next is not agreed to any more"),
     QT_TRANSLATE_NOOP("Lab", "what comes next was not begun"),

@@ -161,7 +161,8 @@ Result<MeasuredSteps, std::string> currentSteps(
         finder.steps.empty() ? reference->end() : reference->atOrAfter(finder.steps.front().asked);
     const Nanos sample =
         first < reference->end() ? reference->holdUntil(first) - reference->timeOf(first) : 0;
-    addMeans(found, reference->info().digit(), capture::toSeconds(sample));
+    const double sample_s = capture::toSeconds(sample);
+    addMeans(found, {reference->info().digit(), sample_s, sample_s});
     return found;
 }
 

@@ -82,14 +82,15 @@ StepRun evaluateMove(const capture::Channel &angle, const capture::Channel *curr
     return run;
 }
 
-double meanIn(const capture::Channel &channel, Nanos from, Nanos to)
+/// Empty: there is no sample.
+std::optional<double> meanIn(const capture::Channel &channel, Nanos from, Nanos to)
 {
     double sum = 0.0, count = 0.0;
     scope::SampleRange(channel, from, to).visit([&](double, double value, bool) {
         sum += value;
         ++count;
     });
-    return count > 0.0 ? sum / count : 0.0;
+    return count > 0.0 ? std::optional(sum / count) : std::nullopt;
 }
 
 /// What friction leaves of a way, a loop without an integral part leaves.
@@ -101,20 +102,22 @@ void noteWay(MeasuredSteps &found, const capture::Channel &angle, const Recorded
         kTail * static_cast<double>(std::chrono::nanoseconds(of.plan.hold).count()));
     double most = wanted, least = wanted;
     for (const StepRun &run : found.runs) {
-        if (run.cut || run.unusable)
-            continue;
+        if (!run.settling_s)
+            continue; // that is said already
         const capture::Capture moved =
             positionOf(angle, of.polePairs, run.at - kBeforeMove, run.until);
         const capture::Channel &position = *moved.channel(moved.channels().front().id);
-        const double way = std::abs(meanIn(position, run.until - tail, run.until)
-            - meanIn(position, run.at - kBeforeMove, run.at));
-        most = std::max(most, way);
-        least = std::min(least, way);
+        const auto before = meanIn(position, run.at - kBeforeMove, run.at),
+                   after = meanIn(position, run.until - tail, run.until);
+        if (!before || !after)
+            continue;
+        most = std::max(most, std::abs(*after - *before));
+        least = std::min(least, std::abs(*after - *before));
     }
     const double off = most - wanted > wanted - least ? most : least;
     if (std::abs(off - wanted) > std::max(kLeast_deg, kShare * wanted))
         found.notes.push_back("the shaft moved by " + decimalText(off, 4) + " degrees instead of "
-            + decimalText(wanted, 4) + " at the worst, as friction makes it");
+            + decimalText(wanted, 4) + " at the worst");
 }
 
 } // namespace
@@ -123,7 +126,8 @@ capture::Capture positionOf(const capture::Channel &angle, double polePairs, Nan
 {
     capture::Capture result;
     const std::vector<Segment> segments = segmentsOf(angle, {}, from, to);
-    if (segments.size() != 1 || !(polePairs > 0.0))
+    if (segments.size() != 1 || !(polePairs > 0.0)
+        || !std::isfinite(segments.front().turned_deg.back()))
         return result;
     const Segment &segment = segments.front();
     double most = 1.0;
@@ -159,18 +163,21 @@ Result<MeasuredSteps, std::string> positionSteps(
     if (angle == nullptr)
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     MeasuredSteps found;
-    const Nanos whole = std::chrono::nanoseconds(plan->plan.ramp + plan->plan.hold).count();
+    const Nanos hold = std::chrono::nanoseconds(plan->plan.hold).count(),
+                ramp = std::chrono::nanoseconds(plan->plan.ramp).count();
     for (const StepAsked &asked : finder.moves) {
-        const auto cut = cutShort(asked, *angle, whole);
+        const auto cut = cutShort(asked, *angle, hold, ramp);
         found.runs.push_back(cut ? *cut : evaluateMove(*angle, current, asked, plan->polePairs));
     }
     noteSeriesEnd(found, finder.over, finder.reason);
     noteRuns(found, "position");
     noteWay(found, *angle, *plan);
-    double error_s = 1e-3;
+    constexpr double kMilli = 1e-3;
+    double error_s = 0.0;
     for (const StepRun &run : found.runs)
         error_s = std::max(error_s, run.settling_s ? run.instantError_s.value_or(0.0) : 0.0);
-    addMeans(found, current != nullptr ? current->info().digit() : 0.0, error_s);
+    addMeans(found, {current != nullptr ? current->info().digit() : 0.0, kMilli, kMilli + error_s});
+    addUncertainty(found.settling_s, error_s);
     return found;
 }
 

@@ -132,7 +132,8 @@ capture::Capture speedOf(
         before = value;
     });
     capture::Capture result;
-    if (turned.size() < 3 || range.gapInside() || !(polePairs > 0.0))
+    if (turned.size() < 3 || range.gapInside() || !(polePairs > 0.0)
+        || !std::isfinite(turned.back()))
         return result;
     const double step_s = range.secondsOf(range.begin() + 1) - range.secondsOf(range.begin());
     const auto window = static_cast<std::size_t>(std::max(1.0, std::round(window_s / step_s)));
@@ -278,11 +279,11 @@ void measureByAngle(
 } // namespace
 
 std::optional<StepRun> cutShort(
-    const StepAsked &asked, const capture::Channel &response, Nanos hold)
+    const StepAsked &asked, const capture::Channel &response, Nanos hold, Nanos ramp)
 {
     constexpr double kWhole = 0.9;
     const Nanos recorded = response.empty() ? 0 : response.timeOf(response.end() - 1);
-    const Nanos held = std::min(asked.until, recorded) - asked.asked;
+    const Nanos held = std::min(asked.until, recorded) - asked.asked - ramp;
     if (static_cast<double>(held) >= kWhole * static_cast<double>(hold))
         return std::nullopt;
     StepRun run;

@@ -73,8 +73,9 @@ std::optional<StepInstant> stepInstant(
 
 /// A run of which nothing is told, because the step was held, or recorded, for less than nine tenths of `hold`: what
 /// overshoots or settles comes later. Empty: it was held.
+/// @param ramp  to where it is held
 std::optional<StepRun> cutShort(
-    const StepAsked &asked, const capture::Channel &response, Nanos hold);
+    const StepAsked &asked, const capture::Channel &response, Nanos hold, Nanos ramp = 0);
 
 /// What the response of a step is over [from, until), into its run.
 void measureStep(StepRun &run, const capture::Channel &response, Nanos from, Nanos until);

@@ -164,16 +164,6 @@ void noteResolution(StepSeries &series, const Recorded<StepPlan> &plan)
             + " rpm or more say more");
 }
 
-/// Of values that were read one after the other, to all of their distance, however many steps say the same: host and
-/// board may be in step.
-void addUncertainty(std::optional<Estimate> &mean, double by)
-{
-    if (!mean || !mean->low || !mean->high)
-        return;
-    *mean->low -= by;
-    *mean->high += by;
-}
-
 /// @param told_s  the largest distance of steps that are told; 0: none is
 void notePolls(StepSeries &series, double told_s)
 {
@@ -212,12 +202,22 @@ void noteSeriesEnd(MeasuredSteps &series, bool over, const std::string &reason)
         series.notes.emplace_back("the recording ends before the series does");
 }
 
-void addMeans(MeasuredSteps &series, double digit_a, double resolution_s)
+void addUncertainty(std::optional<Estimate> &mean, double by)
 {
-    series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", resolution_s);
+    if (!mean || !mean->low || !mean->high)
+        return;
+    *mean->low -= by;
+    *mean->high += by;
+}
+
+void addMeans(MeasuredSteps &series, const StepResolution &resolution)
+{
+    series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", resolution.rise_s);
     series.overshoot_pct = meanOver(series, &StepRun::overshoot_pct, "overshoot", 1.0);
-    series.settling_s = meanOver(series, &StepRun::settling_s, "settling time", resolution_s);
-    series.peakIq_a = meanOver(series, &StepRun::peakIq_a, "peak current", 2.0 * digit_a);
+    series.settling_s =
+        meanOver(series, &StepRun::settling_s, "settling time", resolution.settling_s);
+    series.peakIq_a =
+        meanOver(series, &StepRun::peakIq_a, "peak current", 2.0 * resolution.digit_a);
     noteCounts(series);
 }
 
@@ -290,7 +290,9 @@ Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, cons
         distance_s = std::max(distance_s, run.rise_s ? run.pollDistance_s : 0.0);
         error_s = std::max(error_s, run.settling_s ? run.instantError_s.value_or(0.0) : 0.0);
     }
-    addMeans(series, polled ? 0.0 : channels.reference->info().digit(), kMilli + distance_s);
+    addMeans(series,
+        {polled ? 0.0 : channels.reference->info().digit(), kMilli + distance_s,
+            kMilli + distance_s});
     if (polled) {
         addUncertainty(series.rise_s, distance_s);
         addUncertainty(series.settling_s, error_s);

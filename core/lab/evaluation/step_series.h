@@ -28,9 +28,15 @@ void takeAnswer(StepAsked &step, const recorded::Happening &motion);
 /// Says why a series is not whole. @param reason  why it ended early; empty: nothing says so
 void noteSeriesEnd(MeasuredSteps &series, bool over, const std::string &reason);
 
+/// Differences up to it are none.
+struct StepResolution {
+    double digit_a = 0.0, rise_s = 0.0, settling_s = 0.0;
+};
 /// Their means, with notes on steps that stand apart from the others and on means that are not of all.
-/// @param digit_a, resolution_s  differences up to it are none, of a current and of a rise
-void addMeans(MeasuredSteps &series, double digit_a, double resolution_s);
+void addMeans(MeasuredSteps &series, const StepResolution &resolution);
+/// Of values that were read one after the other, or counted from an instant that is not quite known: to all of it,
+/// however many steps say the same, because host and board may be in step.
+void addUncertainty(std::optional<Estimate> &mean, double by);
 /// Notes on steps of which not all is told. @param signal  what is stepped, in a word
 void noteRuns(MeasuredSteps &series, const std::string &signal);
 

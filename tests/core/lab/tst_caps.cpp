@@ -99,6 +99,22 @@ private Q_SLOTS:
         QVERIFY(!covers(agreed, agreedTo(2, 200ms)));
         QVERIFY(!covers(agreed, agreedTo(1, 201ms)));
     }
+    /// The speeds of a move the other way are the same, and those of a longer one in more time.
+    void aShaftGoesOnlyTheWayThatWasAgreedTo()
+    {
+        const auto agreedTo = [](double by, std::chrono::milliseconds in) {
+            lab::Experiment experiment = steps(1000, 1500);
+            experiment.plan = lab::PositionPlan{.byDegrees = by, .ramp = in};
+            return lab::agreementTo(experiment, 0.0);
+        };
+        lab::Agreement agreed = agreedTo(90.0, 300ms);
+        agreed.length += 1h;
+        QVERIFY(covers(agreed, agreed));
+        QVERIFY(covers(agreed, agreedTo(45.0, 200ms)));
+        QVERIFY(!covers(agreed, agreedTo(-90.0, 300ms)));
+        QVERIFY(!covers(agreed, agreedTo(-5.0, 300ms)));
+        QVERIFY(!covers(agreed, agreedTo(750.0, 2500ms)));
+    }
     void otherGainsMeanwhileAreAnotherPlan()
     {
         const auto agreedTo = [](int kp, int ki) {

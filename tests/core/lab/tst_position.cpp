@@ -36,6 +36,9 @@ bool positionSays(const lab::MeasuredSteps &found, std::string_view words)
 struct MadeUpMoves {
     double by_deg = 30.0, natural_hz = 10.0, damping = 0.5;
     double short_deg = 0.0; ///< that are left of the way back
+    std::chrono::milliseconds ramp{1}, hold{900}; ///< as the plan has them
+    double ended_s = 2.95;
+    double digit_deg = 360.0 / 65536.0;
 
     lab::MeasuredSteps found() const
     {
@@ -45,7 +48,7 @@ struct MadeUpMoves {
         capture::StreamLayout layout;
         layout.id = 1;
         layout.tickHz = kTick_hz;
-        layout.fast = {{1, "ENCODER_EL_ANGLE", "deg", 360.0 / 65536.0}, {2, "I_Q_MEAS", "A", 1e-3}};
+        layout.fast = {{1, "ENCODER_EL_ANGLE", "deg", digit_deg}, {2, "I_Q_MEAS", "A", 1e-3}};
         capture.begin(layout);
         capture::SampleBlock block;
         block.stream = 1;
@@ -74,7 +77,7 @@ struct MadeUpMoves {
         recorded::Happening entry{PositionPlan::kEntry,
             {{"motor", "1"}, {"pole pairs", "4"}, {"current", "I_Q_MEAS"},
                 {"angle", "ENCODER_EL_ANGLE"}}};
-        lab::putFields(entry, PositionPlan{.byDegrees = by_deg, .ramp = 1ms, .hold = 900ms});
+        lab::putFields(entry, PositionPlan{.byDegrees = by_deg, .ramp = ramp, .hold = hold});
         const recorded::Happening move{
             "position ramp", {{"motor", "1"}, {"rad", "0.5"}, {"ms", "1"}}};
         const auto answer = [](const char *asked_s) {
@@ -85,10 +88,29 @@ struct MadeUpMoves {
             {{0, entry}, {capture::toNanos(0.998), move},
                 {capture::toNanos(1.002), answer("0.998")}, {capture::toNanos(1.998), move},
                 {capture::toNanos(2.002), answer("1.998")},
-                {capture::toNanos(2.95), lab::entryOfEnd({})}});
+                {capture::toNanos(ended_s), lab::entryOfEnd({})}});
         return found ? std::get<lab::MeasuredSteps>(*found) : lab::MeasuredSteps{};
     }
 };
+
+/// What the board tells is another value, from `from` moves on; none: it does not tell it.
+void tellInstead(LabBench &bench, drive::RegisterId id, const std::optional<catalog::Value> &value,
+    std::size_t from = 0)
+{
+    bench.pair.onEvent = [&bench, id, value, from, as = bench.pair.onEvent](
+                             const drive::Event &event) {
+        drive::Event told = event;
+        if (auto *read = std::get_if<drive::RegistersRead>(&told);
+            read != nullptr && bench.asked<drive::PositionRamp>().size() >= from)
+            for (drive::Reading &reading : read->readings) {
+                if (reading.id == id && value)
+                    reading.value = *value;
+                else if (reading.id == id)
+                    reading.status = drive::ReadStatus::Refused;
+            }
+        as(told);
+    };
+}
 
 } // namespace
 
@@ -97,7 +119,14 @@ class TestPosition : public QObject {
 private Q_SLOTS:
     void theNumbersOfSamplesFollowByHand();
     void whatIsLeftOfAWayIsSaid();
+    void aMoveThatIsCutInItsHoldTellsNothing();
+    void whatSwingsIsNotCalledShort();
+    void anAngleThatIsNoNumberTellsNothing();
     void aShaftGoesThereAndBack();
+    void aShaftThatTurnsIsNotAsked();
+    void whereAShaftCannotBeMovedFromIsSaid_data();
+    void whereAShaftCannotBeMovedFromIsSaid();
+    void whatStaysInPositionControlIsSaid();
     void aGapTakesTheMoveThatItIsIn();
     void disarmingStopsTheMotor();
     void aMoveThatIsTooFastIsRefused();
@@ -131,6 +160,34 @@ void TestPosition::whatIsLeftOfAWayIsSaid()
     QVERIFY(positionSays(made.found(), "the shaft moved by 28"));
     made.short_deg = 0.4; // less than half a degree
     QVERIFY(made.found().notes.empty());
+}
+
+/// Nine tenths of its whole time are not those of its hold.
+void TestPosition::aMoveThatIsCutInItsHoldTellsNothing()
+{
+    MadeUpMoves made{.ramp = 800ms, .hold = 100ms};
+    const lab::MeasuredSteps whole = made.found();
+    QVERIFY(!whole.runs[1].cut);
+    made.ended_s = 2.85;
+    const lab::MeasuredSteps found = made.found();
+    QVERIFY(!found.runs[0].cut && found.runs[1].cut);
+    QVERIFY(!positionSays(found, "the shaft moved by"));
+}
+
+void TestPosition::whatSwingsIsNotCalledShort()
+{
+    const lab::MeasuredSteps found = MadeUpMoves{.damping = 0.01}.found();
+    QVERIFY(positionSays(found, "does not settle while its position is held"));
+    QVERIFY(!positionSays(found, "the shaft moved by"));
+}
+
+/// Nor is it taken for a shaft that stands.
+void TestPosition::anAngleThatIsNoNumberTellsNothing()
+{
+    for (const lab::StepRun &run : MadeUpMoves{.digit_deg = std::nan("")}.found().runs) {
+        QVERIFY(!run.rise_s && !run.overshoot_pct && !run.settling_s);
+        QVERIFY(run.unusable == scope::WhyNot::GapInside);
+    }
 }
 
 /// By 90 degrees: the rotor does what the recording says, and everything is as before.
@@ -169,6 +226,67 @@ void TestPosition::aShaftGoesThereAndBack()
         qPrintable(
             QStringLiteral("%1 degrees, %2 %").arg(most_deg).arg(found.overshoot_pct->value)));
     QVERIFY(found.settling_s->value > 0.15 && found.settling_s->value < 0.9);
+    // It counts from an instant that is not known better.
+    for (const lab::StepRun &run : found.runs)
+        QVERIFY(*found.settling_s->high - *found.settling_s->low >= 2.0 * *run.instantError_s);
+}
+
+/// Its place is asked for once it rests, and at last never.
+void TestPosition::aShaftThatTurnsIsNotAsked()
+{
+    LabBench bench(positioning());
+    QVERIFY(bench.pair.ready);
+    const auto course = lab::courseOf({PositionPlan{}, bench.experiment.subject});
+    const auto asks = [&](std::chrono::milliseconds at, std::optional<double> rpm) {
+        return course->next({TimePoint(at), rpm, {}}).has_value();
+    };
+    QVERIFY(!asks(0ms, 300.0) && !asks(400ms, 0.0) && !asks(600ms, 300.0));
+    QVERIFY(!asks(800ms, 0.0) && !asks(1099ms, 0.0));
+    QVERIFY(asks(1100ms, 0.0));
+    const auto other = lab::courseOf({PositionPlan{}, bench.experiment.subject});
+    for (int at = 0; at < 2990; at += 20)
+        QVERIFY(!other->next({TimePoint(std::chrono::milliseconds(at)), {}, {}}) && !other->over());
+    QVERIFY(!other->next({TimePoint(3s), {}, {}}) && other->over());
+    QVERIFY(QString::fromStdString(other->problem()).contains("does not come to rest"));
+}
+
+void TestPosition::whereAShaftCannotBeMovedFromIsSaid_data()
+{
+    QTest::addColumn<double>("radians");
+    QTest::addColumn<QString>("why");
+    QTest::newRow("not told") << std::nan("") << "the board does not tell where its shaft is";
+    QTest::newRow("too far") << 9999.0 << "the shaft is too far from where the board was switched";
+    QTest::newRow("too far back") << -10001.0 << "the shaft is too far from";
+}
+void TestPosition::whereAShaftCannotBeMovedFromIsSaid()
+{
+    QFETCH(const double, radians);
+    QFETCH(const QString, why);
+    LabBench bench(positioning());
+    QVERIFY(bench.pair.ready);
+    bench.experiment.plan = PositionPlan{.byDegrees = 90.0};
+    tellInstead(bench, bench.experiment.subject.registers.position,
+        std::isnan(radians) ? std::nullopt : std::optional<catalog::Value>(radians));
+    const lab::Outcome outcome = bench.run();
+    QVERIFY2(outcome.end == End::Refused && QString::fromStdString(outcome.reason).startsWith(why),
+        qPrintable(support::outcomeText(outcome)));
+    QVERIFY(!outcome.leaves);
+    QVERIFY(bench.asked<drive::PositionRamp>().empty());
+    QVERIFY(bench.pair.board->truth(1).state == simulation::MotorState::Idle);
+}
+
+/// A speed that is asked for and agreed to does not have to change the mode.
+void TestPosition::whatStaysInPositionControlIsSaid()
+{
+    LabBench bench(positioning());
+    QVERIFY(bench.pair.ready);
+    bench.experiment.plan = PositionPlan{.repeat = 1};
+    const drive::RegisterId mode = bench.experiment.subject.setPoint.front(); // CONTROL_MODE
+    tellInstead(bench, mode, catalog::Value(catalog::kPositionModeNumber), 2);
+    const lab::Outcome outcome = bench.run();
+    QVERIFY2(outcome.end == End::Complete && outcome.leaves
+            && outcome.reason == "the motor is in position control now, it was in speed control",
+        qPrintable(support::outcomeText(outcome)));
 }
 
 void TestPosition::aGapTakesTheMoveThatItIsIn()

@@ -145,7 +145,21 @@ private Q_SLOTS:
         kind->setCurrentIndex(row);
         QVERIFY(!bench.find("stepFrom")->isVisible());
         QCOMPARE(bench.find<QLineEdit>("stepTo")->text(), QStringLiteral("90.0"));
-        bench.find<QSpinBox>("stepApproach")->setValue(300);
+        auto *approach = bench.find<QSpinBox>("stepApproach");
+        QCOMPARE(approach->value(), 300);
+        approach->setValue(20); // no ramp of a speed
+        kind->setCurrentIndex(0);
+        QCOMPARE(approach->value(), 500);
+        kind->setCurrentIndex(row);
+        QCOMPARE(approach->value(), 20);
+        approach->setValue(300);
+        const auto greyed = [kind = kind, row = row] {
+            return !(kind->model()->flags(kind->model()->index(row, 0)) & Qt::ItemIsEnabled);
+        };
+        bench.device().setUserLimits({3000.0, 0.0});
+        QTRY_VERIFY(greyed());
+        bench.device().setUserLimits({});
+        QTRY_VERIFY(!greyed());
         bench.find<QSpinBox>("stepRepeat")->setValue(1);
         QTRY_VERIFY(bench.run()->isEnabled());
         bench.press("stepRun");

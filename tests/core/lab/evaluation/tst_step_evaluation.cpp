@@ -278,7 +278,7 @@ private Q_SLOTS:
         MeasuredSteps series;
         series.runs = {whole, broken};
         noteRuns(series, "speed");
-        addMeans(series, 1e-3, 1e-3);
+        addMeans(series, {1e-3, 1e-3, 1e-3});
         const std::vector<std::string> once{
             "samples are missing in step 2 (down): nothing is told of its speed",
             "the mean rise time, overshoot and settling time are those of 1 of 2 steps"};
@@ -292,7 +292,7 @@ private Q_SLOTS:
         series = {};
         series.runs = {whole, swings, flat};
         noteRuns(series, "speed");
-        addMeans(series, 1e-3, 1e-3);
+        addMeans(series, {1e-3, 1e-3, 1e-3});
         const std::vector<std::string> twice{
             "step 2 (down) does not settle while its speed is held",
             "step 3 (up) is not seen in the speed",
