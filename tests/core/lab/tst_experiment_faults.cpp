@@ -286,9 +286,9 @@ std::string whatIsWrong(const Scenario &scenario)
     const bool obeys = scenario.lie == nullptr || scenario.lie->lie != simulation::Lie::NeverStops;
     if (bench.stops > 0 && !truth.idle && obeys) // heard as soon as there is a link
         return "stopped, and the motor is driven";
-    const bool byTorque = outcome.reason.find("in torque control now") != std::string::npos;
-    if (outcome.end == End::Interrupted && byTorque && truth.driven && obeys)
-        return "the judge: MS28: driven by a torque that nothing bounds";
+    const bool bySpeed = outcome.reason.find(" control now, it was") == std::string::npos;
+    if (outcome.end == End::Interrupted && !bySpeed && truth.driven && obeys)
+        return "the judge: MS28: driven by a torque or a position that nothing bounds";
     const bool same = truth.driven == scenario.runs
         && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
     const bool says = outcome.reason.find("set-point") != std::string::npos
@@ -306,7 +306,7 @@ std::string whatIsWrong(const Scenario &scenario)
     if (!scenario.broken.empty())
         return scenario.broken;
     for (const std::string &name : scenario.changed) {
-        const std::string said = name == "CONTROL_MODE" ? "torque control" : name;
+        const std::string said = name == "CONTROL_MODE" ? " control now, it was" : name;
         if (outcome.reason.find(said) == std::string::npos)
             return "the judge: MS32: " + name + " is not as it was, and nothing says so";
     }

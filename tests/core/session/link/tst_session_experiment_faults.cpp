@@ -163,7 +163,7 @@ std::string whatIsWrong(Scenario &scenario)
     for (const auto &[name, value] : scenario.held()) {
         ++scenario.compared;
         const auto old = before.find(name);
-        const std::string said = name == "CONTROL_MODE" ? "torque control" : name;
+        const std::string said = name == "CONTROL_MODE" ? " control now, it was" : name;
         if (old != before.end() && !drive::sameValue(old->second, value)
             && reason.find(said) == std::string::npos)
             return "the judge: MS32: " + name + " is not as it was, and nothing says so: " + reason;
