@@ -47,19 +47,32 @@ struct Change {
     double load_a = 0.0, dip_rpm = 0.0, recovery_s = 0.0, peak_a = 0.0; ///< magnitudes
 };
 
+/// The speed that was held, and its noise, of all segments: one that lies in a change has its own middle.
+struct Held {
+    double rpm = 0.0, noise_rpm = 0.0;
+    explicit Held(const std::vector<Blocks> &all)
+    {
+        constexpr double kDeviation = 1.4826; // of a normal spread, in median deviations
+        std::vector<double> speeds;
+        for (const Blocks &blocks : all)
+            speeds.insert(speeds.end(), blocks.speed.begin(), blocks.speed.end());
+        rpm = medianOf(speeds);
+        for (double &speed : speeds)
+            speed = std::abs(speed - rpm);
+        noise_rpm = kDeviation * medianOf(speeds);
+    }
+};
+
 /// Changes of the load in one segment.
 class Changes {
 public:
-    Changes(const Blocks &blocks, bool forwards)
+    Changes(const Blocks &blocks, const Held &held, bool forwards)
         : m_blocks(blocks)
-        , m_held_rpm(medianOf(blocks.speed))
+        , m_held_rpm(held.rpm)
+        , m_noise_rpm(held.noise_rpm)
         , m_hold(static_cast<std::size_t>(std::ceil(kHeld_s / blocks.block_s)))
         , m_forwards(forwards)
     {
-        std::vector<double> offsets;
-        for (const double rpm : blocks.speed)
-            offsets.push_back(std::abs(rpm - m_held_rpm));
-        m_noise_rpm = kDeviation * medianOf(offsets);
         const double clear = std::max(kClear * m_noise_rpm, kLeastShare * std::abs(m_held_rpm));
         bool quiet = false; // since the last one, of which a tenth may be more than noise
         for (std::size_t at = m_hold; at < m_blocks.speed.size(); ++at) {
@@ -74,7 +87,6 @@ public:
     bool brief = false; ///< one went before the speed was back: nothing tells how strong it was
 
 private:
-    static constexpr double kDeviation = 1.4826; ///< of a normal spread, in median deviations
     static constexpr double kClear = 6.0, kLeastShare = 0.005, kLeft = 0.1, kQuiet = 3.0;
     static constexpr double kHeld_s = 0.05; ///< it stays so long; and the means before and behind
     static constexpr double kStays = 0.3; ///< of how far the reference went meanwhile, at the least
@@ -122,7 +134,7 @@ private:
     }
 
     const Blocks &m_blocks;
-    double m_held_rpm, m_noise_rpm = 0.0;
+    double m_held_rpm, m_noise_rpm;
     std::size_t m_hold;
     bool m_forwards;
 };
@@ -176,11 +188,15 @@ Result<LoadSteps, std::string> evaluateLoad(const capture::Capture &capture, con
         segmentsOf(capture, of->angle, {of->reference, of->current}, span->from, span->to);
     std::vector<Change> changes;
     bool open = false, brief = false;
-    for (const Segment &segment : segments) {
-        const Blocks blocks = blocksOf(segment, *of);
-        if (blocks.speed.empty())
-            continue;
-        const Changes inIt(blocks, of->plan.fromRpm > 0);
+    std::vector<Blocks> pieces;
+    for (const Segment &segment : segments)
+        if (Blocks blocks = blocksOf(segment, *of); !blocks.speed.empty())
+            pieces.push_back(std::move(blocks));
+    if (pieces.empty())
+        return fail(std::string("it holds no samples of the signals that it needs"));
+    const Held held(pieces);
+    for (const Blocks &blocks : pieces) {
+        const Changes inIt(blocks, held, of->plan.fromRpm > 0);
         changes.insert(changes.end(), inIt.found.begin(), inIt.found.end());
         open = open || inIt.open;
         brief = brief || inIt.brief;

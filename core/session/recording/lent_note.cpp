@@ -116,12 +116,26 @@ void LentNote::meet(const drive::Identified &board)
     tell();
 }
 
+/// Of one that was left before it is known what it held.
+/// @return  it was not on the note
+bool LentNote::borrow(drive::RegisterId id)
+{
+    const auto held = m_held.find(id);
+    return held != m_held.end()
+        && m_lent.try_emplace(id, lab::Lent{m_catalog->nameOf(id), lab::typedText(held->second)})
+               .second;
+}
+
 /// What an experiment writes is borrowed, but where it is what the register held before: it is given back then, or was
 /// never anything else.
 void LentNote::onWish(const drive::Wish &wish, TimePoint)
 {
+    if (wish.id < lab::Runner::kFirstWish || !m_catalog)
+        return;
+    if (const auto *ramp = std::get_if<drive::SpeedRamp>(&wish.what))
+        return borrowWay(ramp->motor);
     const auto *write = std::get_if<drive::Write>(&wish.what);
-    if (write == nullptr || wish.id < lab::Runner::kFirstWish || !m_catalog)
+    if (write == nullptr)
         return;
     const auto isBack = [this](const drive::RegisterWrite &one) {
         const auto lent = m_lent.find(one.id);
@@ -134,15 +148,22 @@ void LentNote::onWish(const drive::Wish &wish, TimePoint)
         return;
     m_lending = wish.id;
     m_fresh.clear();
-    for (const drive::RegisterWrite &one :
-        write->writes) // of one that was left before it is known what it held
-        if (const auto held = m_held.find(one.id); held != m_held.end()
-            && m_lent
-                   .try_emplace(
-                       one.id, lab::Lent{m_catalog->nameOf(one.id), lab::typedText(held->second)})
-                   .second)
+    for (const drive::RegisterWrite &one : write->writes)
+        if (borrow(one.id))
             m_fresh.insert(one.id);
     save();
+}
+
+/// A servo drive is told with each speed how to go there. Whether a ramp that was refused had written some of that is
+/// not known: it stays until it was written back.
+void LentNote::borrowWay(int motor)
+{
+    bool more = false;
+    for (const std::string_view name : m_catalog->start().way)
+        if (const catalog::RegisterInfo *info = m_catalog->find(name))
+            more = borrow(m_catalog->withMotor(*info, motor)) || more;
+    if (more)
+        save();
 }
 
 void LentNote::written(const drive::Ended &ended)

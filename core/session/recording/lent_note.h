@@ -5,8 +5,8 @@
 //
 // A board is known by what it says of itself: another one that says the same has the same note. One that is simulated
 // by this program ends with it and has no file. It stands in the session's thread; a file takes well below 1 ms, and
-// the motor rests when one is written: nothing waits for the disk itself, because a program that is killed loses
-// nothing of what it handed to the system.
+// the motor rests when one is written, or goes its old speed: nothing waits for the disk itself, because a program that
+// is killed loses nothing of what it handed to the system.
 #pragma once
 
 #include "lab/lent.h"
@@ -42,6 +42,8 @@ Q_SIGNALS:
 
 private:
     void meet(const drive::Identified &board);
+    bool borrow(drive::RegisterId id);
+    void borrowWay(int motor);
     void written(const drive::Ended &ended);
     void notBorrowed(const drive::Ended &ended);
     void save() const;

@@ -32,13 +32,15 @@ bool loadSays(const lab::LoadSteps &found, std::string_view words)
 
 constexpr double kHeldRpm = 1500.0;
 
-/// Eight seconds of a speed that gives way by 100 rpm at 2 s and is back by exp(-t / 20 ms) from 30 ms on, the other
+/// Eight seconds of a speed that gives way by 100 rpm at 2 s and is back by exp(-t / tau_s) from flat_s on, the other
 /// way at 4 s and the first way again at 6 s. Four pole pairs; the current goes with the load at once.
 struct ChangingLoad {
-    double dip_rpm = 100.0, tau_s = 0.02, load_a = 3.0;
+    double dip_rpm = 100.0, flat_s = 0.03, tau_s = 0.02, load_a = 3.0;
     std::vector<double> changes_s{2.0, 4.0, 6.0};
     bool back = true; ///< else it stays where it went
     std::string sensor = "ENCODER_EL_ANGLE";
+    /// Of a second of gap, the piece behind it, and another second of gap; 0: there is none.
+    double missingFrom_s = 0.0, kept_s = 0.0;
     int planned_rpm = static_cast<int>(kHeldRpm); ///< as the file says it
 
     Result<lab::Finding, std::string> found() const
@@ -68,10 +70,10 @@ struct ChangingLoad {
                 amps += -way * load_a;
                 rpm = kHeldRpm
                     + way * dip_rpm
-                        * (t_s < 0.01        ? t_s / 0.01
-                                : !back      ? 1.0
-                                : t_s < 0.03 ? 1.0
-                                             : std::exp(-(t_s - 0.03) / tau_s));
+                        * (t_s < 0.01          ? t_s / 0.01
+                                : !back        ? 1.0
+                                : t_s < flat_s ? 1.0
+                                               : std::exp(-(t_s - flat_s) / tau_s));
             }
             turns += rpm / 60.0 * 4.0 / kTick_hz;
             block.fast.push_back(static_cast<std::int16_t>(
@@ -80,7 +82,26 @@ struct ChangingLoad {
         }
         for (int times = 0; times < 2; ++times)
             block.fast.insert(block.fast.end(), current.begin(), current.end());
-        capture.append(block);
+        const auto appendFrom = [&](double from_s, double to_s) {
+            const auto from = std::ptrdiff_t(from_s * kTick_hz),
+                       to = std::ptrdiff_t(to_s * kTick_hz);
+            capture::SampleBlock part;
+            part.stream = 1;
+            part.firstTick = static_cast<capture::Tick>(from);
+            part.count = static_cast<std::uint32_t>(to - from);
+            for (std::ptrdiff_t signal = 0; signal < 3; ++signal) {
+                const auto begin = block.fast.begin() + signal * kTicks;
+                part.fast.insert(part.fast.end(), begin + from, begin + to);
+            }
+            capture.append(part);
+        };
+        if (!(kept_s > 0.0)) {
+            capture.append(block);
+        } else {
+            appendFrom(0.0, missingFrom_s);
+            appendFrom(missingFrom_s + 1.0, missingFrom_s + 1.0 + kept_s);
+            appendFrom(missingFrom_s + 2.0 + kept_s, kTicks / kTick_hz);
+        }
 
         lab::LoadPlan plan;
         plan.fromRpm = plan.toRpm = planned_rpm;
@@ -115,6 +136,7 @@ private Q_SLOTS:
     void aBrakeIsToldAsTheRotorFeelsIt_data();
     void aBrakeIsToldAsTheRotorFeelsIt();
     void aGapTakesWhatItTakes();
+    void aPieceWithinAChangeHasNoMiddleOfItsOwn();
     void itHasCapsAndIsAgreedTo();
 };
 
@@ -253,6 +275,17 @@ void TestLoad::aGapTakesWhatItTakes()
     const auto &found = std::get<lab::LoadSteps>(*finding);
     QVERIFY(lost.saidIn(found.notes));
     VERIFY_WITHIN(*loadFigure(found, "load_nm"), 0.05, 10.0);
+}
+
+/// What is kept between two gaps has given way for the most of it, and is back at its end.
+void TestLoad::aPieceWithinAChangeHasNoMiddleOfItsOwn()
+{
+    const lab::LoadSteps found =
+        ChangingLoad{.flat_s = 0.3, .changes_s = {2.0, 4.0}, .missingFrom_s = 3.05, .kept_s = 0.4}
+            .load();
+    QVERIFY(loadSays(found, "the load came 1 times and went 0 times"));
+    QVERIFY(!loadSays(found, "was not over at the end"));
+    VERIFY_WITHIN(*loadFigure(found, "dip_rpm"), 100.0, 3.0);
 }
 
 void TestLoad::itHasCapsAndIsAgreedTo()

@@ -3,6 +3,8 @@
 #include "drive/values.h"
 #include "lab/runner.h"
 #include "session/recording/lent_note.h"
+#include "support/lab_bench.h"
+#include "support/mcb/pair.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -16,6 +18,16 @@ namespace {
 
 constexpr const char *kStages = "REVUP_DATA";
 constexpr const char *kGain = "SPEED_KP";
+
+struct LentServo : support::McbPair {
+    LentServo()
+        : ready(meet())
+    {
+        drive->arm();
+        exchange();
+    }
+    bool ready;
+};
 
 /// A board without a sensor, and a program that keeps notes in a folder.
 struct World : support::LabWorld {
@@ -142,6 +154,46 @@ private Q_SLOTS:
         QVERIFY(later.left.isEmpty());
     }
 
+    /// How a servo drive goes to its speeds is told with each of them, and is given back at the end.
+    void howADriveWentToItsSpeedIsBorrowedToo()
+    {
+        const QTemporaryDir folder;
+        session::Endpoint endpoint;
+        endpoint.kind = session::Endpoint::Kind::Serial;
+        const auto metAgain = [&](const drive::Identified &board) {
+            LentNote next(folder.path());
+            const QSignalSpy left(&next, &LentNote::left);
+            next.begin(endpoint);
+            next.onEvent(board, {});
+            return left.isEmpty() ? QString() : left.last().first().toString();
+        };
+        support::LabBenchOn<LentServo> bench;
+        QVERIFY(bench.pair.ready);
+        const drive::Identified board = *bench.pair.identified;
+        LentNote note(folder.path());
+        note.begin(endpoint);
+        note.onEvent(board, {});
+        bench.pair.onEvent = [&, before = bench.pair.onEvent](const drive::Event &event) {
+            note.onEvent(event, {});
+            before(event);
+        };
+        std::size_t told = 0;
+        bench.eachTurn = [&] {
+            while (told < bench.wishes.size())
+                note.onWish(bench.wishes[told++], {});
+        };
+        bench.begin();
+        const auto moves = [&] { return bench.asked<drive::SpeedRamp>().size() >= 2; };
+        QVERIFY(bench.runUntil(moves, 20s));
+        const QString killed = metAgain(board); // as it stands now
+        for (const std::string_view name : board.catalog->start().way)
+            QVERIFY2(killed.contains(
+                         QString::fromStdString(std::string(name)) + QStringLiteral(" may hold")),
+                qPrintable(killed));
+        QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 60s));
+        VERIFY_END(bench.runner->outcome(), lab::End::Complete);
+        QCOMPARE(metAgain(board), QString());
+    }
     void whatIsGivenBackLeavesNoNote()
     {
         const QTemporaryDir folder;
