@@ -34,6 +34,13 @@ function(rotorscope_unhurried target)
     endif()
 endfunction()
 
+# rotorscope_transforms(FILE...): files that transform samples. g++ 12 packs the complex numbers of kissfft in twos, and moves them
+# about so much for it that a third of the time is lost. A file with options of its own is in no batch.
+function(rotorscope_transforms)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+        COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+endfunction()
+
 if(NOT MSVC) # what Debian's own packages are hardened with
     add_compile_options($<$<CONFIG:Release>:-fstack-protector-strong> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>)
     if(UNIX AND NOT APPLE)
