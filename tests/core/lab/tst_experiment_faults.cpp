@@ -305,7 +305,13 @@ std::string whatIsWrong(const Scenario &scenario)
         return "the judge: MS32: the motor is not as it was, and nothing says so";
     if (!scenario.broken.empty())
         return scenario.broken;
+    // Where the payload has no CRC, noise makes one register of another: SPEED_RAMP 0x01a9 came as 0x03a9, a torque.
+    const bool onlySpeeds = bench.asked<drive::TorqueRamp>().empty()
+        && bench.asked<drive::CurrentReference>().empty()
+        && bench.asked<drive::PositionRamp>().empty();
     for (const std::string &name : scenario.changed) {
+        if (name == "CONTROL_MODE" && scenario.has(Trouble::Noise) && onlySpeeds)
+            continue;
         const std::string said = name == "CONTROL_MODE" ? " control now, it was" : name;
         if (outcome.reason.find(said) == std::string::npos)
             return "the judge: MS32: " + name + " is not as it was, and nothing says so";
